@@ -93,10 +93,10 @@ public final class MajicFrame extends JFrame {
         tabs.setMinimumSize(new Dimension(360, 200));
         JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, commands);
         all.setResizeWeight(0.75);
-        JPanel content = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3", "[grow, fill]", "[][][grow, fill]"));
-        content.add(new FrameToolbar(actions.buttons(), stop), "wmin 0, wrap");
-        content.add(alarm, "wmin 0, gap 8 8 0 6, wrap");
-        content.add(all, "wmin 0, hmin 0, gap 8 8 0 8");
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));
+        content.add(new FrameToolbar(actions.buttons(), stop), "wmin 0");
+        content.add(alarm, "wmin 0, gap 8 8 0 6");
+        content.add(all, "wmin 0, hmin 0, pushy, growy, gap 8 8 0 8");
         setContentPane(content);
         setJMenuBar(new FrameMenu(this, actions));
         EventThread.background("reading pictures", () -> readPictures(actions));

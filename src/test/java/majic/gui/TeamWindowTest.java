@@ -2,6 +2,8 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
+import java.awt.Container;
 import javax.swing.JTabbedPane;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
@@ -93,6 +95,19 @@ class TeamWindowTest {
     void theMapShowsTheTeam() {
         window.add("one");
         TeamMap map = window.find("teamMap", TeamMap.class);
-        window.await("a robot on the map", () -> map.scene().robots().size() == 1);
+        window.await(
+                "a robot on the map",
+                () -> String.valueOf(map.getAccessibleContext().getAccessibleDescription())
+                        .startsWith("1 "));
+    }
+
+    @Test
+    void thePanesReachTheBottomOfTheWindow() {
+        window.add("one");
+        Container content = window.frame.getContentPane();
+        Component panes = content.getComponent(content.getComponentCount() - 1);
+        window.await(
+                "a layout",
+                () -> content.getHeight() > 0 && content.getHeight() - panes.getY() - panes.getHeight() < 10);
     }
 }
