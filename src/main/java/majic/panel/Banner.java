@@ -48,15 +48,6 @@ public final class Banner extends JTextArea {
         revalidate();
     }
 
-    /**
-     * Returns whether the message must be acted on.
-     *
-     * @return false also without a message
-     */
-    public boolean isAlarm() {
-        return alarm;
-    }
-
     /** Returns the height that its text needs. */
     int heightIn(int width) {
         Insets insets = getInsets();

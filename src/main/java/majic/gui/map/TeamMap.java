@@ -1,6 +1,7 @@
 package majic.gui.map;
 
 import java.awt.Dimension;
+import java.util.stream.Collectors;
 import majic.panel.map.ZoomableMap;
 
 /**
@@ -25,13 +26,13 @@ public final class TeamMap extends ZoomableMap {
         getAccessibleContext().setAccessibleName("Team map");
     }
 
-    /** Shows another scene. */
+    /** Shows another scene, and describes it for screen readers as {@code 1 Pioneer, 2 Aibo}. */
     public void show(MapScene scene) {
         floor.show(scene);
+        getAccessibleContext()
+                .setAccessibleDescription(scene.robots().stream()
+                        .map(robot -> robot.number() + " " + robot.label())
+                        .collect(Collectors.joining(", ")));
         repaint();
-    }
-
-    public MapScene scene() {
-        return floor.scene();
     }
 }

@@ -61,15 +61,6 @@ public final class Trail {
     }
 
     /**
-     * Returns the number of points.
-     *
-     * @return 0 to 2048
-     */
-    public synchronized int size() {
-        return size;
-    }
-
-    /**
      * Copies the trail into a path.
      *
      * @param path cleared first, then filled with the trail on the floor, mm

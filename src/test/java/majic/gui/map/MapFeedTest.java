@@ -2,6 +2,7 @@ package majic.gui.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.OptionalInt;
 import majic.bot.BotType;
@@ -67,7 +68,10 @@ class MapFeedTest {
         bot.at(new Pose(50, 0, 0), true);
         feed.scene();
         bot.at(new Pose(55, 0, 0), true);
-        assertThat(feed.scene().robots().get(0).trail().size()).isEqualTo(2);
+
+        Rectangle2D extent = new Rectangle2D.Double();
+        feed.scene().robots().get(0).trail().extend(extent);
+        assertThat(Math.hypot(extent.getWidth(), extent.getHeight())).isEqualTo(50);
     }
 
     @Test
