@@ -1,6 +1,7 @@
 package majic.vendor;
 
 import java.lang.reflect.InvocationTargetException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.BotException;
@@ -114,6 +115,19 @@ public enum VendorLibrary {
             throw new BotException(
                     label + " in " + home + " is not the version that MAJIC can use, or damaged: " + cause, e);
         }
+    }
+
+    /**
+     * Returns the folder in which the library is installed. For adapters, which exist only while the library is loaded.
+     *
+     * @return the folder, absolute
+     * @throws IllegalStateException if the library is not loaded
+     */
+    public synchronized Path home() {
+        if (loader == null) {
+            throw new IllegalStateException(label + " is not loaded");
+        }
+        return loader.home();
     }
 
     private VendorLoader loader(VendorHome home, String adapter) {

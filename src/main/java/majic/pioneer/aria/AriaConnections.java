@@ -10,6 +10,7 @@ import java.util.stream.Stream;
 import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.ConnectionMaker;
 import majic.pioneer.session.PioneerConnection;
+import majic.vendor.VendorLibrary;
 import org.jspecify.annotations.Nullable;
 
 /** Makes the connections of one robot through ARIA, one after the other with the same {@code ArRobot}. */
@@ -35,10 +36,8 @@ public final class AriaConnections implements ConnectionMaker {
     private static synchronized void initialize() {
         if (!initialized) {
             Aria.init(Aria.SigHandleMethod.SIGHANDLE_NONE);
-            Path home = home(place(ArRobot.class.getProtectionDomain().getCodeSource()));
-            if (home != null) {
-                Aria.setDirectory(home + "/");
-            }
+            Path jar = place(ArRobot.class.getProtectionDomain().getCodeSource());
+            Aria.setDirectory(home(jar, VendorLibrary.ARIA.home()) + "/");
             initialized = true;
         }
     }
@@ -51,12 +50,12 @@ public final class AriaConnections implements ConnectionMaker {
         }
     }
 
-    /** The folder above the jar that has ARIA's parameters; null if there is none. */
-    static @Nullable Path home(@Nullable Path jar) {
+    /** The folder above the jar that has ARIA's parameters; the named one if there is none. */
+    static Path home(@Nullable Path jar, Path named) {
         return Stream.iterate(jar, folder -> folder != null, Path::getParent)
                 .filter(folder -> Files.isDirectory(folder.resolve(PARAMETERS)))
                 .findFirst()
-                .orElse(null);
+                .orElse(named);
     }
 
     @Override

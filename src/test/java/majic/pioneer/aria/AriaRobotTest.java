@@ -95,7 +95,7 @@ class AriaRobotTest {
         Files.createDirectories(folder.resolve("params"));
         Path jar = Files.createDirectories(folder.resolve("java")).resolve("Aria.jar");
 
-        assertThat(AriaConnections.home(jar)).isEqualTo(folder);
-        assertThat(AriaConnections.home(null)).isNull();
+        assertThat(AriaConnections.home(jar, jar.getParent())).isEqualTo(folder);
+        assertThat(AriaConnections.home(null, folder)).isEqualTo(folder);
     }
 }

@@ -8,5 +8,10 @@ public class Aria {
 
     public static void init(SigHandleMethod method) {}
 
-    public static void setDirectory(String directory) {}
+    /** The library adds the names of its folders to the end of this. */
+    public static void setDirectory(String directory) {
+        if (!directory.endsWith("/") || !new java.io.File(directory, "params").isDirectory()) {
+            throw new IllegalArgumentException(directory);
+        }
+    }
 }
