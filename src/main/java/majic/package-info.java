@@ -1,5 +1,5 @@
 /**
- * The program: command line, console, wiring. The only package that knows every other; nobody imports it.
+ * The program: command line, console, wiring. The only package that uses all others; no package uses it.
  */
 @NullMarked
 package majic;
