@@ -103,8 +103,9 @@ final class Ownership {
         return loan == null ? List.of(queue) : List.of(queue, loan.queue);
     }
 
+    /** Whether the next command may begin. A borrower that is ending begins none; what it had queued is dropped. */
     private synchronized boolean mayWork(@Nullable Owner by) {
-        return !isStopping() && (loan == null || isBorrower(by));
+        return !isStopping() && (loan == null || (isBorrower(by) && !loan.permit.isRevoked()));
     }
 
     /** Returns how a command that is queued now uses the robot: the next stop, or losing the connection, ends it. */

@@ -419,6 +419,23 @@ class TeamTest {
         assertThatThrownBy(() -> team.member(1).submit(move(100), act)).isInstanceOf(MotionStopped.class);
     }
 
+    @Test
+    void whatABorrowerHadQueuedBeginsNoMoreOnceItsPermitIsRevoked() throws InterruptedException {
+        join();
+        listen();
+        Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
+        Permit permit = new Permit();
+        team.member(1).lend(act, permit, null);
+        team.member(1).submit(move(5000), act);
+        team.member(1).submit(move(100).checkedBy(permit::check), act);
+        clock.time().sleep(0.1);
+        permit.revoke(() -> new MotionStopped("called off"));
+        clock.time().sleep(1);
+        team.member(1).takeBack(act);
+
+        assertThat(said).containsExactly("1 move 5000: stopped");
+    }
+
     /** Lends robot 1 and submits a command of the borrower that sleeps on after its permit was revoked. */
     private QueuedCommand sleepInLoan(Owner borrower, double seconds) throws InterruptedException {
         Permit permit = new Permit();
