@@ -66,7 +66,7 @@ public final class Banner extends JTextArea {
         DrawingColors colors = DrawingColors.current();
         Font font = UIManager.getFont("Label.font");
         if (font != null) {
-            setFont(alarm ? font.deriveFont(Font.BOLD, font.getSize2D() * ALARM_SIZE) : font);
+            setFont(alarm ? font.deriveFont(Font.BOLD, font.getSize2D() * ALARM_SIZE) : font.deriveFont(Font.PLAIN));
         }
         Color edge = alarm ? colors.alarm() : colors.grey(0.5);
         setOpaque(true);

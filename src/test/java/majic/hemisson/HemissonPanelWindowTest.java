@@ -90,7 +90,7 @@ class HemissonPanelWindowTest {
         click("ledPgm");
 
         await("a word", () -> banner().isShowing() && banner().getText().startsWith("ledPgm: "));
-        assertThat(banner().getFont().isBold()).isFalse();
+        assertThat(GuiActionRunner.execute(() -> banner().getFont().isBold())).isFalse();
     }
 
     @Test
@@ -135,7 +135,7 @@ class HemissonPanelWindowTest {
         peer.hangUp();
 
         await("what to do", () -> banner().isShowing() && banner().getText().contains("lift it"));
-        assertThat(banner().getFont().isBold()).isTrue();
+        assertThat(GuiActionRunner.execute(() -> banner().getFont().isBold())).isTrue();
         bot.connect();
         await("peace", () -> !banner().isShowing());
     }
