@@ -37,7 +37,7 @@ public final class DrivePad extends JPanel {
 
     private final transient Member member;
     private final transient ManualDriver driver;
-    private final Map<JButton, String> arrows = new LinkedHashMap<>();
+    private final transient Map<JButton, String> arrows = new LinkedHashMap<>();
     private final JLabel hint = new PlainLabel("", "");
     private String obstacle = "";
 
