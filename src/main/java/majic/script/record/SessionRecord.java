@@ -76,6 +76,19 @@ public final class SessionRecord {
         return new Event(Event.Kind.COMMAND, nanos(), text, robots, begins, finished, block);
     }
 
+    /**
+     * Keeps that a robot has just begun a command of a script, after all that it had to do before.
+     *
+     * @param text the words of the command without the robot; nothing is kept if they are empty
+     */
+    public synchronized void begun(String text, int number, Owner by, RecordedBlock block) {
+        if (!text.isEmpty()) {
+            Set<Integer> robot = Set.of(number);
+            String line = number + " " + text;
+            keep(new Event(Event.Kind.COMMAND, nanos(), line, robot, robot, finishedOthers(robot, by), block));
+        }
+    }
+
     /** Keeps that robots were waited for. */
     public synchronized void waited(String text, Set<Integer> robots, @Nullable RecordedBlock block) {
         keep(event(Event.Kind.WAIT, nanos(), text, robots, block));

@@ -12,6 +12,7 @@ import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
+import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
@@ -114,7 +115,12 @@ public class Execution {
      * @param waits whether it ends only when its robots have finished
      */
     public ScriptExecution asScript(String name, String text, boolean waits) {
-        return ScriptExecution.ofLine(this, name, origin.record.begin(text, waits));
+        return asScript(name, text, waits, null);
+    }
+
+    /** As {@link #asScript(String, String, boolean)}, under a control unless that is null. */
+    final ScriptExecution asScript(String name, String text, boolean waits, @Nullable ScriptControl control) {
+        return ScriptExecution.ofLine(this, name, origin.record.begin(text, waits), control);
     }
 
     /**
@@ -184,6 +190,18 @@ public class Execution {
         return motions;
     }
 
+    /** Waits until a statement may begin; has no effect unless a script is paused. */
+    void reach(Statement statement) {}
+
+    /**
+     * Whether a command is recorded for each robot when that robot begins it, instead of now.
+     *
+     * @param replayText the words with which a saved session repeats it
+     */
+    boolean isRecordedWhenBegun(String replayText) {
+        return false;
+    }
+
     /** Runs a command on robots for which it was checked, and records it. */
     public final void run(RobotAction action, List<Member> robots) {
         SessionRecord record = record();
@@ -217,7 +235,7 @@ public class Execution {
         List<QueuedCommand> ready = ready(members, commands);
         List<QueuedCommand> permitted = new ArrayList<>();
         for (int index = 0; index < ready.size(); index++) {
-            permitted.add(permitted(ready.get(index), taken.get(index)));
+            permitted.add(permitted(members.get(index), ready.get(index), taken.get(index)));
         }
         queue(members, permitted);
     }
@@ -229,8 +247,13 @@ public class Execution {
     }
 
     /** The command as it may be submitted: when its turn comes it does not begin without permission. */
-    QueuedCommand permitted(QueuedCommand command, Permit permit) {
+    QueuedCommand permitted(Member member, QueuedCommand command, Permit permit) {
         return command.moves() ? command.checkedBy(permit::check) : command;
+    }
+
+    /** The command as it is queued for a robot. */
+    QueuedCommand gated(Member member, QueuedCommand command) {
+        return command;
     }
 
     /** As {@link #submit}, for commands that only read: they need neither ownership nor permission. */
@@ -246,9 +269,10 @@ public class Execution {
             members.get(index).check(commands.get(index).moves(), owner());
         }
         for (int index = 0; index < commands.size(); index++) {
-            motions += commands.get(index).moves() ? 1 : 0;
-            members.get(index).submit(commands.get(index), owner());
-            track(members.get(index), commands.get(index));
+            QueuedCommand command = gated(members.get(index), commands.get(index));
+            motions += command.moves() ? 1 : 0;
+            members.get(index).submit(command, owner());
+            track(members.get(index), command);
         }
     }
 

@@ -39,6 +39,7 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
     @Override
     public @Nullable Void repeat(Statement.Repeat repeat) {
         for (int round = 0; repeat.times().isEmpty() || round < repeat.times().getAsInt(); round++) {
+            execution.reach(repeat);
             round(repeat.body());
         }
         return null;
@@ -46,20 +47,24 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void whileLoop(Statement.While loop) {
+        execution.reach(loop);
         while (holds(loop.condition(), loop.at())) {
             round(loop.body());
+            execution.reach(loop);
         }
         return null;
     }
 
     @Override
     public @Nullable Void choice(Statement.If choice) {
+        execution.reach(choice);
         run(holds(choice.condition(), choice.at()) ? choice.body() : choice.otherwise());
         return null;
     }
 
     @Override
     public @Nullable Void forRobots(Statement.ForRobots line) {
+        execution.reach(line);
         RobotAction action = actions.of(line.command());
         List<Member> robots = execution.selection().members(line.robots());
         robots.forEach(robot -> action.check(new RobotAction.Check(execution.selection(), robot, false, true)));
@@ -69,6 +74,7 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
+        execution.reach(line);
         SessionAction action = actions.of(line.command());
         action.check(new SessionAction.Check(execution.selection(), false));
         action.run(execution);

@@ -70,6 +70,10 @@ public abstract class RobotAction {
             Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
         Set<Integer> numbers = SessionRecord.numbers(robots);
         String text = replayText(execution.isTyped());
+        if (has(CommandTrait.COMMANDS_ROBOTS) && execution.isRecordedWhenBegun(text)) {
+            run(execution, robots);
+            return;
+        }
         SessionRecord.Event event = record.command(
                 text.isEmpty() ? "" : SessionRecord.names(numbers) + " " + text,
                 has(CommandTrait.COMMANDS_ROBOTS) ? numbers : Set.of(),

@@ -2,16 +2,19 @@ package majic.script.run;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
 import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
 import majic.script.syntax.ScriptException;
+import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.QueuedCommand;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,14 +28,21 @@ public final class ScriptExecution extends Execution {
     private final ClaimedRobots robots;
     private final SubmittedCommands own = new SubmittedCommands();
     private final @Nullable RecordedBlock block;
+    private final @Nullable ScriptControl control;
     private volatile boolean ended;
     private int files;
+    private ScriptControl.@Nullable Turn turn;
+    private String replayText = "";
 
-    private ScriptExecution(Execution line, String name, RecordedBlock block) {
+    private ScriptExecution(Execution line, String name, RecordedBlock block, @Nullable ScriptControl control) {
         super(line, line.origin(), line.selection(), line.wasStoppedSinceTyped());
         this.owner = new Owner(Owner.Kind.SCRIPT, name, this::end);
         this.robots = new ClaimedRobots(team(), owner, false);
         this.block = block;
+        this.control = control;
+        if (control != null) {
+            control.begun(this::stopFromOutside);
+        }
     }
 
     private ScriptExecution(Execution line, Owner act, Selection robots) {
@@ -40,10 +50,11 @@ public final class ScriptExecution extends Execution {
         this.owner = act;
         this.robots = new ClaimedRobots(team(), owner, true);
         this.block = null;
+        this.control = null;
     }
 
-    static ScriptExecution ofLine(Execution line, String name, RecordedBlock block) {
-        return new ScriptExecution(line, name, block);
+    static ScriptExecution ofLine(Execution line, String name, RecordedBlock block, @Nullable ScriptControl control) {
+        return new ScriptExecution(line, name, block, control);
     }
 
     static ScriptExecution ofAct(Execution line, Owner act, Selection robots) {
@@ -99,14 +110,64 @@ public final class ScriptExecution extends Execution {
         return robots.all();
     }
 
+    /** The statements of a file that the script runs belong to the statement that runs the file. */
+    @Override
+    void reach(Statement statement) {
+        if (control != null) {
+            ScriptControl.Turn next =
+                    turn == null || files == 0 ? control.reach(statement.at().line()) : turn;
+            turn = next;
+            await(next::mayBegin, Double.POSITIVE_INFINITY);
+            next.enter();
+        }
+    }
+
+    /** Under control a command may be held back for long, or for ever, behind the statement. */
+    @Override
+    boolean isRecordedWhenBegun(String text) {
+        replayText = text;
+        return control != null;
+    }
+
     /** A command that is still queued when the script has ended or failed must not begin before the stop reaches it. */
     @Override
-    QueuedCommand permitted(QueuedCommand command, Permit permit) {
-        return command.checkedBy(() -> {
-            if (ended || owner.isDismissed() || own.trouble().isPresent()) {
+    QueuedCommand permitted(Member member, QueuedCommand command, Permit permit) {
+        String text = replayText;
+        QueuedCommand recorded = control == null || block == null
+                ? command
+                : command.checkedBy(() -> super.record().begun(text, member.number(), owner, block));
+        return recorded.checkedBy(() -> {
+            if (mustNotBegin()) {
                 throw new MotionStopped("stopped");
             }
         });
+    }
+
+    private boolean mustNotBegin() {
+        return ended || owner.isDismissed() || own.trouble().isPresent();
+    }
+
+    /** Under control the thread of the robot waits, when the turn of a command has come, until the command may begin. */
+    @Override
+    QueuedCommand gated(Member member, QueuedCommand command) {
+        if (turn == null) {
+            return command;
+        }
+        ScriptControl.GatedCommand gate = turn.command();
+        Permit permit = member.currentPermit();
+        return gate.use(command.checkedBy(() -> {
+            awaitTurn(() -> gate.mayBegin() || permit.isRevoked() || mustNotBegin());
+            gate.begin();
+        }));
+    }
+
+    private void awaitTurn(BooleanSupplier condition) {
+        try {
+            team().changes().await(condition, Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new MotionStopped("stopped");
+        }
     }
 
     @Override
@@ -129,6 +190,9 @@ public final class ScriptExecution extends Execution {
 
     /** Waits for all commands of the script. */
     public void finish() {
+        if (control != null) {
+            control.leave();
+        }
         await(own::allEnded, Double.POSITIVE_INFINITY);
     }
 
@@ -136,6 +200,23 @@ public final class ScriptExecution extends Execution {
     void end() {
         ended = true;
         team().changes().raise();
+    }
+
+    /** Stops the robots that the script has now, as a person would, and ends it. */
+    private void stopFromOutside() {
+        team().stop(
+                        team().members().stream()
+                                .filter(member -> member.owner() == owner || member.lender() == owner)
+                                .toList(),
+                        null);
+        end();
+    }
+
+    /** Reports how a script ended, once its robots are free. */
+    void ended(String how) {
+        if (control != null) {
+            control.ended(how);
+        }
     }
 
     /**

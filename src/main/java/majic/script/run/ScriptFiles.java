@@ -11,13 +11,14 @@ import majic.act.RegularFile;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.log.Line;
-import majic.script.record.SessionRecord;
+import majic.script.conditions.Selection;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptParser;
 import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.BotFactory;
 import majic.text.IoReason;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Runs scripts from files. A file is read whole and checked before anything of it runs.
@@ -35,33 +36,50 @@ public record ScriptFiles(BotFactory factory, ActionLookup actions) {
      * @throws ExecutionEnded if it has mistakes, which were reported then, or ends early
      */
     public void run(Path path, Execution execution) {
-        String file = path.toString();
-        List<Statement> script = checked(file, read(path), execution);
+        ScriptSource source = ScriptSource.read(path);
         if (execution instanceof ScriptExecution outer) {
-            outer.nested(file, () -> new Interpreter(execution, actions).run(script));
-            return;
+            List<Statement> script = checked(source, execution);
+            outer.nested(source.file(), () -> new Interpreter(execution, actions).run(script));
+        } else {
+            run(source, execution, null);
         }
-        ScriptExecution alone = execution.asScript(
-                String.valueOf(path.getFileName()),
-                "run " + SessionRecord.quoted(path.toAbsolutePath().toString()),
-                true);
-        String title = "run " + SessionRecord.quoted(file);
-        if (!new ScriptRun(alone, actions, title, file, true).run(script)) {
-            execution.fail(title);
+    }
+
+    /**
+     * Runs a script of its own. Blocks until it has ended.
+     *
+     * @param control pauses and ends it; null if nothing does
+     * @throws ExecutionEnded if it has mistakes, which were reported then
+     */
+    public void run(ScriptSource source, Execution execution, @Nullable ScriptControl control) {
+        List<Statement> script = checked(source, execution);
+        ScriptExecution alone = execution.asScript(source.name(), source.replay(), true, control);
+        if (!new ScriptRun(alone, actions, source.title(), source.file(), true).run(script)) {
+            execution.fail(source.title());
         }
     }
 
     /** Parses and checks a script; throws {@link ExecutionEnded} if it has mistakes, after all were reported. */
-    private List<Statement> checked(String file, String text, Execution execution) {
+    private List<Statement> checked(ScriptSource source, Execution execution) {
         List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = ScriptParser.parse(
-                text, factory.types().stream().map(BotType::name).toList(), mistakes);
-        mistakes.addAll(Checker.check(script, actions, execution.selection()));
-        Mistake.inOrder(mistakes, file).forEach(mistake -> execution.send(Line.Kind.ERROR, mistake));
+        List<Statement> script = checked(source.text(), execution.selection(), mistakes);
+        Mistake.inOrder(mistakes, source.file()).forEach(mistake -> execution.send(Line.Kind.ERROR, mistake));
         if (!mistakes.isEmpty()) {
             throw new ExecutionEnded(
                     Answer.Outcome.FAILED, Mistake.counted(mistakes.size()) + " in it, nothing was run");
         }
+        return script;
+    }
+
+    /**
+     * Parses a script, and checks it against the robots that are there. Reads the files it names, so it may block.
+     *
+     * @param mistakes receives what is wrong
+     */
+    public List<Statement> checked(String text, Selection selection, List<Mistake> mistakes) {
+        List<Statement> script = ScriptParser.parse(
+                text, factory.types().stream().map(BotType::name).toList(), mistakes);
+        mistakes.addAll(Checker.check(script, actions, selection));
         return script;
     }
 

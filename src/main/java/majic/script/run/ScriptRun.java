@@ -20,6 +20,7 @@ public final class ScriptRun {
     private final String title;
     private final String file;
     private final boolean waits;
+    private String outcome = "";
 
     /**
      * A run.
@@ -63,6 +64,7 @@ public final class ScriptRun {
             answer(ending.equals(STOPPED) ? Line.Kind.ANSWER : Line.Kind.FAILURE, ending);
         } finally {
             execution.freeAll();
+            execution.ended(outcome);
         }
         return false;
     }
@@ -91,5 +93,6 @@ public final class ScriptRun {
 
     private void answer(Line.Kind kind, String how) {
         execution.send(kind, title + ": " + how);
+        outcome = how;
     }
 }

@@ -1,0 +1,115 @@
+package majic.script;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import majic.bot.BotException;
+import majic.log.Line;
+import majic.script.conditions.Selection;
+import majic.script.run.Execution;
+import majic.script.run.ExecutionEnded;
+import majic.script.run.InternalError;
+import majic.script.run.RobotsIn;
+import majic.script.run.ScriptControl;
+import majic.script.run.ScriptFiles;
+import majic.script.run.ScriptSource;
+import majic.script.run.SubmittedCommands;
+import majic.script.syntax.Mistake;
+import majic.script.syntax.Statement;
+import majic.team.Answer;
+import majic.team.Member;
+
+/**
+ * Checks scripts that are being edited, and runs them as {@code run FILE} does, but under control: such a run can be
+ * paused, stepped and ended. Thread-safe.
+ */
+public final class ScriptRunner {
+    private final Session session;
+    private final ScriptFiles scripts;
+    private final Selection selection;
+
+    /**
+     * Creates a runner for the robots of a session.
+     *
+     * @param session receives the answers, and records what the scripts do
+     */
+    public ScriptRunner(Session session) {
+        this.session = session;
+        this.scripts = new ScriptFiles(session.factory(), session.actions());
+        this.selection = new Selection(session.team());
+    }
+
+    /**
+     * What is known of a script before it runs. Immutable.
+     *
+     * @param mistakes what is wrong in it, with its places; empty if it can run
+     * @param robots the robots of the team that it commands, in the order of the script
+     */
+    public record Checked(List<Mistake> mistakes, List<Member> robots) {
+        /** Keeps copies of the lists. */
+        public Checked {
+            mistakes = List.copyOf(mistakes);
+            robots = List.copyOf(robots);
+        }
+    }
+
+    /**
+     * Checks a script against the robots that are there; runs nothing. Reads the files that it names, so it may block.
+     *
+     * @param text the script
+     * @return what is wrong in it, and which robots it commands
+     */
+    public Checked check(String text) {
+        List<Mistake> mistakes = new ArrayList<>();
+        List<Statement> script = scripts.checked(text, selection, mistakes);
+        return new Checked(
+                mistakes,
+                List.copyOf(RobotsIn.of(script, session.actions(), selection).commanded()));
+    }
+
+    /**
+     * Runs a script on a thread of its own; returns at once. It is checked first, and owns the robots that it commands
+     * until it ends. Its mistakes, answers and end go to the listeners of the session.
+     *
+     * @param source the script
+     * @param paused whether it waits before its first line
+     * @return its control, which returns the outcome at the end
+     */
+    public ScriptControl run(ScriptSource source, boolean paused) {
+        session.output().send(Line.Kind.COMMAND, source.title(), this);
+        ScriptControl control = new ScriptControl(session.team().changes(), paused);
+        Execution.Origin origin = new Execution.Origin(session.state(), new SubmittedCommands(), this);
+        Execution line = new Execution(origin, selection, Execution.Manner.TYPED, Map.of(), () -> false);
+        boolean begun = session.team()
+                .time()
+                .tryRunAsync("script: " + source.title(), () -> control.ended(run(source, line, control)));
+        if (!begun) {
+            control.ended(failed(source, "the system has no thread left for it; end an act or a program"));
+        }
+        return control;
+    }
+
+    /** Blocks until the script has ended; returns how, unless the script has reported that already. */
+    private String run(ScriptSource source, Execution line, ScriptControl control) {
+        try {
+            scripts.run(source, line, control);
+            return "done";
+        } catch (ExecutionEnded e) {
+            boolean stopped = e.outcome() == Answer.Outcome.STOPPED;
+            return report(stopped ? Line.Kind.ANSWER : Line.Kind.FAILURE, source, e.ending());
+        } catch (BotException e) {
+            return failed(source, String.valueOf(e.getMessage()));
+        } catch (RuntimeException | Error e) {
+            return failed(source, InternalError.report(source.title(), e));
+        }
+    }
+
+    private String failed(ScriptSource source, String why) {
+        return report(Line.Kind.FAILURE, source, "failed: " + why);
+    }
+
+    private String report(Line.Kind kind, ScriptSource source, String how) {
+        session.output().send(kind, source.title() + ": " + how, this);
+        return how;
+    }
+}
