@@ -2,6 +2,7 @@ package majic.gui;
 
 import java.awt.event.KeyEvent;
 import java.util.List;
+import majic.gui.kit.IconAction;
 
 /** Holds the actions of the window's buttons and menus. */
 final class FrameActions {

@@ -6,6 +6,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
+import majic.gui.kit.IconAction;
 import net.miginfocom.swing.MigLayout;
 
 /**

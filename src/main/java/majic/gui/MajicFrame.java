@@ -21,6 +21,7 @@ import majic.gui.command.CommandPane;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.EventThreadTeamListener;
+import majic.gui.kit.IconAction;
 import majic.gui.kit.Icons;
 import majic.gui.kit.ProgramServices;
 import majic.gui.map.MapFeed;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.kit;
 
 import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
@@ -6,10 +6,9 @@ import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.Icon;
 import javax.swing.KeyStroke;
-import majic.gui.kit.Icons;
 
 /** An action of the window; its button and its menu entry are both made from it. */
-final class IconAction extends AbstractAction {
+public final class IconAction extends AbstractAction {
     private static final long serialVersionUID = 1L;
     private static final int LARGE_ICON = 22;
 
@@ -21,7 +20,7 @@ final class IconAction extends AbstractAction {
      * @param icon name of one of MAJIC's icons, without {@code .svg}
      * @param tip tool tip, one line
      */
-    IconAction(String name, String icon, String tip, Runnable action) {
+    public IconAction(String name, String icon, String tip, Runnable action) {
         super(name);
         this.action = action;
         putValue(SHORT_DESCRIPTION, tip);
@@ -29,14 +28,19 @@ final class IconAction extends AbstractAction {
     }
 
     /** Sets the action's key, which is pressed together with Ctrl (Cmd on a Mac). */
-    IconAction withKey(int keyCode) {
-        int menuKey = Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx();
-        putValue(Action.ACCELERATOR_KEY, KeyStroke.getKeyStroke(keyCode, menuKey));
+    public IconAction withKey(int keyCode) {
+        return withKey(KeyStroke.getKeyStroke(
+                keyCode, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx()));
+    }
+
+    /** Sets the action's key. */
+    public IconAction withKey(KeyStroke key) {
+        putValue(Action.ACCELERATOR_KEY, key);
         return this;
     }
 
     /** Reads the icon from its file; may block. */
-    void readPicture() {
+    public void readPicture() {
         Icons.read((Icon) getValue(LARGE_ICON_KEY));
     }
 
