@@ -27,6 +27,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     private final TimeSource time;
     private final Settings settings;
     private final ParameterTable parameters = new ParameterTable();
+    private final PoseOffset offset = new PoseOffset();
     private final List<BotCommand> commands = new CopyOnWriteArrayList<>();
     private final Listeners listeners;
     private final ConnectionLife life;
@@ -77,7 +78,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         this.gate = new MotionGate(new Moving(), timer);
         this.name = "the " + type.label();
         this.atShutdown = new ShutdownHook.Closing(this::name, time, this::revokeForGood, this::close);
-        SharedParameters.describe(parameters, new SharedParameters.Source(this::state, this::profile, time));
+        SharedParameters.describe(
+                parameters, new SharedParameters.Source(this::state, this::profile, time), this::place);
         limits.describe(parameters);
     }
 
@@ -98,6 +100,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
                 listeners.start(time, type.name());
                 timer.start(type.name());
             }
+            offset.reconnecting();
             listeners.deliver();
             open();
         } catch (RuntimeException | Error e) {
@@ -418,6 +421,39 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Sets the pose that this robot reports at its present place. Moves nothing and sends nothing; a motion in progress
+     * continues. The poses that follow are relative to it, also after the connection was lost and restored.
+     *
+     * @param pose where the robot is, in a frame that several robots can share: that of the team map
+     */
+    public final void place(Pose pose) {
+        synchronized (offset) {
+            state = offset.place(pose);
+        }
+        news();
+        listeners.stateChanged();
+    }
+
+    /**
+     * Returns where this robot was placed last.
+     *
+     * @return the pose passed to {@link #place}; empty if its poses are relative to where it was connected
+     */
+    public final Optional<Pose> placedAt() {
+        return offset.start();
+    }
+
+    /**
+     * Returns the parameters that describe this one robot and hold for longer than a session, such as measured speeds.
+     * They are saved with a team.
+     *
+     * @return names of parameters that can be read and set while the robot is stationary; none unless overridden
+     */
+    public List<String> calibration() {
+        return List.of();
+    }
+
+    /**
      * Adds a listener. The first one also receives the notices from before there was a listener.
      *
      * @param listener called on the robot's listener thread, or on a thread that commands the robot
@@ -616,7 +652,9 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @param newState what was read
      */
     protected final void publish(BotState newState) {
-        state = newState;
+        synchronized (offset) {
+            state = offset.reported(newState);
+        }
         news();
         listeners.stateChanged();
     }

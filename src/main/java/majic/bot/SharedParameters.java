@@ -1,10 +1,14 @@
 package majic.bot;
 
+import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.time.TimeSource;
 
 /** The parameters that every robot has, read from the state that every robot reports (MAJIC Script, "Parameters"). */
 final class SharedParameters {
+    private static final double FARTHEST_MM = 1_000_000;
+
     private SharedParameters() {}
 
     /** Where they are read. */
@@ -18,16 +22,14 @@ final class SharedParameters {
         }
     }
 
-    static void describe(ParameterTable table, Source bot) {
-        table.add(
-                Parameter.number("x", Unit.MM, "how far ahead of where it was added"),
-                () -> place(bot, bot.state().pose().xMm(), Unit.MM));
-        table.add(
-                Parameter.number("y", Unit.MM, "how far to the left of where it was added"),
-                () -> place(bot, bot.state().pose().yMm(), Unit.MM));
-        table.add(
-                Parameter.number("heading", Unit.DEG, "where it looks, left positive"),
-                () -> place(bot, bot.state().pose().headingDeg(), Unit.DEG));
+    /**
+     * Adds them to a table.
+     *
+     * @param place sets the pose that the robot reports at its present place
+     */
+    static void describe(ParameterTable table, Source bot, Consumer<Pose> place) {
+        describePlace(table, bot);
+        describePose(table, bot, place);
         table.add(
                 Parameter.number("speed", Unit.MM_PER_S, "how fast it goes now, ahead positive"),
                 () -> place(bot, bot.state().speedMmPerSec(), Unit.MM_PER_S));
@@ -41,6 +43,42 @@ final class SharedParameters {
                 Parameter.number("body", Unit.MM, "radius of a circle it fits in"),
                 () -> Value.of(bot.profile().bodyMm(), Unit.MM));
         table.add(Parameter.number("age", Unit.MS, "time since its last word"), () -> age(bot));
+    }
+
+    private static void describePlace(ParameterTable table, Source bot) {
+        table.add(
+                Parameter.number("x", Unit.MM, "how far ahead of where it was added"),
+                () -> place(bot, bot.state().pose().xMm(), Unit.MM));
+        table.add(
+                Parameter.number("y", Unit.MM, "how far to the left of where it was added"),
+                () -> place(bot, bot.state().pose().yMm(), Unit.MM));
+        table.add(
+                Parameter.number("heading", Unit.DEG, "where it looks, left positive"),
+                () -> place(bot, bot.state().pose().headingDeg(), Unit.DEG));
+    }
+
+    private static void describePose(ParameterTable table, Source bot, Consumer<Pose> place) {
+        Parameter pose = Parameter.list(
+                        "pose",
+                        Unit.MM,
+                        "x, y and heading; set it to say where it is; what set leaves out stays as it is")
+                .within(-FARTHEST_MM, FARTHEST_MM)
+                .with(Parameter.number("y", Unit.MM, "to the left").within(-FARTHEST_MM, FARTHEST_MM))
+                .with(Parameter.number("heading", Unit.DEG, "left positive").within(-360, 360));
+        table.add(
+                        pose,
+                        () -> Value.many(List.of(
+                                place(bot, bot.state().pose().xMm(), Unit.MM),
+                                place(bot, bot.state().pose().yMm(), Unit.MM),
+                                place(bot, bot.state().pose().headingDeg(), Unit.DEG))))
+                .writes(values -> place.accept(changed(bot.state().pose(), values)));
+    }
+
+    private static Pose changed(Pose here, List<Value> values) {
+        return new Pose(
+                values.get(0).number(),
+                values.size() > 1 ? values.get(1).number() : here.yMm(),
+                values.size() > 2 ? values.get(2).number() : here.headingDeg());
     }
 
     private static Value place(Source bot, double amount, Unit unit) {

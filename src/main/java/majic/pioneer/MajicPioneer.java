@@ -39,7 +39,6 @@ import majic.pioneer.state.Limits;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
-import majic.pioneer.state.PoseOffset;
 import majic.pioneer.state.Ramps;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
@@ -60,7 +59,6 @@ public final class MajicPioneer extends MajicBot {
 
     private final Function<ConnectWait, PioneerConnection> connections;
     private final AtomicReference<@Nullable PioneerSession> session = new AtomicReference<>();
-    private final PoseOffset placement = new PoseOffset();
     private final PioneerParameters parameters;
     private final PioneerCommands commands;
     private volatile Pose lastPose = Pose.START;
@@ -99,8 +97,7 @@ public final class MajicPioneer extends MajicBot {
         this.connections = connections;
         PioneerAccess access = new PioneerAccess(session::get);
         RampParameters pace = new RampParameters(access, this::useRamps);
-        this.parameters =
-                new PioneerParameters(table(), PioneerParameters.themes(access, time(), placement, pace, this::notice));
+        this.parameters = new PioneerParameters(table(), PioneerParameters.themes(this, access, pace));
         this.commands = new PioneerCommands(access);
         describe(Equipment.of(Models.USUAL, null));
         every("link watch", LinkWatch.PERIOD_S, this::watch);
@@ -280,11 +277,7 @@ public final class MajicPioneer extends MajicBot {
             lastPose = state.pose();
             boolean moving = state.isMoving() || from.motors().isMoving();
             publish(new BotState(
-                    placement.of(state.pose()),
-                    state.speedMmPerSec(),
-                    state.turnRateDegPerSec(),
-                    moving,
-                    state.atNanos()));
+                    state.pose(), state.speedMmPerSec(), state.turnRateDegPerSec(), moving, state.atNanos()));
         }
     }
 

@@ -1,12 +1,10 @@
 package majic.pioneer.parameters;
 
 import java.util.List;
-import java.util.function.Consumer;
+import majic.bot.MajicBot;
 import majic.bot.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
-import majic.pioneer.state.PoseOffset;
-import majic.time.TimeSource;
 
 /**
  * The parameters of a Pioneer besides those that every robot has, theme by theme in the order of the listing.
@@ -25,11 +23,10 @@ public final class PioneerParameters {
     }
 
     /** All themes. */
-    public static List<ParameterTheme<Equipment>> themes(
-            PioneerAccess access, TimeSource time, PoseOffset placement, RampParameters pace, Consumer<String> notice) {
-        PowerSwitches switches = new PowerSwitches(access, notice);
+    public static List<ParameterTheme<Equipment>> themes(MajicBot bot, PioneerAccess access, RampParameters pace) {
+        PowerSwitches switches = new PowerSwitches(access, bot::notice);
         return List.of(
-                new PoseParameters(access, placement),
+                new PoseParameters(access, () -> bot.state().pose(), bot::place),
                 pace,
                 new HealthParameters(access, switches),
                 new PowerParameters(access),
@@ -38,7 +35,7 @@ public final class PioneerParameters {
                 new SensorParameters(access),
                 new GripperParameters(access),
                 new InputOutputParameters(access),
-                new BuzzerParameters(access, time),
+                new BuzzerParameters(access, bot.time()),
                 new JoystickParameters(access),
                 new IdentityParameters(access),
                 new LinkParameters(access));

@@ -1,0 +1,73 @@
+package majic.bot;
+
+import java.util.Optional;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The offset between the pose by a robot's own odometry and the pose that users see. Placing the robot changes the
+ * offset and never the odometry, so that a motion in progress is not disturbed. Thread-safe.
+ */
+final class PoseOffset {
+    private BotState own = BotState.UNKNOWN;
+    private Pose odometry = Pose.START;
+    private Pose shown = Pose.START;
+    private @Nullable Pose start;
+    private boolean reconnected;
+
+    /**
+     * Takes a state whose pose is by the odometry.
+     *
+     * @return the state that users see
+     */
+    synchronized BotState reported(BotState state) {
+        if (reconnected && start != null) {
+            shift(state.pose(), of(own.pose()));
+        }
+        reconnected = false;
+        own = state;
+        return shown();
+    }
+
+    /**
+     * Shows the present place of the robot as another one from now on.
+     *
+     * @return the state that users see
+     */
+    synchronized BotState place(Pose place) {
+        start = place;
+        shift(own.pose(), place);
+        return shown();
+    }
+
+    /** The place at which the robot was put last; empty if it was never placed. */
+    synchronized Optional<Pose> start() {
+        return Optional.ofNullable(start);
+    }
+
+    /** Keeps a placed robot where it is, although the odometry may start again with its next report. */
+    synchronized void reconnecting() {
+        reconnected = true;
+    }
+
+    private void shift(Pose newOdometry, Pose newShown) {
+        odometry = newOdometry;
+        shown = newShown;
+    }
+
+    private BotState shown() {
+        return start == null
+                ? own
+                : new BotState(
+                        of(own.pose()), own.speedMmPerSec(), own.turnRateDegPerSec(), own.moving(), own.atNanos());
+    }
+
+    private Pose of(Pose pose) {
+        double turn = Math.toRadians(shown.headingDeg() - odometry.headingDeg());
+        double dx = pose.xMm() - odometry.xMm();
+        double dy = pose.yMm() - odometry.yMm();
+        return new Pose(
+                shown.xMm() + dx * Math.cos(turn) - dy * Math.sin(turn),
+                shown.yMm() + dx * Math.sin(turn) + dy * Math.cos(turn),
+                pose.headingDeg() + shown.headingDeg() - odometry.headingDeg());
+    }
+}

@@ -1,0 +1,63 @@
+package majic.bot;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+
+class PoseOffsetTest {
+    private final PoseOffset offset = new PoseOffset();
+
+    @Test
+    void leavesPosesUnchangedUntilTheRobotIsPlaced() {
+        assertThat(reported(new Pose(10, -20, 30))).isEqualTo(new Pose(10, -20, 30));
+        assertThat(offset.start()).isEmpty();
+    }
+
+    @Test
+    void turnsWhatComesAfterwardsWithTheHeadingThatWasSet() {
+        reported(new Pose(1000, 500, 170));
+        offset.place(new Pose(100, 200, 90));
+
+        assertSame(reported(new Pose(1000, 500, 170).after(300, 0)), new Pose(100, 500, 90));
+    }
+
+    @Test
+    void aRobotCanBePlacedAgainAndAgain() {
+        reported(new Pose(5, 5, 5));
+        offset.place(new Pose(1, 2, 3));
+        reported(new Pose(7, 8, 9));
+
+        assertThat(offset.place(new Pose(-1, -2, -180)).pose()).isEqualTo(new Pose(-1, -2, 180));
+        assertThat(offset.start()).contains(new Pose(-1, -2, 180));
+    }
+
+    @Test
+    void aPlacedRobotStaysWhereItWasWhenItsOdometryStartsAgain() {
+        reported(Pose.START);
+        offset.place(new Pose(1000, 2000, 90));
+        reported(new Pose(300, 0, 0));
+        offset.reconnecting();
+
+        assertSame(reported(Pose.START), new Pose(1000, 2300, 90));
+        assertSame(reported(new Pose(100, 0, 0)), new Pose(1000, 2400, 90));
+    }
+
+    @Test
+    void aRobotThatWasNotPlacedStartsAgainWithItsOdometry() {
+        reported(new Pose(300, 0, 0));
+        offset.reconnecting();
+
+        assertThat(reported(Pose.START)).isEqualTo(Pose.START);
+    }
+
+    private Pose reported(Pose odometry) {
+        return offset.reported(new BotState(odometry, 0, 0, false, 1)).pose();
+    }
+
+    private static void assertSame(Pose pose, Pose expected) {
+        assertThat(pose.xMm()).isCloseTo(expected.xMm(), within(1e-6));
+        assertThat(pose.yMm()).isCloseTo(expected.yMm(), within(1e-6));
+        assertThat(pose.headingDeg()).isCloseTo(expected.headingDeg(), within(1e-6));
+    }
+}
