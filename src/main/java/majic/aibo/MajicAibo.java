@@ -1,5 +1,7 @@
 package majic.aibo;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.aibo.body.Calibration;
@@ -171,6 +173,11 @@ public final class MajicAibo extends MajicBot {
     @Override
     public void confirmHalt() {
         session().executor().confirm();
+    }
+
+    @Override
+    public List<String> calibration() {
+        return Arrays.stream(Gait.values()).map(CalibrationParameters::factor).toList();
     }
 
     @Override

@@ -177,6 +177,11 @@ public final class MajicHemisson extends MajicBot {
     }
 
     @Override
+    public List<String> calibration() {
+        return HemissonParameters.CALIBRATION;
+    }
+
+    @Override
     public JComponent display() {
         return HemissonPanel.create(
                 this, views::now, task -> time().thread(name() + ": leds", task).start());

@@ -13,6 +13,7 @@ import majic.log.SessionLog;
 import majic.log.SessionOutput;
 import majic.script.actions.ActionTable;
 import majic.script.actions.RobotConnector;
+import majic.script.actions.TeamScript;
 import majic.script.conditions.Selection;
 import majic.script.help.Completion;
 import majic.script.record.SessionRecord;
@@ -156,14 +157,35 @@ public final class Session {
     }
 
     /**
-     * The robot at an address that has lost its link. {@code add} connects it again under its number instead of taking
+     * The robot at an address that has lost its link or is being connected again. {@code add} connects it again under its number instead of taking
      * in another one; a dialog that connects robots must do the same.
      *
      * @param address as {@code add} would take it
-     * @return a robot of the team; empty if none is lost there
+     * @return a robot of the team; empty if none is lost there or being connected again
      */
     public Optional<Member> lostAt(String address) {
-        return connector.lost(address, OptionalInt.empty());
+        return connector
+                .lost(address, OptionalInt.empty())
+                .or(() -> connector.connecting(address, OptionalInt.empty()));
+    }
+
+    /**
+     * Returns the address of a robot.
+     *
+     * @param member a robot of the team
+     * @return as {@code add} takes it; empty for a robot that was added without one
+     */
+    public Optional<String> address(Member member) {
+        return connector.address(member);
+    }
+
+    /**
+     * Returns the team as a script, as {@code save team} writes it.
+     *
+     * @return what {@link SavedTeam#parse} takes
+     */
+    public String teamScript() {
+        return new TeamScript(team, connector).text();
     }
 
     SessionOutput output() {

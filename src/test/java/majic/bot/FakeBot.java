@@ -154,6 +154,11 @@ public final class FakeBot extends MajicBot {
         haltsBadly = true;
     }
 
+    @Override
+    public List<String> calibration() {
+        return List.of("posture");
+    }
+
     /** Cuts the robot's line. */
     public void cut() {
         lost(new LinkLost("connection lost"));

@@ -61,6 +61,16 @@ class ReconnectTest {
     }
 
     @Test
+    void addingARobotThatIsBeingConnectedAgainWaitsForThatConnection() throws InterruptedException {
+        fixture.bot(1).connectIn(2);
+        fixture.time.thread("connecting", fixture.bot(1)::connect).start();
+        fixture.pause(0.1);
+
+        assertThat(fixture.runPipe("add sim:aibo", "add sim:aibo as 1")).contains("1: at sim:aibo, connected already");
+        assertThat(fixture.team.members()).hasSize(1);
+    }
+
+    @Test
     void aConnectionMadePastTheScriptIsReportedAsWell() {
         fixture.bot(1).connect();
         assertThat(fixture.answers()).contains("1: Aibo at sim:aibo connected again");

@@ -19,13 +19,18 @@ public final class CalibrationParameters {
         this.learner = learner;
     }
 
+    /** Returns the name of the parameter for a gait. */
+    public static String factor(Gait gait) {
+        return gait.key() + "Factor";
+    }
+
     public void describe(ParameterTable table) {
         for (Gait gait : Gait.values()) {
             Range range = Calibration.range(gait);
             String unit = gait.isWalk() ? "mm" : "degree";
             table.add(
                             Parameter.number(
-                                            gait.key() + "Factor",
+                                            factor(gait),
                                             Unit.NONE,
                                             "ms for one " + unit + " " + gait.key() + "; calibrate measures it")
                                     .within(range.min(), range.max()),

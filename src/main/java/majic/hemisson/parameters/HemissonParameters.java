@@ -9,6 +9,9 @@ import majic.hemisson.readings.RobotReadings;
 
 /** The parameters of a Hemisson besides those that every robot has, theme by theme; those of its modules come last. */
 public final class HemissonParameters {
+    /** The names of the parameters that are measured once for each robot. */
+    public static final List<String> CALIBRATION = List.of(MotorParameters.TABLE, "wheelDistance", "trim");
+
     private final ParameterTable table;
     private final List<ParameterTheme<Modules>> themes;
 

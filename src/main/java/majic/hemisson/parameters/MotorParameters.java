@@ -17,7 +17,7 @@ import majic.hemisson.readings.RobotReadings;
 
 /** The values of the motors, and the calibration that gives their speeds. */
 final class MotorParameters implements ParameterTheme<Modules> {
-    private static final String TABLE = "speedTable";
+    static final String TABLE = "speedTable";
 
     private final RobotReadings access;
     private final SpeedCalibration calibration;

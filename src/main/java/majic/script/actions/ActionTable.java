@@ -163,6 +163,11 @@ public record ActionTable(
     }
 
     @Override
+    public SessionAction saveTeam(SessionCommand.SaveTeam save) {
+        return new FileActions.SaveTeamAction(save, new TeamScript(state.team(), connector));
+    }
+
+    @Override
     public SessionAction lab(SessionCommand.Lab lab) {
         return new TeamActions.LabAction(factory);
     }

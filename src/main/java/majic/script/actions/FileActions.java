@@ -101,6 +101,27 @@ final class FileActions {
         }
     }
 
+    static final class SaveTeamAction extends SaveAction {
+        private final TeamScript team;
+
+        SaveTeamAction(SessionCommand.SaveTeam save, TeamScript team) {
+            super("save team", save.file(), CommandTrait.WRITES_FILE);
+            this.team = team;
+        }
+
+        @Override
+        void prepare(Execution execution) {
+            if (team.isEmpty()) {
+                throw new BotException("save team: there are no robots yet; \"add\" connects one");
+            }
+        }
+
+        @Override
+        void write(Path path) throws IOException {
+            Files.writeString(path, team.text());
+        }
+    }
+
     static final class SaveLogAction extends SaveAction {
         private final ParameterLog log;
 

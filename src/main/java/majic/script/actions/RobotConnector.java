@@ -17,6 +17,9 @@ import majic.team.Team;
 
 /** Adds robots to the team and removes them. Both block for as long as the robot takes. Thread-safe. */
 public final class RobotConnector {
+    /** How long {@code add} waits for an attempt that has begun already; longer than any driver tries, seconds. */
+    private static final double CONNECTING_S = 30;
+
     private final Team team;
     private final BotFactory factory;
     private final SessionOutput output;
@@ -38,7 +41,7 @@ public final class RobotConnector {
      * @throws BotException if it cannot be reached or taken in; nothing new is left open
      */
     Member add(String address, OptionalInt number) {
-        Optional<Member> there = alreadyThere(address, number);
+        Optional<Member> there = alreadyThere(address, number).or(() -> connectedMeanwhile(address, number));
         if (there.isPresent()) {
             output.send(Line.Kind.ANSWER, there.get().number() + ": at " + address + ", connected already");
             return there.get();
@@ -62,7 +65,9 @@ public final class RobotConnector {
      * @throws BotException if the number is taken or the team is full
      */
     void checkRoom(String address, OptionalInt number) {
-        if (alreadyThere(address, number).isEmpty() && lost(address, number).isEmpty()) {
+        boolean isHere = Stream.of(alreadyThere(address, number), lost(address, number), connecting(address, number))
+                .anyMatch(Optional::isPresent);
+        if (!isHere) {
             team.checkRoom(number);
         }
     }
@@ -77,9 +82,29 @@ public final class RobotConnector {
 
     /** The robot at this address that has lost its link; under this number, if one is given. */
     public Optional<Member> lost(String address, OptionalInt number) {
+        return here(address, number, MajicBot.Connection.LOST);
+    }
+
+    /** The robot at this address that is being connected again; under this number, if one is given. */
+    public Optional<Member> connecting(String address, OptionalInt number) {
+        return here(address, number, MajicBot.Connection.CONNECTING);
+    }
+
+    /** Waits for an attempt to connect the robot again that has begun already; empty if there is none or it fails. */
+    private Optional<Member> connectedMeanwhile(String address, OptionalInt number) {
+        Optional<Member> connecting = connecting(address, number);
+        try {
+            team.changes().await(() -> connecting(address, number).isEmpty(), CONNECTING_S);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        return connecting.filter(member -> member.bot().isConnected());
+    }
+
+    private Optional<Member> here(String address, OptionalInt number, MajicBot.Connection connection) {
         return at(address)
                 .filter(member -> number.isEmpty() || number.getAsInt() == member.number())
-                .filter(member -> member.bot().connection() == MajicBot.Connection.LOST)
+                .filter(member -> member.bot().connection() == connection)
                 .findFirst();
     }
 

@@ -136,6 +136,11 @@ final class ScriptActRules implements Command.Visitor<Optional<String>>, Session
     }
 
     @Override
+    public Optional<String> saveTeam(SessionCommand.SaveTeam save) {
+        return FOR_SESSION;
+    }
+
+    @Override
     public Optional<String> lab(SessionCommand.Lab lab) {
         return FOR_SESSION;
     }

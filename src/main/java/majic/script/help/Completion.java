@@ -104,7 +104,7 @@ public final class Completion {
         Token last = tokens.get(tokens.size() - 1);
         return switch (tokens.get(0).text().toLowerCase(Locale.ROOT)) {
             case "add", "probe" -> tokens.size() == 1 ? addresses() : List.of("as");
-            case "save" -> tokens.size() == 1 ? List.of("log", "session") : List.of();
+            case "save" -> tokens.size() == 1 ? List.of("log", "session", "team") : List.of();
             case "remove" -> robotWords();
             case "trust" -> tokens.size() == 1 ? acts.names() : List.of();
             case "help" -> tokens.size() == 1 ? Help.topics() : List.of();

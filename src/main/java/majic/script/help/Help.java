@@ -46,7 +46,9 @@ public final class Help {
             entry("probe", "probe URI: what answers there, and what to try if nothing does"),
             entry("release", "release: allows motion again after STOP"),
             entry("run", "run FILE: runs a script"),
-            entry("save", "save session FILE, save log FILE: what was done as a script, what was logged as CSV"),
+            entry(
+                    "save",
+                    "save session FILE, save log FILE, save team FILE: what was done as a script, what was logged as CSV, the robots as a script"),
             entry("lab", "lab: the true poses in the simulated lab"),
             entry(
                     "trust",

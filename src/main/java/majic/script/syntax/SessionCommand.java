@@ -31,6 +31,8 @@ public sealed interface SessionCommand {
 
         R saveLog(SaveLog save);
 
+        R saveTeam(SaveTeam save);
+
         R lab(Lab lab);
 
         R help(Help help);
@@ -129,6 +131,14 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.saveLog(this);
+        }
+    }
+
+    /** Writes the robots of the team as a script that adds them. */
+    record SaveTeam(Literal file) implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.saveTeam(this);
         }
     }
 

@@ -59,7 +59,7 @@ public final class SessionParser {
         return at.value("a file's name", false);
     }
 
-    /** {@code save = "save" ( "session" | "log" ) FILE ;} */
+    /** {@code save = "save" ( "session" | "log" | "team" ) FILE ;} */
     private SessionCommand save() {
         if (at.match("session")) {
             return new SessionCommand.SaveSession(file());
@@ -67,7 +67,10 @@ public final class SessionParser {
         if (at.match("log")) {
             return new SessionCommand.SaveLog(file());
         }
-        throw at.unexpected("\"session\" or \"log\"");
+        if (at.match("team")) {
+            return new SessionCommand.SaveTeam(file());
+        }
+        throw at.unexpected("\"session\", \"log\" or \"team\"");
     }
 
     /** {@code trust = "trust" ( ACT [ HASH ] | "off" ( ACT | HASH ) ) ;} */

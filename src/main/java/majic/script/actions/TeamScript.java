@@ -1,0 +1,89 @@
+package majic.script.actions;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.bot.Value;
+import majic.script.record.SessionRecord;
+import majic.team.Member;
+import majic.team.Team;
+
+/**
+ * Writes the robots of a team as a script that adds them again: address and number, calibration, start pose. A robot
+ * that was added without an address, by a program that embeds MAJIC, is left out.
+ *
+ * @param team the robots
+ * @param connector has their addresses
+ */
+public record TeamScript(Team team, RobotConnector connector) {
+    /** Returns whether there is no robot to write. */
+    public boolean isEmpty() {
+        return team.members().stream()
+                .allMatch(member -> connector.address(member).isEmpty());
+    }
+
+    /**
+     * Returns the script.
+     *
+     * @return lines, each with a line end; a comment and nothing else for an empty team
+     */
+    public String text() {
+        String robots = team.members().stream().map(this::lines).collect(Collectors.joining());
+        return "# " + team.listing() + "\n" + robots;
+    }
+
+    private String lines(Member member) {
+        return connector
+                .address(member)
+                .map(address -> "add " + SessionRecord.quoted(address) + " as " + member.number() + "\n"
+                        + calibration(member) + start(member))
+                .orElse("");
+    }
+
+    private static String calibration(Member member) {
+        MajicBot bot = member.bot();
+        return bot.calibration().stream()
+                .flatMap(name -> written(bot.get(name)).map(value -> set(member, name, value)).stream())
+                .collect(Collectors.joining());
+    }
+
+    private static String start(Member member) {
+        return member.bot()
+                .placedAt()
+                .map(pose -> set(member, "pose", numbers(pose)))
+                .orElse("");
+    }
+
+    private static String numbers(Pose pose) {
+        return List.of(pose.xMm(), pose.yMm(), pose.headingDeg()).stream()
+                .map(TeamScript::plain)
+                .collect(Collectors.joining(" "));
+    }
+
+    /** Writes a number with all digits that matter, as settings have them. */
+    private static String plain(double number) {
+        BigDecimal rounded = BigDecimal.valueOf(number).setScale(3, RoundingMode.HALF_UP);
+        return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
+    }
+
+    private static String set(Member member, String name, String value) {
+        return member.number() + " set " + name + " " + value + "\n";
+    }
+
+    /** Writes a value as {@code set} takes it; empty if there is none at the moment. */
+    private static Optional<String> written(Value value) {
+        if (value instanceof Value.Unknown) {
+            return Optional.empty();
+        }
+        if (value instanceof Value.Many many) {
+            return Optional.of(
+                    many.values().stream().map(part -> plain(part.number())).collect(Collectors.joining(" ")));
+        }
+        return Optional.of(
+                value instanceof Value.Number number ? plain(number.amount()) : SessionRecord.quoted(value.toString()));
+    }
+}

@@ -1,0 +1,114 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import majic.bot.BotException;
+import majic.bot.Pose;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Timeout(20)
+class SavedTeamTest {
+    @AutoClose
+    private final ScriptFixture fixture = new ScriptFixture();
+
+    @TempDir
+    private Path folder;
+
+    private Path save() throws InterruptedException {
+        fixture.runPipe("add sim:aibo as 2", "add sim:pioneer as 1", "1 set pose 1000 500 90", "2 set posture sit");
+        Path file = folder.resolve("lab.team");
+        fixture.runPipe("save team " + file);
+        return file;
+    }
+
+    private void open(ScriptFixture again, SavedTeam team, int robots) throws InterruptedException {
+        team.open(again.session);
+        again.team.changes().await(() -> again.team.members().size() == robots, 100);
+        again.pause(1);
+    }
+
+    @Test
+    void theFileIsAScriptWithAddressesCalibrationsAndStartPoses() throws Exception {
+        assertThat(Files.readAllLines(save()))
+                .containsExactly(
+                        "# robots: 1 Pioneer, 2 Aibo",
+                        "add sim:pioneer as 1",
+                        "1 set posture stand",
+                        "1 set pose 1000 500 90",
+                        "add sim:aibo as 2",
+                        "2 set posture sit");
+    }
+
+    @Test
+    void anOpenedTeamHasTheSameRobotsCalibrationsAndPoses() throws Exception {
+        Path file = save();
+        try (ScriptFixture again = new ScriptFixture()) {
+            open(again, SavedTeam.read(file), 2);
+            assertThat(again.team.listing()).isEqualTo("robots: 1 Pioneer, 2 Aibo");
+            assertThat(again.bot(1).state().pose()).isEqualTo(new Pose(1000, 500, 90));
+            assertThat(again.bot(2).get("posture")).hasToString("sit");
+            assertThat(again.session.teamScript()).isEqualTo(Files.readString(file));
+        }
+    }
+
+    @Test
+    void theFileCanBeRunAsAScript() throws Exception {
+        Path file = save();
+        try (ScriptFixture again = new ScriptFixture()) {
+            again.runPipe("run " + file);
+            assertThat(again.pipe.allSucceeded()).as(again.answers().toString()).isTrue();
+            assertThat(again.session.teamScript()).isEqualTo(Files.readString(file));
+        }
+    }
+
+    @Test
+    void aRobotThatIsMissingDoesNotKeepTheOthersAway() throws Exception {
+        SavedTeam team = SavedTeam.parse("add sim:dinosaur as 1\n1 set pose 1 2 3\nadd sim:pioneer as 2\n");
+
+        open(fixture, team, 1);
+        assertThat(fixture.team.listing()).isEqualTo("robots: 2 Pioneer");
+        assertThat(fixture.answers()).anyMatch(line -> line.contains("the lab has no dinosaur"));
+    }
+
+    @Test
+    void aLineThatCouldMoveARobotIsRefusedBeforeAnythingIsAdded() {
+        assertThatThrownBy(() -> SavedTeam.parse("add sim:pioneer as 1\n1 move 500\n"))
+                .isInstanceOf(BotException.class)
+                .hasMessageStartingWith("line 2: \"1 move 500\" is no line of a saved team");
+    }
+
+    @Test
+    void aSettingThatIsNoCalibrationIsNotMade() throws Exception {
+        open(fixture, SavedTeam.parse("add sim:pioneer as 1\n1 set headPan 30\n"), 1);
+
+        assertThat(fixture.bot(1).sent()).isEmpty();
+        assertThat(fixture.answers()).anyMatch(line -> line.startsWith("1 set headPan 30: a saved team sets"));
+    }
+
+    @Test
+    void aFileWithoutRobotsIsRefused() throws Exception {
+        Path file = Files.writeString(folder.resolve("empty.team"), "# nothing\n");
+
+        assertThatThrownBy(() -> SavedTeam.read(file)).hasMessageEndingWith("there is no robot in this team");
+    }
+
+    @Test
+    void anEmptyTeamIsNotSaved() throws Exception {
+        assertThat(fixture.runPipe("save team " + folder.resolve("empty.team")))
+                .anyMatch(line -> line.contains("there are no robots yet"));
+    }
+
+    @Test
+    void theRobotsAreNamedByNumberAndType() {
+        SavedTeam team = SavedTeam.parse("add sim:pioneer2 as 1\nadd \"aibo://10.0.0.5\" as 4\nadd cat:x as 5\n");
+
+        assertThat(team.names(fixture.factory)).containsExactly("1 Pioneer", "4 Aibo", "5 cat");
+        assertThat(team.needsLab()).isTrue();
+    }
+}
