@@ -164,7 +164,7 @@ public final class MajicParser {
         String message = VisibleText.of(place + why);
         if (STOP.matcher(line).find()) {
             message = VisibleText.of(place + "taken as STOP: " + why);
-            session.team().stopAll();
+            session.team().stopAllIfAny();
             dropBlock();
         }
         output.send(Line.Kind.ERROR, message, this);

@@ -44,6 +44,25 @@ class StopTest {
         assertThat(fixture.prompt.parseText("1 move 30")).hasValue(LATCHED);
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"stop", "1 stopp stop"})
+    void withoutARobotDoesNotLatch(String line) throws InterruptedException {
+        fixture.team.remove(1);
+        fixture.team.remove(2);
+        fixture.prompt.parseText(line);
+        fixture.prompt.awaitAll();
+        assertThat(fixture.team.isLatched()).isFalse();
+    }
+
+    @Test
+    void withoutARobotIsAnsweredWithTheReason() throws InterruptedException {
+        fixture.team.remove(1);
+        fixture.team.remove(2);
+        fixture.prompt.parseText("stop");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers()).contains("stop: there is no robot to stop");
+    }
+
     @Test
     void isReportedAsTakenAsStop() {
         assertThat(fixture.prompt.parseText("1 stopp stop"))

@@ -319,10 +319,12 @@ public class Execution {
         team().stop(members, owner());
     }
 
-    /** STOP. It ends the script that contains it like all others. */
+    /** STOP. It ends the script that contains it like all others. Without a robot it does not latch. */
     public final void stopEverything() {
         forget(team().members());
-        team().stopAll();
+        if (!team().stopAllIfAny()) {
+            answer("stop: there is no robot to stop");
+        }
     }
 
     void forget(Collection<Member> members) {
