@@ -85,16 +85,28 @@ final class StopPanel extends JPanel implements TeamListener {
         boolean latched = team.isLatched();
         StopStatus status = team.stopStatus();
         word.setText(latched ? "STOPPED" : "STOP");
-        below.setText(latched ? confirmed(status) : keys());
+        below.setText(latched ? receipt(status) : keys());
         stop.setBackground(latched ? DARK_RED : RED);
-        stop.getAccessibleContext().setAccessibleName(latched ? "Stopped; stop again" : "Stop all robots");
+        stop.getAccessibleContext()
+                .setAccessibleName(
+                        latched ? "Stopped, " + confirmed(status) + "; stop all robots again" : "Stop all robots");
         release.setVisible(latched);
     }
 
     private static String keys() {
-        boolean reachMajic =
-                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow() != null;
-        return reachMajic ? "Esc or F12" : "keys go elsewhere";
+        return keysReachMajic() ? "Esc or F12" : "keys go elsewhere";
+    }
+
+    private static boolean keysReachMajic() {
+        return KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow() != null;
+    }
+
+    /** Returns the count, shortened to make room for the hint that the keys do not reach this program. */
+    private static String receipt(StopStatus status) {
+        if (keysReachMajic() || status.asked() == 0) {
+            return keysReachMajic() ? confirmed(status) : "keys go elsewhere";
+        }
+        return status.confirmed() + " of " + status.asked() + ", keys elsewhere";
     }
 
     private static String confirmed(StopStatus status) {

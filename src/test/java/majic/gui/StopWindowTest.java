@@ -168,6 +168,27 @@ class StopWindowTest {
     }
 
     @Test
+    void theLatchedButtonShowsTheCountAndThatTheKeysGoElsewhere() {
+        window.add("one");
+        window.click("stop");
+        window.await("the count", () -> window.text("stopCount").equals("1 of 1 confirmed"));
+        window.run(() -> window.frame.setExtendedState(Frame.ICONIFIED));
+        window.await("both", () -> window.text("stopCount").equals("1 of 1, keys elsewhere"));
+    }
+
+    @Test
+    void theAccessibleNameOfTheLatchedButtonContainsTheCount() {
+        window.add("one");
+        window.click("stop");
+        JButton stop = window.find("stop", JButton.class);
+        window.await(
+                "the count",
+                () -> stop.getAccessibleContext()
+                        .getAccessibleName()
+                        .equals("Stopped, 1 of 1 confirmed; stop all robots again"));
+    }
+
+    @Test
     void f12StopsWhileTheCommandLineHasTheFocus() {
         window.add("one");
         window.focus("commandLine");
