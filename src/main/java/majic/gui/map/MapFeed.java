@@ -1,11 +1,13 @@
 package majic.gui.map;
 
+import java.awt.geom.Rectangle2D;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
@@ -15,6 +17,7 @@ import majic.bot.Pose;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.UpdateThrottle;
 import majic.lab.LabAccess;
+import majic.lab.LabAccess.Wall;
 import majic.panel.map.Trail;
 import majic.team.BotFactory;
 import majic.team.Member;
@@ -39,8 +42,13 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(MapFeed::thread);
     private MapScene last = MapScene.EMPTY;
 
-    /** Where a robot's own frame lies in the room's frame, and the robot's trail. */
-    private record Start(Pose origin, boolean inLab, Trail trail) {}
+    /**
+     * Where a robot's own frame lies in the room's frame, and the robot's trail.
+     *
+     * @param inLab whether the origin is known; otherwise it is a place beside the room
+     * @param walls the room at that time
+     */
+    private record Start(Pose origin, boolean inLab, List<Wall> walls, Trail trail) {}
 
     /**
      * Creates a feed; {@link #start()} starts it.
@@ -139,18 +147,41 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         return factory.nameInLab(member.bot()).orElse("");
     }
 
+    /** Returns the start of a robot; one beside the room is chosen again when a lab with another room starts. */
     private Start start(Member member) {
-        return starts.computeIfAbsent(member, this::startOf);
+        List<Wall> walls = factory.lab().map(LabAccess::walls).orElse(List.of());
+        return Objects.requireNonNull(starts.compute(
+                member,
+                (key, known) ->
+                        known != null && (known.inLab || known.walls.equals(walls)) ? known : startOf(member, walls)));
     }
 
-    private Start startOf(Member member) {
+    private Start startOf(Member member, List<Wall> walls) {
         Pose truth = factory.lab()
                 .filter(lab -> lab.time() == member.time())
                 .map(lab -> lab.truePoses().get(nameInLab(member)))
                 .orElse(null);
         if (truth == null) {
-            return new Start(new Pose(0, (1 - member.number()) * GUESSED_APART_MM, 0), false, new Trail());
+            return new Start(besideRoom(member.number() - 1, walls), false, walls, new Trail());
         }
-        return new Start(PoseFrames.originOf(truth, member.bot().state().pose()), true, new Trail());
+        return new Start(PoseFrames.originOf(truth, member.bot().state().pose()), true, walls, new Trail());
+    }
+
+    /** Returns a place for a robot whose start is not known: in columns to the right of the room, clear of its walls. */
+    private static Pose besideRoom(int index, List<Wall> walls) {
+        if (walls.isEmpty()) {
+            return new Pose(0, -index * GUESSED_APART_MM, 0);
+        }
+        Rectangle2D room =
+                new Rectangle2D.Double(walls.get(0).x1(), walls.get(0).y1(), 0, 0);
+        walls.forEach(wall -> {
+            room.add(wall.x1(), wall.y1());
+            room.add(wall.x2(), wall.y2());
+        });
+        int rows = Math.max(1, (int) (room.getHeight() / GUESSED_APART_MM));
+        return new Pose(
+                room.getMaxX() + (1 + index / rows) * GUESSED_APART_MM,
+                room.getMaxY() - (0.5 + index % rows) * GUESSED_APART_MM,
+                0);
     }
 }

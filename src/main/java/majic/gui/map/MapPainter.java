@@ -112,7 +112,8 @@ public final class MapPainter {
     /** Returns the texts of the legend, the shorter forms last. */
     private static List<String> keys(MapScene scene) {
         if (!scene.walls().isEmpty() && scene.startsAreGuessed()) {
-            return List.of("dashed: true position · no dashes: not known", "no dashes: not known");
+            return List.of(
+                    "dashed: true position · beside the room: position unknown", "beside the room: position unknown");
         }
         if (!scene.walls().isEmpty()) {
             return List.of(

@@ -62,6 +62,25 @@ class MapFeedTest {
     }
 
     @Test
+    void robotsWithAnUnknownPlaceAreDrawnBesideTheRoomOfTheLab() {
+        add("toy://one");
+        add("toy://two");
+        feed.scene();
+        factory.useLab(new ToyLab());
+        MapScene scene = feed.scene();
+        double right = scene.walls().stream()
+                .mapToDouble(wall -> Math.max(wall.x1(), wall.x2()))
+                .max()
+                .orElseThrow();
+        assertThat(scene.startsAreGuessed()).isTrue();
+        assertThat(scene.robots())
+                .allSatisfy(robot ->
+                        assertThat(robot.reported().xMm() - robot.bodyMm()).isGreaterThan(right));
+        assertThat(scene.robots().get(0).reported())
+                .isNotEqualTo(scene.robots().get(1).reported());
+    }
+
+    @Test
     void theTrailRemembersTheWay() {
         ToyBot bot = add("toy://one");
         feed.scene();
