@@ -2,6 +2,7 @@ package majic.gui;
 
 import java.awt.event.KeyEvent;
 import java.util.List;
+import javax.swing.KeyStroke;
 import majic.gui.kit.IconAction;
 
 /** Holds the actions of the window's buttons and menus. */
@@ -12,23 +13,28 @@ final class FrameActions {
     final IconAction endAct;
     final IconAction makeAct;
     final IconAction help;
+    final IconAction guide;
+    final IconAction about;
     final IconAction saveSession;
     final IconAction saveLog;
     final IconAction killMajic;
 
     FrameActions(MajicFrame frame, FrameDialogs dialogs) {
         addBot = new IconAction("Add Bot", "add", "Connect a robot", frame::addBot).withKey(KeyEvent.VK_N);
-        killBot = new IconAction("Kill Bot", "kill", "Stop a robot and let it go", frame::removeBot);
-        loadAct = new IconAction("Load Act", "act", "Give a robot a behaviour", frame::loadAct).withKey(KeyEvent.VK_L);
-        endAct = new IconAction(
-                        "End Act", "kill", "End the behaviour of the robot whose tab is in front", frame::endAct)
+        killBot = new IconAction(
+                "Kill Bot", "kill", "Stop a robot, close its connection and remove it", frame::removeBot);
+        loadAct = new IconAction("Load Act", "act", "Load an act onto a robot", frame::loadAct).withKey(KeyEvent.VK_L);
+        endAct = new IconAction("End Act", "kill", "End the act of the selected robot", frame::endAct)
                 .withKey(KeyEvent.VK_E);
-        makeAct = new IconAction("Make Act…", "act", "Make a behaviour's file of Java or a script", dialogs::makeAct);
-        help = new IconAction("Help", "help", "Commands, parameters and keys", dialogs::help);
-        saveSession = new IconAction("Save Session", "session", "Save what was done as a script", dialogs::saveSession)
+        makeAct = new IconAction("Make Act…", "act", "Make the file of an act from Java or a script", dialogs::makeAct);
+        help = new IconAction("Help", "help", "Show commands, parameters and keys", dialogs::help)
+                .withKey(KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
+        guide = new IconAction("Guide", "help", "Show the user's guide", dialogs::guide);
+        about = new IconAction("About MAJIC", "app", "Show version and licences", dialogs::about);
+        saveSession = new IconAction("Save Session", "session", "Save the session as a script", dialogs::saveSession)
                 .withKey(KeyEvent.VK_S);
-        saveLog = new IconAction("Save Log", "log", "Save the parameters logged so far", dialogs::saveLog);
-        killMajic = new IconAction("Kill Majic", "quit", "Stop and close all robots and end", frame::quit)
+        saveLog = new IconAction("Save Log", "log", "Save the parameter log", dialogs::saveLog);
+        killMajic = new IconAction("Kill Majic", "quit", "Stop and close all robots and quit", frame::quit)
                 .withKey(KeyEvent.VK_Q);
     }
 

@@ -20,7 +20,7 @@ final class FrameMenu extends JMenuBar {
         add(menu("Act", 'A', actions.loadAct, actions.endAct, null, actions.makeAct));
         add(lab(frame));
         add(view(frame));
-        add(menu("Help", 'H', actions.help));
+        add(menu("Help", 'H', actions.help, actions.guide, null, actions.about));
     }
 
     /** Creates a menu of the given actions; null stands for a separator. */

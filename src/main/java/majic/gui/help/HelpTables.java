@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.help;
 
 import java.io.BufferedReader;
 import java.io.IOException;

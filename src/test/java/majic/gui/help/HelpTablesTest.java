@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.help;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

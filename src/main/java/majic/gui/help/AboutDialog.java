@@ -1,0 +1,42 @@
+package majic.gui.help;
+
+import java.awt.Dimension;
+import java.awt.Window;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTable;
+import majic.gui.kit.MajicDialog;
+import net.miginfocom.swing.MigLayout;
+
+/** Shows the version of MAJIC, the Java that runs it, its licence, and the licences of the libraries in it. */
+public final class AboutDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    public AboutDialog(Window owner) {
+        super(owner, "About MAJIC");
+        JPanel content =
+                new JPanel(new MigLayout("insets 0, gap 0 4, wrap 1", "[grow, fill]", "[][][]10[][grow, fill]"));
+        JLabel title = new JLabel("MAJIC " + version());
+        title.setName("aboutVersion");
+        title.putClientProperty("FlatLaf.styleClass", "h2");
+        content.add(title);
+        content.add(new JLabel("Commands a team of robots. MIT licence."));
+        content.add(new JLabel("Runs on Java " + Runtime.version() + ", " + System.getProperty("os.name")));
+        JLabel libraries = new JLabel("Libraries in it");
+        JTable table = new JTable(HelpTables.file("libraries", "Library", "Licence"));
+        table.setName("libraries");
+        table.setShowHorizontalLines(true);
+        libraries.setLabelFor(table);
+        JScrollPane rows = new JScrollPane(table);
+        rows.setPreferredSize(new Dimension(460, 260));
+        content.add(libraries);
+        content.add(rows);
+        fill(content, closing("Close"));
+    }
+
+    private static String version() {
+        String version = AboutDialog.class.getPackage().getImplementationVersion();
+        return version == null ? "(not from a jar)" : version;
+    }
+}

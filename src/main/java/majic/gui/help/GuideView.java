@@ -1,0 +1,82 @@
+package majic.gui.help;
+
+import java.awt.Color;
+import java.awt.Font;
+import javax.swing.BorderFactory;
+import javax.swing.JEditorPane;
+import javax.swing.JScrollPane;
+import javax.swing.UIManager;
+import javax.swing.text.html.HTMLEditorKit;
+import javax.swing.text.html.StyleSheet;
+import majic.gui.kit.EventThread;
+import majic.gui.kit.Palette;
+import org.jspecify.annotations.Nullable;
+
+/** Shows a page of the documents; reads it in the background when it becomes visible for the first time. */
+final class GuideView extends JScrollPane {
+    private static final long serialVersionUID = 1L;
+
+    private final String name;
+    private final JEditorPane text = new JEditorPane();
+    private transient @Nullable GuidePage page;
+    private String wanted = "";
+
+    GuideView(String name) {
+        this.name = name;
+        text.setEditable(false);
+        text.setName("guide " + name);
+        text.getAccessibleContext().setAccessibleName("Guide");
+        text.setBorder(BorderFactory.createEmptyBorder(4, 12, 8, 12));
+        setViewportView(text);
+    }
+
+    /** Shows the parts of the page that contain a text; all of it for an empty text. */
+    void search(String newWanted) {
+        wanted = newWanted;
+        if (page == null) {
+            EventThread.background("reading the guide", () -> {
+                GuidePage read = GuidePage.read(name);
+                EventThread.later(() -> {
+                    page = read;
+                    render();
+                });
+            });
+        }
+        render();
+    }
+
+    /** Renders the page again in the colours of the look and feel. */
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (text != null) {
+            render();
+        }
+    }
+
+    private void render() {
+        GuidePage known = page;
+        if (known != null) {
+            HTMLEditorKit kit = new HTMLEditorKit();
+            kit.setStyleSheet(styles(kit.getStyleSheet()));
+            text.setEditorKit(kit);
+            text.setText("<html><body>" + known.html(wanted) + "</body></html>");
+            text.setCaretPosition(0);
+        }
+    }
+
+    private static StyleSheet styles(StyleSheet base) {
+        StyleSheet styles = new StyleSheet();
+        styles.addStyleSheet(base);
+        Font font = UIManager.getFont("Label.font");
+        styles.addRule("body { font-family: " + font.getFamily() + "; font-size: " + font.getSize() + "px; color: "
+                + hex(Palette.text()) + "; }");
+        styles.addRule("h1 { font-size: 1.6em; } h2 { font-size: 1.3em; } h3 { font-size: 1.1em; }");
+        styles.addRule("code, pre { font-family: monospaced; color: " + hex(Palette.command()) + "; }");
+        return styles;
+    }
+
+    private static String hex(Color color) {
+        return String.format("#%06x", color.getRGB() & 0xFFFFFF);
+    }
+}

@@ -1,0 +1,152 @@
+package majic.gui.help;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Window;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTabbedPane;
+import javax.swing.JTable;
+import javax.swing.JTextField;
+import javax.swing.RowFilter;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import javax.swing.table.TableModel;
+import javax.swing.table.TableRowSorter;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.MemberChoice;
+import majic.team.Member;
+import net.miginfocom.swing.MigLayout;
+
+/** Shows the commands, the parameters of each robot, the keys, and the pages of the guide; all can be searched. */
+public final class HelpDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+    private static final int TABLE_WIDTH = 820;
+
+    private final JTextField search = new JTextField();
+    private final transient List<JTable> tables = new ArrayList<>();
+    private final JTabbedPane tabs = new JTabbedPane();
+
+    /**
+     * Creates the dialog, not yet shown.
+     *
+     * @param current the robot whose parameters are shown first
+     */
+    public HelpDialog(Window owner, List<Member> members, Optional<Member> current) {
+        super(owner, "Help");
+        tabs.setName("helpTabs");
+        tabs.addTab("Commands", scrolled("Commands", file("commands", "Command"), 300));
+        if (!members.isEmpty()) {
+            tabs.addTab("Parameters", parameters(members, current));
+        }
+        tabs.addTab("Keys", scrolled("Keys", file("keys", "Key"), 230));
+        tabs.addTab("Guide", new GuideView("user-guide"));
+        tabs.addTab("MAJIC Script", new GuideView("majic-script"));
+        tabs.addChangeListener(change -> search());
+        tabs.setPreferredSize(new Dimension(TABLE_WIDTH, 480));
+        fill(content(), closing("Close"));
+    }
+
+    /** Selects the first page of the guide. */
+    public void showGuide() {
+        tabs.setSelectedIndex(tabs.indexOfTab("Guide"));
+    }
+
+    private JPanel content() {
+        search.setName("helpSearch");
+        search.getDocument().addDocumentListener(new Searching());
+        JLabel label = new JLabel("Search");
+        label.setLabelFor(search);
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 8", "[][grow, fill]", "[][grow, fill]"));
+        content.add(label);
+        content.add(search, "wrap");
+        content.add(tabs, "spanx 2, grow");
+        return content;
+    }
+
+    /** Shows only the rows, or the parts of a page, that contain the text. */
+    private void search() {
+        String wanted = search.getText().strip();
+        RowFilter<TableModel, Integer> filter = RowFilter.regexFilter("(?iu)" + Pattern.quote(wanted));
+        tables.forEach(table -> sorter(table).setRowFilter(filter));
+        Component shown = tabs.getSelectedComponent();
+        if (shown instanceof GuideView page) {
+            page.search(wanted);
+        }
+    }
+
+    @SuppressWarnings("unchecked")
+    private static TableRowSorter<TableModel> sorter(JTable table) {
+        return (TableRowSorter<TableModel>) table.getRowSorter();
+    }
+
+    private JPanel parameters(List<Member> members, Optional<Member> current) {
+        MemberChoice choice = new MemberChoice(members, current);
+        JScrollPane rows = scrolled("Parameters", HelpTables.of(choice.chosen()), 130);
+        JTable table = (JTable) rows.getViewport().getView();
+        choice.addActionListener(event -> {
+            show(table, HelpTables.of(choice.chosen()), 130);
+            search();
+        });
+        JLabel label = new JLabel("Robot");
+        label.setLabelFor(choice);
+        JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0", "[][grow, fill]", "[][grow, fill]"));
+        panel.add(label);
+        panel.add(choice, "grow 0, wmin 220, wrap");
+        panel.add(rows, "spanx 2, grow");
+        return panel;
+    }
+
+    private static TableModel file(String name, String left) {
+        return HelpTables.file(name, left, "What it does");
+    }
+
+    private JScrollPane scrolled(String name, TableModel model, int firstWidth) {
+        JTable table = new JTable();
+        table.setName("help " + name);
+        table.getAccessibleContext().setAccessibleName(name);
+        table.setShowHorizontalLines(true);
+        table.setAutoResizeMode(JTable.AUTO_RESIZE_LAST_COLUMN);
+        table.getTableHeader().setReorderingAllowed(false);
+        show(table, model, firstWidth);
+        tables.add(table);
+        return new JScrollPane(table);
+    }
+
+    private static void show(JTable table, TableModel model, int firstWidth) {
+        table.setModel(model);
+        TableRowSorter<TableModel> sorter = new TableRowSorter<>(model);
+        for (int column = 0; column < model.getColumnCount(); column++) {
+            sorter.setSortable(column, false);
+        }
+        table.setRowSorter(sorter);
+        int last = table.getColumnCount() - 1;
+        for (int column = 0; column < last; column++) {
+            table.getColumnModel().getColumn(column).setPreferredWidth(firstWidth);
+        }
+        table.getColumnModel().getColumn(last).setPreferredWidth(TABLE_WIDTH - last * firstWidth);
+    }
+
+    /** Searches after each change of the text. */
+    private final class Searching implements DocumentListener {
+        @Override
+        public void insertUpdate(DocumentEvent event) {
+            search();
+        }
+
+        @Override
+        public void removeUpdate(DocumentEvent event) {
+            search();
+        }
+
+        @Override
+        public void changedUpdate(DocumentEvent event) {
+            search();
+        }
+    }
+}
