@@ -13,10 +13,14 @@ import majic.gui.acts.MakeActDialog;
 import majic.gui.add.AddBotDialog;
 import majic.gui.bots.BotTabs;
 import majic.gui.bots.KillBotDialog;
+import majic.gui.help.AboutDialog;
+import majic.gui.help.HelpDialog;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.MajicDialog;
+import majic.gui.kit.PictureDialog;
 import majic.gui.kit.ProgramServices;
+import majic.panel.PictureView;
 import majic.script.Session;
 import majic.team.Member;
 
@@ -54,7 +58,27 @@ final class FrameDialogs {
     }
 
     void help() {
-        open("Help", () -> new HelpDialog(frame, session.team().members(), tabs.selected()));
+        open("Help", this::newHelp);
+    }
+
+    /** Shows the guide, in the help if that is open already. */
+    void guide() {
+        open("Help", this::newHelp);
+        Stream.of(frame.getOwnedWindows())
+                .filter(window -> window.isShowing() && window instanceof HelpDialog)
+                .forEach(window -> ((HelpDialog) window).showGuide());
+    }
+
+    private HelpDialog newHelp() {
+        return new HelpDialog(frame, session.team().members(), tabs.selected());
+    }
+
+    void about() {
+        open("About MAJIC", () -> new AboutDialog(frame));
+    }
+
+    void picture(PictureView view) {
+        open(view.title(), () -> new PictureDialog(frame, view, services.settings()));
     }
 
     void saveSession() {

@@ -28,6 +28,8 @@ import majic.gui.map.MapFeed;
 import majic.gui.map.TeamMap;
 import majic.lab.LabAccess;
 import majic.log.Line;
+import majic.panel.PictureView;
+import majic.panel.PictureViewer;
 import majic.script.MajicParser;
 import majic.script.Session;
 import net.miginfocom.swing.MigLayout;
@@ -36,7 +38,7 @@ import net.miginfocom.swing.MigLayout;
  * The main window: buttons and STOP above, team map beside the robots' tabs, messages and command line below. Places
  * its parts, and passes commands on to the team and the parser. Must be used on the event dispatch thread.
  */
-public final class MajicFrame extends JFrame {
+public final class MajicFrame extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
     private static final int ICON_SIZE = 64;
 
@@ -150,6 +152,12 @@ public final class MajicFrame extends JFrame {
     /** Opens the dialogs that load an act onto a robot (thesis, contract C5); shows a message if there is no robot. */
     public void loadAct() {
         dialogs.loadAct();
+    }
+
+    /** Opens a window with a larger view of a robot's camera pictures. */
+    @Override
+    public void enlarge(PictureView view) {
+        dialogs.picture(view);
     }
 
     /**

@@ -1,30 +1,50 @@
 package majic.panel;
 
+import java.awt.Container;
+import java.awt.Cursor;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JPanel;
+import javax.swing.KeyStroke;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Shows a robot's camera picture, as large as the space allows, with a caption in its corner; or a reason why there is
- * no picture, over the faded last picture if there was one. Must be used on the event dispatch thread.
+ * no picture, over the faded last picture if there was one. A click, Enter or Space asks the surrounding
+ * {@link PictureViewer} for a larger view. Must be used on the event dispatch thread.
  */
 public final class PictureView extends JPanel {
     private static final long serialVersionUID = 1;
     private static final float FADED = 0.25f;
     private static final int INSET = 4;
 
+    private final transient PictureView source;
+    private final transient Set<PictureView> copies = new LinkedHashSet<>();
+    private final transient VisibilityWatch visibility;
+    private transient Consumer<Boolean> watchListener = seen -> {};
+    private transient Supplier<String> title = () -> "Camera";
     private transient @Nullable BufferedImage image;
     private String caption = "";
     private String words = "";
+    private int watched;
 
     /**
      * Creates an empty view.
@@ -33,9 +53,119 @@ public final class PictureView extends JPanel {
      * @param height of the pictures, pixels
      */
     public PictureView(int width, int height) {
-        setOpaque(false);
-        setPreferredSize(new Dimension(width, height));
+        this(new Dimension(width, height), null);
         setName("camera");
+        setFocusable(true);
+        setCursor(Cursor.getPredefinedCursor(Cursor.HAND_CURSOR));
+        addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                enlarge();
+            }
+        });
+        registerKeyboardAction(event -> enlarge(), KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), WHEN_FOCUSED);
+        registerKeyboardAction(event -> enlarge(), KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0), WHEN_FOCUSED);
+        addFocusListener(new RepaintOnFocus());
+    }
+
+    private PictureView(Dimension size, @Nullable PictureView original) {
+        setOpaque(false);
+        setPreferredSize(size);
+        source = original == null ? this : original;
+        visibility = new VisibilityWatch(this, seen -> source.watch(seen ? 1 : -1));
+    }
+
+    /**
+     * Creates a view of the same pictures, of another size. It shows them while it is part of a window.
+     *
+     * @param width preferred, pixels
+     * @param height preferred, pixels
+     * @return the copy
+     */
+    public PictureView copy(int width, int height) {
+        PictureView copy = new PictureView(new Dimension(width, height), source);
+        copy.setName("largeCamera");
+        copy.take(source);
+        return copy;
+    }
+
+    /**
+     * Sets what is called when the view, or one of its copies, becomes visible to the user, and when none is any more.
+     *
+     * @param listener receives true or false, on the event dispatch thread
+     */
+    public void whenWatched(Consumer<Boolean> listener) {
+        watchListener = listener;
+    }
+
+    /**
+     * Sets the title of a window with a larger view.
+     *
+     * @param newTitle returns the title when such a window is opened
+     */
+    public void setTitle(Supplier<String> newTitle) {
+        title = newTitle;
+    }
+
+    /**
+     * Returns the title of a window with a larger view.
+     *
+     * @return {@code Camera} unless another title is set
+     */
+    public String title() {
+        return title.get();
+    }
+
+    private void watch(int change) {
+        boolean before = watched > 0;
+        watched += change;
+        if (before != watched > 0) {
+            watchListener.accept(watched > 0);
+        }
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        if (source != this) {
+            source.copies.add(this);
+            take(source);
+        }
+    }
+
+    @Override
+    public void removeNotify() {
+        source.copies.remove(this);
+        visibility.end();
+        super.removeNotify();
+    }
+
+    /** Opens a larger view in the window that offers it. */
+    private void enlarge() {
+        for (Container place = getParent(); place != null; place = place.getParent()) {
+            if (place instanceof PictureViewer viewer) {
+                viewer.enlarge(this);
+                return;
+            }
+        }
+    }
+
+    private void take(PictureView other) {
+        image = other.image;
+        caption = other.caption;
+        words = other.words;
+        getAccessibleContext().setAccessibleName(other.getAccessibleContext().getAccessibleName());
+        repaint();
+        copies.forEach(copy -> copy.take(this));
+    }
+
+    /**
+     * Returns the picture shown now.
+     *
+     * @return must not be changed; empty if there was none yet
+     */
+    public Optional<BufferedImage> image() {
+        return Optional.ofNullable(image);
     }
 
     /**
@@ -48,8 +178,7 @@ public final class PictureView extends JPanel {
         image = newImage;
         words = "";
         caption = newCaption;
-        getAccessibleContext().setAccessibleName("camera, " + newCaption);
-        repaint();
+        changed(newCaption);
     }
 
     /**
@@ -60,8 +189,13 @@ public final class PictureView extends JPanel {
     public void miss(String why) {
         words = why;
         caption = "";
-        getAccessibleContext().setAccessibleName("camera, " + why);
+        changed(why);
+    }
+
+    private void changed(String state) {
+        getAccessibleContext().setAccessibleName("camera, " + state);
         repaint();
+        copies.forEach(copy -> copy.take(this));
     }
 
     /** Returns the area that pictures fill; it keeps their aspect ratio. */
@@ -94,8 +228,8 @@ public final class PictureView extends JPanel {
         if (!caption.isEmpty()) {
             paintCaption(pen, colors, frame);
         }
-        pen.setColor(colors.grey(0.35));
-        pen.setStroke(DrawingColors.stroke(1));
+        pen.setColor(isFocusOwner() ? colors.accent() : colors.grey(0.35));
+        pen.setStroke(DrawingColors.stroke(isFocusOwner() ? 2 : 1));
         pen.draw(frame);
         pen.dispose();
     }
@@ -150,5 +284,18 @@ public final class PictureView extends JPanel {
         pen.fill(new RoundRectangle2D.Double(left, top, width, height, INSET, INSET));
         pen.setColor(colors.line());
         pen.drawString(caption, (float) left + INSET, (float) top + metrics.getAscent());
+    }
+
+    /** Repaints the frame, which shows the focus. */
+    private final class RepaintOnFocus implements FocusListener {
+        @Override
+        public void focusGained(FocusEvent event) {
+            repaint();
+        }
+
+        @Override
+        public void focusLost(FocusEvent event) {
+            repaint();
+        }
     }
 }

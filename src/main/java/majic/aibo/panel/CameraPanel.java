@@ -2,14 +2,16 @@ package majic.aibo.panel;
 
 import java.awt.image.BufferedImage;
 import java.util.Locale;
+import javax.swing.SwingUtilities;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
+import majic.bot.MajicBot;
 import majic.panel.PictureView;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The camera's pictures on their way to the screen: decoded on the poller's thread, shown by the next refresh. For the
- * event thread, except what a poller calls.
+ * The camera's pictures on their way to the screen: decoded on the poller's thread, then shown on the event thread, also
+ * while only a larger copy of the view is visible. For the event thread, except what a poller calls.
  */
 final class CameraPanel implements PanelPoller.PictureReceiver {
     private static final int WIDTH = 208;
@@ -22,9 +24,12 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
     /** A picture with its caption, or in words why there is none. */
     private record Seen(@Nullable BufferedImage image, String words) {}
 
-    CameraPanel() {
+    CameraPanel(MajicBot bot) {
+        view.setTitle(() -> bot.membership()
+                .map(member -> "Camera of robot " + member.number())
+                .orElse("Camera"));
         view.miss(newest.words());
-        view.setToolTipText("What the camera sees; asked for only while this tab is shown");
+        view.setToolTipText("Camera picture; requested only while it is visible. Click for a larger view");
     }
 
     PictureView view() {
@@ -35,7 +40,7 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
     public void see(UrbiValue picture, double perSecond) {
         try {
             BufferedImage image = CameraPicture.of(picture);
-            newest = new Seen(image, caption(perSecond));
+            publish(new Seen(image, caption(perSecond)));
         } catch (UrbiRefusal e) {
             miss(String.valueOf(e.getMessage()));
         }
@@ -48,11 +53,16 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
 
     @Override
     public void miss(String why) {
-        newest = new Seen(null, why);
+        publish(new Seen(null, why));
+    }
+
+    private void publish(Seen seen) {
+        newest = seen;
+        SwingUtilities.invokeLater(this::refresh);
     }
 
     /** Shows what came last. */
-    void refresh() {
+    private void refresh() {
         Seen now = newest;
         if (now == shown) {
             return;

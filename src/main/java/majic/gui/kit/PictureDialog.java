@@ -1,0 +1,52 @@
+package majic.gui.kit;
+
+import java.awt.Dimension;
+import java.awt.Window;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import majic.bot.Settings;
+import majic.panel.PictureView;
+import majic.text.IoReason;
+
+/** Shows a robot's camera pictures as large as its window, and saves one of them as a PNG file. */
+public final class PictureDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+    private static final Dimension LARGE = new Dimension(640, 480);
+    private static final Dimension LEAST = new Dimension(320, 280);
+
+    private final PictureView large;
+    private final transient Settings settings;
+
+    /**
+     * Creates a dialog that is not shown yet.
+     *
+     * @param view shows the same pictures elsewhere
+     */
+    public PictureDialog(Window owner, PictureView view, Settings settings) {
+        super(owner, view.title());
+        this.settings = settings;
+        large = view.copy(LARGE.width, LARGE.height);
+        fill(large, button("Save Picture…", this::save), closing("Close"));
+        setMinimumSize(LEAST);
+    }
+
+    /** Asks for a file for the picture that is shown now. */
+    private void save() {
+        large.image()
+                .ifPresent(picture ->
+                        ChooseFile.toSave(this, settings, "Save Picture", "picture.png", file -> write(picture, file)));
+    }
+
+    private static Optional<String> write(BufferedImage picture, Path file) {
+        try {
+            return ImageIO.write(picture, "png", file.toFile())
+                    ? Optional.empty()
+                    : Optional.of(file + ": this picture cannot be written as PNG");
+        } catch (IOException e) {
+            return Optional.of(file + " cannot be written (" + IoReason.of(e) + ")");
+        }
+    }
+}
