@@ -63,7 +63,8 @@ public final class Dashboard implements LayoutManager {
         room.y += used;
         room.height = Math.max(0, room.height - used);
         int width = columnWidth(room);
-        if (shorterAbove(room) > WORTH_IT * shorterBeside(room, width)) {
+        int above = shorterAbove(room);
+        if (above >= LEAST_VIEW && above > WORTH_IT * shorterBeside(room, width)) {
             view.setBounds(room.x, room.y, room.width, row.place(room));
         } else {
             placeBeside(room, width);

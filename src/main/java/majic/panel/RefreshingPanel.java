@@ -67,6 +67,20 @@ public abstract class RefreshingPanel extends JPanel {
      */
     protected void visibilityChanged(boolean seen) {}
 
+    /**
+     * Returns how old the shown values are while there is no connection, for a banner: they look like current ones
+     * otherwise.
+     *
+     * @return a sentence; empty while the robot is connected, and before its first report
+     */
+    protected final String staleness() {
+        BotState state = bot.state();
+        if (bot.isConnected() || state.equals(BotState.UNKNOWN)) {
+            return "";
+        }
+        return "Not connected: all values are " + ReadingText.age(bot.time().secondsSince(state.atNanos())) + " old.";
+    }
+
     /** Refreshes if the robot has reported anything since the last refresh; for a panel that has just been created. */
     public final void refreshIfChanged() {
         if (hasChanged.getAndSet(false)) {

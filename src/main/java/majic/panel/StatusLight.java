@@ -3,8 +3,8 @@ package majic.panel;
 import javax.swing.JLabel;
 
 /**
- * Shows one condition of a robot as a word and a shape; colour only adds to them. Must be used on the event dispatch
- * thread.
+ * Shows one condition of a robot as a word and a shape; colour only adds to them. A disabled light shows an old
+ * condition: grey words and a ring. Must be used on the event dispatch thread.
  */
 public final class StatusLight extends JLabel {
     private static final long serialVersionUID = 1;
@@ -42,6 +42,7 @@ public final class StatusLight extends JLabel {
      */
     public void show(Kind kind, String words) {
         setIcon(StatusLightIcon.of(kind));
+        setDisabledIcon(StatusLightIcon.of(Kind.QUIET));
         setText(words);
         getAccessibleContext().setAccessibleDescription(getToolTipText());
     }

@@ -31,6 +31,15 @@ public final class StatusLightsPanel extends JPanel {
         lights.forEach(this::add);
     }
 
+    /**
+     * Shows whether the conditions are current; older ones are greyed.
+     *
+     * @param current whether they are current
+     */
+    public void setCurrent(boolean current) {
+        lights.forEach(light -> light.setEnabled(current));
+    }
+
     /** Returns the minimum width. */
     int widthOf(int sideBySide) {
         return sideBySide * (lightWidth() + GAP) - GAP;

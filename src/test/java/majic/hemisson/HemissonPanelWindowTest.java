@@ -85,7 +85,7 @@ class HemissonPanelWindowTest {
     @Test
     void aClickOnALostRobotShowsTheCause() throws Exception {
         peer.hangUp();
-        await("the loss", () -> !bot.isConnected());
+        await("the loss", () -> banner().isShowing() && banner().getText().startsWith("Not connected"));
 
         click("ledPgm");
 
@@ -147,7 +147,8 @@ class HemissonPanelWindowTest {
         await("the loss", () -> !bot.isConnected());
         GuiActionRunner.execute(() -> frame.getContentPane().repaint());
         await("the sign", () -> light("link lost"));
-        assertThat(banner().isShowing()).isFalse();
+        await("the age", () -> banner().getText().startsWith("Not connected: all values are "));
+        assertThat(GuiActionRunner.execute(() -> banner().getFont().isBold())).isFalse();
     }
 
     private void click(String name) {

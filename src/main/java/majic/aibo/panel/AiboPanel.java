@@ -6,6 +6,7 @@ import javax.swing.JComponent;
 import javax.swing.JPanel;
 import majic.aibo.body.DogState;
 import majic.bot.MajicBot;
+import majic.panel.Banner;
 import majic.panel.Dashboard;
 import majic.panel.ReadingsPanel;
 import majic.panel.RefreshingPanel;
@@ -48,26 +49,30 @@ public final class AiboPanel extends RefreshingPanel {
     private final transient MajicBot bot;
     private final transient DogState dog;
     private final DogDrawing drawing;
-    private final transient CameraPanel camera = new CameraPanel();
-    private final transient PanelPoller poller;
+    private final transient CameraPanel camera;
     private final HeadPanel head;
     private final BodyPanel body = new BodyPanel();
     private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
+
+    private final Banner banner = new Banner();
 
     private AiboPanel(MajicBot bot, DogState dog, Function<PanelPoller.PictureReceiver, PanelPoller> pollers) {
         super(bot);
         this.bot = bot;
         this.dog = dog;
         this.drawing = new DogDrawing(dog);
+        this.camera = new CameraPanel(bot);
         this.head = new HeadPanel(bot, dog.senses());
-        this.poller = pollers.apply(camera);
+        PanelPoller poller = pollers.apply(camera);
+        camera.view().whenWatched(poller::look);
         JPanel controls = controls();
         add(drawing);
         add(camera.view());
         add(controls);
         add(readings);
+        add(banner);
         List<SidePane> asides = List.of(SidePane.shaped(camera.view()), SidePane.of(controls));
-        setLayout(new Dashboard(drawing, ASIDES, asides, readings));
+        setLayout(new Dashboard(drawing, ASIDES, asides, readings).under(banner));
     }
 
     private JPanel controls() {
@@ -93,17 +98,12 @@ public final class AiboPanel extends RefreshingPanel {
     }
 
     @Override
-    protected void visibilityChanged(boolean seen) {
-        poller.look(seen);
-    }
-
-    @Override
     protected void refresh() {
         boolean connected = bot.isConnected();
-        camera.refresh();
         head.refresh();
         body.refresh(dog.senses(), connected);
-        readings.show(bot, bot.isConnected());
+        readings.show(bot, connected);
+        banner.show(staleness(), false);
         drawing.setEnabled(connected);
         drawing.repaint();
     }

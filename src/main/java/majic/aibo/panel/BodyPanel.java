@@ -23,7 +23,7 @@ final class BodyPanel extends JPanel {
             new JLabel("no reading yet", new BatteryIcon(OptionalInt.empty(), false), JLabel.LEADING);
     private final JLabel posture = new JLabel("–");
     private final StatusLight motors =
-            new StatusLight("motorsLight", "Whether the legs are stiff; the first motion switches them on");
+            new StatusLight("motorsLight", "Motor power, which makes the legs stiff; the first motion switches it on");
 
     BodyPanel() {
         super(new MigLayout("insets 0, gap 8 0, novisualpadding", "[][grow, fill]", "[][][]"));
@@ -31,7 +31,7 @@ final class BodyPanel extends JPanel {
         battery.setName("batteryLeft");
         battery.setToolTipText("The battery");
         posture.setName("postureGuess");
-        posture.setToolTipText("What the dog takes its posture for");
+        posture.setToolTipText("The posture that the dog reports");
         add(horizon, "span 1 3, w " + DISC + "!, h " + DISC + "!");
         add(battery, "wrap");
         add(motors, "wrap");
@@ -63,6 +63,7 @@ final class BodyPanel extends JPanel {
         OptionalInt percent =
                 charge.isPresent() ? OptionalInt.of((int) Math.round(100 * charge.get())) : OptionalInt.empty();
         battery.setIcon(new BatteryIcon(percent, false));
+        battery.setDisabledIcon(new BatteryIcon(OptionalInt.empty(), false));
         battery.setText(percent.isPresent() ? percent.getAsInt() + " %" : "no reading yet");
     }
 }

@@ -41,7 +41,7 @@ final class HeadPanel extends JPanel {
     }
 
     private static String words(Optional<Double> degrees) {
-        return degrees.map(measured -> Math.round(measured) + " deg").orElse("–");
+        return degrees.map(measured -> Math.round(measured) + "°").orElse("–");
     }
 
     void refresh() {

@@ -68,7 +68,7 @@ public final class HemissonPanel extends RefreshingPanel {
         readings.show(view, view.isConnected());
         lights.show(view);
         HemissonAdvice.Words words = advice.on(view, System.nanoTime());
-        banner.show(words.text(), words.urgent());
+        banner.show(words.text().isEmpty() ? staleness() : words.text(), words.urgent());
         floor.show(view);
         map.repaint();
         drawing.show(view);

@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
+import majic.panel.Banner;
 import majic.panel.Dashboard;
 import majic.panel.ReadingsPanel;
 import majic.panel.RefreshingPanel;
@@ -43,6 +44,8 @@ public final class PioneerPanel extends RefreshingPanel {
     private final transient PioneerLights lights = new PioneerLights();
     private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
 
+    private final Banner banner = new Banner();
+
     private PioneerPanel(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
         super(bot);
         this.bot = bot;
@@ -52,8 +55,9 @@ public final class PioneerPanel extends RefreshingPanel {
         add(gauges);
         add(lights.panel());
         add(readings);
+        add(banner);
         List<SidePane> asides = List.of(SidePane.of(gauges), SidePane.of(lights.panel()));
-        setLayout(new Dashboard(map, 0, asides, readings));
+        setLayout(new Dashboard(map, 0, asides, readings).under(banner));
     }
 
     /**
@@ -75,6 +79,7 @@ public final class PioneerPanel extends RefreshingPanel {
     @Override
     protected void refresh() {
         readings.show(bot, bot.isConnected());
+        banner.show(staleness(), false);
         scenes.get().ifPresentOrElse(this::show, () -> lights.show(bot.connection()));
     }
 
