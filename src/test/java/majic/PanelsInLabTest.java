@@ -76,7 +76,7 @@ class PanelsInLabTest {
         try (LabRig lab = LabRig.exact().withAllRobots()) {
             lab.run("1 set headPan 40", "2 move 300", "3 set beep on");
 
-            assertThat(shown(lab, 1, "headPan")).isEqualTo("40 deg");
+            assertThat(shown(lab, 1, "headPan")).isEqualTo("40°");
             assertThat(shown(lab, 2, "x"))
                     .isEqualTo(lab.team().members().get(1).bot().get("x").toString());
             assertThat(shown(lab, 3, "beep")).isEqualTo("on");

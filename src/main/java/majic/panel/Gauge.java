@@ -34,15 +34,15 @@ public final class Gauge extends JPanel {
     /**
      * Creates a gauge without a value.
      *
-     * @param title name of the parameter
+     * @param parameter name of the parameter; the title is this name in plain words
      * @param unit behind the figure
      * @param positiveLeft whether positive values point to the left, as turns do
      */
-    public Gauge(String title, String unit, boolean positiveLeft) {
-        this.title = title;
+    public Gauge(String parameter, String unit, boolean positiveLeft) {
+        this.title = ReadingText.label(parameter);
         this.unit = unit;
         this.positiveLeft = positiveLeft;
-        setName(title);
+        setName(parameter);
         setOpaque(false);
     }
 

@@ -11,7 +11,6 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.bot.Value;
 
 /**
  * Shows a robot's readings by name, in as many columns as fit, the most useful first; rows that do not fit are left
@@ -63,24 +62,16 @@ public final class ReadingsPanel<S> extends JPanel {
         return panel;
     }
 
-    /**
-     * Formats a value in short form: without the word "about" of estimates, and without the reason why a value is
-     * unknown.
-     */
     private static String text(MajicBot bot, String name) {
         try {
-            Value value = bot.get(name);
-            if (value instanceof Value.Number number) {
-                return Value.of(number.amount(), number.unit()).toString();
-            }
-            return value instanceof Value.Unknown ? NONE : value.toString();
+            return ReadingText.of(bot.get(name));
         } catch (BotException e) {
             return NONE;
         }
     }
 
     /**
-     * Adds a row below the others.
+     * Adds a row below the others. Its label is the name in plain words; the tool tips show the name itself.
      *
      * @param name of the reading; the parameter's, if there is one
      * @param text formats the value
@@ -89,7 +80,10 @@ public final class ReadingsPanel<S> extends JPanel {
     public ReadingsPanel<S> with(String name, Function<? super S, String> text) {
         JLabel value = new JLabel(NONE, SwingConstants.TRAILING);
         value.setName(name);
-        names.add(new JLabel(name));
+        value.setToolTipText(ReadingText.tip(name));
+        JLabel label = new JLabel(ReadingText.label(name));
+        label.setToolTipText(ReadingText.tip(name));
+        names.add(label);
         values.add(value);
         texts.add(text);
         add(names.get(names.size() - 1));

@@ -50,15 +50,16 @@ public final class SetpointSlider extends JPanel {
         this.unit = parameter.unit().symbol();
         Range range = parameter.range();
         this.slider = new JSlider((int) Math.round(range.min()), (int) Math.round(range.max()), 0);
-        this.name = new JLabel(parameter.name());
+        this.name = new JLabel(ReadingText.label(parameter.name()));
         this.reading = new JLabel("–", SwingConstants.TRAILING);
         setOpaque(false);
         slider.setInverted(positiveLeft);
         slider.setName("slider " + parameter.name());
-        slider.setToolTipText(parameter.help());
+        slider.setToolTipText(parameter.help() + ". " + ReadingText.tip(parameter.name()));
+        name.setToolTipText(slider.getToolTipText());
         slider.setPreferredSize(new Dimension(KNOB_ROOM, slider.getPreferredSize().height));
         slider.setMinimumSize(new Dimension(KNOB_ROOM, slider.getPreferredSize().height));
-        slider.getAccessibleContext().setAccessibleName(parameter.name());
+        name.setLabelFor(slider);
         slider.addChangeListener(change -> changed());
         reading.setName(parameter.name());
         add(name);
@@ -85,7 +86,7 @@ public final class SetpointSlider extends JPanel {
     }
 
     private int widestReading() {
-        String widest = "-888 " + unit;
+        String widest = ReadingText.degrees("-888 " + unit);
         return reading.getFontMetrics(reading.getFont()).stringWidth(widest) + 4;
     }
 

@@ -26,6 +26,18 @@ class ReadingsPanelTest {
     }
 
     @Test
+    void labelsARowInPlainWordsAndNamesTheParameterInTheToolTip() {
+        panel.with("distanceFront", robot -> "512 mm");
+
+        JLabel label = Arrays.stream(panel.getComponents())
+                .map(JLabel.class::cast)
+                .filter(row -> row.getText().equals("distance front"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(label.getToolTipText()).contains("distanceFront");
+    }
+
+    @Test
     void leavesOutTheWordAboutOfAnEstimate() {
         bot.tell("voltage", Value.about(12, Unit.V));
 

@@ -7,12 +7,13 @@ import java.util.stream.Collectors;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
+import majic.panel.ReadingText;
 import majic.panel.ReadingsPanel;
 
 /** A Hemisson's readings as text; motion and pose are estimates ("≈"), because the robot does not measure them. */
 final class HemissonReadings {
     private static final double SHORT_MS = 0.1;
-    private static final String LONGEST = "≈ -888 deg/s";
+    private static final String LONGEST = "≈ -888 °/s";
 
     private HemissonReadings() {}
 
@@ -57,7 +58,7 @@ final class HemissonReadings {
     }
 
     private static String about(String unit, double amount) {
-        return text("≈ %.0f %s", amount, unit);
+        return ReadingText.degrees(text("≈ %.0f %s", amount, unit));
     }
 
     /** The mean round trip, with a decimal place below 10 ms. */
