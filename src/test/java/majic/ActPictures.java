@@ -69,12 +69,12 @@ class ActPictures {
             PictureWindow.add(program, parser, List.of("aibo", "pioneer", "hemisson"));
             choose(frame, 1, "Relay");
             save(frame, "choose-act.png");
-            click(awaitDialog(frame, "Choose Act"), "Load Action");
+            click(awaitDialog(frame, "Choose Act"), "loadChosen");
             awaitDialog(frame, "Assign Roles");
             save(frame, "roles.png");
             click(awaitDialog(frame, "Assign Roles"), "Cancel");
             choose(frame, 1, "Patrol");
-            click(awaitDialog(frame, "Choose Act"), "Load Action");
+            click(awaitDialog(frame, "Choose Act"), "loadChosen");
             Container trust = awaitDialog(frame, "Trust this code?");
             save(frame, "trust.png");
             click(trust, "Agree and run");

@@ -187,7 +187,7 @@ public final class ActRun {
     private void awaitEnding() {
         try {
             if (isAliveAfter(SOON_S)) {
-                notice("is still ending; its robots stand and obey it no more");
+                notice("is still ending; its robots are stopped and no longer obey it");
                 leftBehind = isAliveAfter(GRACE_S - SOON_S);
             }
             if (leftBehind) {

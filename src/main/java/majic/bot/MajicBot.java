@@ -193,7 +193,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
         refuseLost();
         Connection now = life.now();
         if (now == Connection.CONNECTING || now == Connection.LOST) {
-            throw new BotException(name + " is not connected; nobody can tell it to stand");
+            throw new BotException(name + " is not connected, so no stop can reach it");
         }
         boolean open = isConnected();
         if (open) {

@@ -13,7 +13,7 @@ import picocli.CommandLine.Spec;
         name = "act",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
-        description = "Makes files of behaviours and shows what is in them.",
+        description = "Makes files of acts and shows what is in them.",
         subcommands = {ActMakeCommand.class, ActFromSessionCommand.class, ActShowCommand.class})
 public final class ActCommand implements Callable<Integer> {
     @Spec

@@ -115,7 +115,7 @@ public final class MajicPioneer extends MajicBot {
     private void useRamps(UnaryOperator<Ramps> change) {
         PioneerSession open = current();
         if (isBusy() && !isDriving()) {
-            throw new BotException(name() + " is in a motion; how it speeds up and brakes can be set when it stands");
+            throw new BotException(name() + " is moving; its acceleration can be set when it is stationary");
         }
         synchronized (rampLock) {
             requestedRamps = change.apply(open.ramps());
@@ -211,7 +211,7 @@ public final class MajicPioneer extends MajicBot {
         if (WaitPolicy.isAllowed() && !open.reported().awaitStationary(HALT_S)) {
             open.send(ArcosCommand.ESTOP.packet());
             if (!open.reported().awaitStationary(EMERGENCY_S)) {
-                throw new BotException(name() + " has not been seen to stand within " + (int) (HALT_S + EMERGENCY_S)
+                throw new BotException(name() + " has not reported its stop within " + (int) (HALT_S + EMERGENCY_S)
                         + " s of the stop");
             }
         }

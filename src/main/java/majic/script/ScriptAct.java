@@ -129,7 +129,7 @@ public final class ScriptAct extends MajicAct {
     protected void behave() {
         Stage here = stage;
         if (here == null) {
-            throw new BotException("a behaviour in MAJIC Script runs in a session: 1 act FILE");
+            throw new BotException("an act in MAJIC Script runs in a session: 1 act FILE");
         }
         ScriptActProgram behaviour = ScriptActProgram.of(title, text);
         refuse(behaviour.check(here.actions, here.robots), here);

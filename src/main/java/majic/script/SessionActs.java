@@ -162,7 +162,7 @@ final class SessionActs implements ActRunner {
         its.forEach(ActRun::callOff);
         return new QueuedCommand("act off", false, robot -> {
             awaitEnd(its);
-            return List.of("act off: " + (its.isEmpty() ? "no behaviour runs on it" : "done"));
+            return List.of("act off: " + (its.isEmpty() ? "no act runs on it" : "done"));
         });
     }
 
@@ -219,7 +219,7 @@ final class SessionActs implements ActRunner {
     @Override
     public String trustOff(String nameOrHash) {
         boolean agreed = acts.trust().takeBack(hashOf(nameOrHash));
-        return "trust off " + nameOrHash + ": " + (agreed ? "done" : "nobody had agreed to that file");
+        return "trust off " + nameOrHash + ": " + (agreed ? "done" : "there was no consent for that file");
     }
 
     @Override

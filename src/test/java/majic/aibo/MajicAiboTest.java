@@ -219,7 +219,7 @@ class MajicAiboTest {
 
         dog.answersPolls = false;
 
-        assertThatThrownBy(() -> dog.clock().join(walk)).hasMessageContaining("no word from the dog");
+        assertThatThrownBy(() -> dog.clock().join(walk)).hasMessageContaining("no message from the dog");
         awaitSent("stop walk");
     }
 

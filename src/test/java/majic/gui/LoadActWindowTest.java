@@ -44,7 +44,7 @@ class LoadActWindowTest {
 
     private void load(String act) {
         choose(act);
-        window.click("Load Action");
+        window.click("loadChosen");
     }
 
     private void awaitRunning(int robot, String act) {
@@ -117,7 +117,7 @@ class LoadActWindowTest {
         askToReplace();
         window.click("Yes");
         window.select("acts", "Other");
-        window.click("Load Action");
+        window.click("loadChosen");
         awaitRunning(1, "Other");
         window.await("its motion", () -> bot.told.contains("move 200"));
         assertThat(bot.told).containsSubsequence("move 100", "halt", "move 200");
@@ -176,7 +176,7 @@ class LoadActWindowTest {
         ToyBot bot = window.add("one");
         chooseFromFile(script);
         window.await("it in the list", () -> window.text("actTitle").equals("there"));
-        window.click("Load Action");
+        window.click("loadChosen");
         window.await("its motion", () -> bot.told.contains("move 60"));
         assertThat(window.parser.commands()).containsExactly("1 act \"" + script + "\"");
     }
@@ -186,7 +186,7 @@ class LoadActWindowTest {
         window.add("one");
         chooseFromFile(Files.writeString(folder.resolve("bad.majic"), "me jump\nquit\n"));
         window.await("the mistakes", () -> window.text("actNote").contains("bad.majic:2:1"));
-        assertThat(window.isEnabled("Load Action")).isFalse();
+        assertThat(window.isEnabled("loadChosen")).isFalse();
     }
 
     @Test
@@ -201,7 +201,7 @@ class LoadActWindowTest {
         window.awaitDialog("MAJIC asks");
         window.click("Yes");
         window.select("acts", "Other");
-        window.click("Load Action");
+        window.click("loadChosen");
         awaitRunning(1, "Other");
         window.await("its motion", () -> bot.told.contains("move 200"));
     }
@@ -212,7 +212,7 @@ class LoadActWindowTest {
         window.add("one");
         choose("Broken");
         assertThat(window.text("actNote")).startsWith("Broken.act").doesNotContain("Exception");
-        assertThat(window.isEnabled("Load Action")).isFalse();
+        assertThat(window.isEnabled("loadChosen")).isFalse();
     }
 
     @Test
@@ -221,6 +221,6 @@ class LoadActWindowTest {
         window.add("one");
         choose("Dogs");
         assertThat(window.text("actNote")).isEqualTo("Robot 1 is of type toy, not aibo.");
-        assertThat(window.isEnabled("Load Action")).isFalse();
+        assertThat(window.isEnabled("loadChosen")).isFalse();
     }
 }

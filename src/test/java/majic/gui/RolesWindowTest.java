@@ -38,7 +38,7 @@ class RolesWindowTest {
         window.awaitDialog("Load Act");
         window.click("OK");
         window.select("acts", act);
-        window.click("Load Action");
+        window.click("loadChosen");
         window.awaitDialog("Assign Roles");
     }
 
@@ -47,7 +47,7 @@ class RolesWindowTest {
         ToyBot one = window.add("one");
         ToyBot two = window.add("two");
         choose("Relay");
-        window.click("Load Action");
+        window.click("loadChosen");
         window.await("both to move", () -> one.told.contains("move 100") && two.told.contains("move 200"));
         assertThat(window.parser.commands()).containsExactly("1 act Relay with 2");
     }
@@ -58,7 +58,7 @@ class RolesWindowTest {
         window.add("two");
         choose("WithDog");
         assertThat(window.text("why robot2")).contains("Wanted: aibo.", "Robot 2 is of type toy, not aibo.");
-        assertThat(window.isEnabled("Load Action")).isFalse();
+        assertThat(window.isEnabled("loadChosen")).isFalse();
     }
 
     @Test
@@ -66,7 +66,7 @@ class RolesWindowTest {
         window.add("one");
         window.add("two");
         choose("Trio");
-        window.click("Load Action");
+        window.click("loadChosen");
         window.await("the words", () -> window.text("rolesOutcome").startsWith("One robot cannot play two parts"));
         assertThat(window.parser.commands()).isEmpty();
     }
@@ -81,7 +81,7 @@ class RolesWindowTest {
         window.push("One more");
         window.await("one more", () -> window.isShowing("role follower 2"));
         assertThat(window.isEnabled("One more")).isFalse();
-        window.push("Load Action");
+        window.push("loadChosen");
         window.await("both to move", () -> two.told.contains("move 30") && three.told.contains("move 30"));
         assertThat(window.parser.commands()).containsExactly("1 act Together with 2,3");
     }
@@ -110,6 +110,6 @@ class RolesWindowTest {
         window.run(() -> window.find("bots", JTabbedPane.class).setSelectedIndex(2));
         choose("Relay");
         assertThat(window.text("why robot2")).contains("Robot 1 is running Relay.", "Robot 2 is running Relay.");
-        assertThat(window.isEnabled("Load Action")).isFalse();
+        assertThat(window.isEnabled("loadChosen")).isFalse();
     }
 }

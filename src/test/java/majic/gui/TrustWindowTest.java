@@ -45,7 +45,7 @@ class TrustWindowTest {
         window.awaitDialog("Load Act");
         window.click("OK");
         window.select("acts", act);
-        window.click("Load Action");
+        window.click("loadChosen");
     }
 
     @Test
@@ -78,7 +78,7 @@ class TrustWindowTest {
     void aLongNameMovesNothingOffTheScreen() {
         load(LONG_NAME);
         assertThat(window.awaitDialog("Trust this code?").getWidth()).isLessThan(850);
-        assertThat(window.text("trustTitle")).startsWith(LONG_NAME).endsWith("nobody here has agreed to run.");
+        assertThat(window.text("trustTitle")).startsWith(LONG_NAME).endsWith("contains code that has no consent yet.");
     }
 
     @Test

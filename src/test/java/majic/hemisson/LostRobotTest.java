@@ -57,7 +57,7 @@ class LostRobotTest {
         pair.await(() -> !bot.isConnected());
         robot.answer('D', robot::setSpeeds);
         robot.fallSilent(false);
-        pair.await(() -> pair.notices().stream().anyMatch(notice -> notice.contains("answers again and stands")));
+        pair.await(() -> pair.notices().stream().anyMatch(notice -> notice.contains("answers again and has stopped")));
 
         bot.close();
 

@@ -127,7 +127,7 @@ class MotionAccuracyTest {
         try (PioneerRig stage = PioneerRig.connected(robot)) {
             assertThatThrownBy(() -> stage.bot.move(1000))
                     .isInstanceOf(MotionFailed.class)
-                    .hasMessage("told to go on, it has not moved for 3 s after 0 mm");
+                    .hasMessage("commanded to move, it has not moved for 3 s after 0 mm");
         }
     }
 

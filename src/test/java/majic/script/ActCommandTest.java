@@ -143,7 +143,7 @@ class ActCommandTest {
                 .asString()
                 .contains(
                         "bad.majic:2:1: quit: is for a session",
-                        "bad.majic:3:1: 1-3: a behaviour names",
+                        "bad.majic:3:1: 1-3: an act names",
                         "bad.majic:4:4: act:");
     }
 
@@ -193,7 +193,7 @@ class ActCommandTest {
         assertThat(fixture.refusal("1 act Wandr"))
                 .get()
                 .asString()
-                .contains("there is no behaviour Wandr")
+                .contains("there is no act Wandr")
                 .contains("\"acts\" lists");
     }
 
@@ -214,7 +214,7 @@ class ActCommandTest {
         assertThat(fixture.runPipe("trust off " + name)).contains("trust off " + act + ": done");
         assertThat(fixture.refusal("1 act " + name)).get().asString().contains("it brings code of its own");
         assertThat(fixture.runPipe("trust off \"" + hash + "\""))
-                .anyMatch(line -> line.endsWith("nobody had agreed to that file"));
+                .anyMatch(line -> line.endsWith("there was no consent for that file"));
     }
 
     @Test

@@ -78,7 +78,7 @@ class ActEndTest {
     void actOffBeforeItsTurnPreventsIt() throws Exception {
         String drive = file("me move 5000");
         assertThat(fixture.runPipe("1 move 300", "1 act " + drive, "1 act off", "1 turn 90"))
-                .contains("1 act off: no behaviour runs on it", "1 act " + drive + ": not run: stopped");
+                .contains("1 act off: no act runs on it", "1 act " + drive + ": not run: stopped");
         assertThat(driver.sent()).containsSubsequence("move 300", "turn 90").doesNotContain("move 5000");
     }
 
@@ -113,7 +113,7 @@ class ActEndTest {
         List<Optional<Owner>> ownersAtDone = new CopyOnWriteArrayList<>();
         List<Optional<String>> refusalsAtDone = new CopyOnWriteArrayList<>();
         fixture.session.addListener(line -> {
-            if (line.text().endsWith("Deaf: is still ending; its robots stand and obey it no more")) {
+            if (line.text().endsWith("Deaf: is still ending; its robots are stopped and no longer obey it")) {
                 System.setProperty("deaf.hears", "now");
             } else if (line.text().equals("1 stop: done")) {
                 ownersAtDone.add(Optional.ofNullable(fixture.team.member(1).owner()));
@@ -152,7 +152,7 @@ class ActEndTest {
         assertThat(fixture.prompt.parseText("1 turn 20")).isEmpty();
         assertThat(said)
                 .containsSubsequence(
-                        "1: Deaf: is still ending; its robots stand and obey it no more",
+                        "1: Deaf: is still ending; its robots are stopped and no longer obey it",
                         "1: Deaf: does not end; it is left behind without a robot",
                         "1 act off: done");
         assertThat(fixture.answers()).noneMatch(line -> line.startsWith("1 act " + name + ": done"));

@@ -136,6 +136,6 @@ class RobotCommandsTest {
 
     @Test
     void robotsMayHaveNoBehaviourToEnd() throws InterruptedException {
-        assertThat(fixture.runPipe("1 act off")).containsExactly("1 act off: no behaviour runs on it");
+        assertThat(fixture.runPipe("1 act off")).containsExactly("1 act off: no act runs on it");
     }
 }

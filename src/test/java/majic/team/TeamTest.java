@@ -501,7 +501,6 @@ class TeamTest {
         team.stop(team.members(), null);
         awaitIdle(1);
 
-        assertThat(said)
-                .containsExactly("1 stop: failed: robot 1 (Fake) is not connected; nobody can tell it to stand");
+        assertThat(said).containsExactly("1 stop: failed: robot 1 (Fake) is not connected, so no stop can reach it");
     }
 }

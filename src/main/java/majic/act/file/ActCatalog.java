@@ -132,7 +132,7 @@ public record ActCatalog(Path folder, ActTrust trust) {
     }
 
     private BotException unknown(String name) {
-        return new BotException("there is no behaviour " + name + Suggestion.didYouMean(name, names())
+        return new BotException("there is no act " + name + Suggestion.didYouMean(name, names())
                 + "; \"acts\" lists those there are, and a file's name ends in " + ENDING
                 + " or " + SCRIPT_ENDING);
     }
@@ -178,7 +178,7 @@ public record ActCatalog(Path folder, ActTrust trust) {
                     .filter(line -> !line.isBlank())
                     .toList();
         } catch (IOException e) {
-            throw new BotException("MAJIC's own behaviours cannot be read (" + IoReason.of(e) + ")", e);
+            throw new BotException("MAJIC's own acts cannot be read (" + IoReason.of(e) + ")", e);
         }
     }
 }

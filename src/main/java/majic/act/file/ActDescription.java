@@ -34,7 +34,7 @@ final class ActDescription {
                 signers.stream()
                         .map(signer -> signer.name() + " (certificate " + signer.fingerprint() + ")")
                         .collect(Collectors.joining(", ")),
-                "nobody");
+                "none");
     }
 
     private static String orElse(String text, String otherwise) {

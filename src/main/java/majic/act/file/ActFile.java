@@ -105,7 +105,7 @@ public final class ActFile {
      */
     public MajicAct load(ActTrust trust) {
         if (!trust.isTrusted(this)) {
-            throw new ActException(label + " brings code of its own, which nobody has agreed to run");
+            throw new ActException(label + " contains code that has no consent yet");
         }
         return loadAgreed();
     }

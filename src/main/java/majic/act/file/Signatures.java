@@ -86,7 +86,7 @@ final class Signatures {
             common.retainAll(signers);
         }
         if (common.isEmpty()) {
-            throw new InvalidActException("has a broken signature: nobody has signed all of it");
+            throw new InvalidActException("has a broken signature: no signature covers all of it");
         }
         signers = common;
     }

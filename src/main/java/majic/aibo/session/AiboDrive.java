@@ -21,7 +21,7 @@ public final class AiboDrive {
     /** A drive is renewed more often; one that is older ends, and does not go on when it is renewed later, seconds. */
     private static final double LEASE_S = 1;
 
-    private static final String LATE = "the drive was not renewed in time; the dog was told to stop";
+    private static final String LATE = "the drive was not renewed in time; MAJIC stopped the dog";
 
     /** A piece and the two seconds that a slow engine is late, with something to spare. */
     private static final double OVERDUE_S = PIECE_MS / 1000 + 3;

@@ -179,7 +179,7 @@ public final class AiboSession {
     private void haltInSilence(ConnectionMonitor current) {
         if (current.fallsSilent() && executor.current() != null) {
             robot.notice(
-                    "no word from the dog for " + MessageRouter.SILENCE_S + " s while it moves: it is told to stop");
+                    "no message from the dog for " + MessageRouter.SILENCE_S + " s while it moves; MAJIC stops it");
             executor.halt(sweep.halt());
             waiting.changes().raise();
         }

@@ -28,7 +28,7 @@ final class ConnectionMonitor {
     /** Breaks the connection if it does not reach the dog any more. */
     void tick() {
         if (router.silenceS() > LOST_S) {
-            connections.broken(connections.sensors(), "no word from the dog for " + (int) LOST_S + " s");
+            connections.broken(connections.sensors(), "no message from the dog for " + (int) LOST_S + " s");
         }
         for (PingProbe probe : probes) {
             if (!probe.check()) {

@@ -14,7 +14,7 @@ final class GaitControl {
     static final String CUT_SHORT = "another program, or its guard, ended the walk";
 
     /** The failure when the end of a piece was not reported. */
-    static final String OVERDUE = "the dog did not tell the end of its walk in time; it was told to stop";
+    static final String OVERDUE = "the dog did not report the end of its walk in time; MAJIC stopped it";
 
     private final MotionExecutor executor;
     private final DogGuard guard;

@@ -21,7 +21,7 @@ final class MessageRouter {
     static final double SILENCE_S = 1.5;
 
     /** The failure of a motion of a dog that is silent. */
-    static final String SILENT = "no word from the dog for " + SILENCE_S + " s; it was told to stop";
+    static final String SILENT = "no message from the dog for " + SILENCE_S + " s; MAJIC stopped it";
 
     private static final Logger LOG = System.getLogger(MessageRouter.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");

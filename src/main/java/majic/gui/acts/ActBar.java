@@ -46,11 +46,11 @@ public final class ActBar extends JPanel {
         name = new PlainLabel("act" + member.number(), "");
         name.putClientProperty("FlatLaf.style", "font: bold");
         time.setName("actTime" + member.number());
-        time.setToolTipText("How long it has run, on the clock of the robot");
+        time.setToolTipText("Running time of the act, on the clock of the robot");
         message = new PlainLabel("actSaid" + member.number(), "");
-        JButton off = new JButton("End act");
+        JButton off = new JButton("End Act");
         off.setName("endAct" + member.number());
-        off.setToolTipText("Ends the behaviour; its robots stand");
+        off.setToolTipText("Ends the act and stops its robots");
         off.setFocusable(false);
         off.addActionListener(event -> end.run());
         add(name, "wmin 40");

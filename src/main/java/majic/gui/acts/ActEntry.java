@@ -38,12 +38,12 @@ record ActEntry(String name, @Nullable ActOffer offer, String note) {
 
     private static String note(ActOffers offers, ActOffer offer) {
         if (offers.needsConsent(offer)) {
-            return "It brings code that nobody here has agreed to run yet; you will be asked.";
+            return "It contains code without your consent so far; MAJIC will ask for it.";
         }
         if (offer.file() == null || !offer.file().carriesCode()) {
-            return "It is data only and brings no code.";
+            return "It contains data only, no code.";
         }
-        return offer.file().isShipped() ? "It comes with MAJIC." : "You have agreed to its code.";
+        return offer.file().isShipped() ? "It is part of MAJIC." : "Its code has your consent.";
     }
 
     /** Returns why a robot cannot run the act, as sentences; empty if it can. */

@@ -58,7 +58,7 @@ final class ActSource {
      */
     String make(String act, ActDetails details, Path target) {
         if (!target.toString().endsWith(ActCatalog.ENDING)) {
-            throw new BotException(target + ": a behaviour's file ends in " + ActCatalog.ENDING);
+            throw new BotException(target + ": the name of an act's file ends in " + ActCatalog.ENDING);
         }
         byte[] file = making.make(act, details);
         try {
@@ -70,7 +70,7 @@ final class ActSource {
         } catch (IOException e) {
             throw new BotException(target + " cannot be written (" + IoReason.of(e) + ")", e);
         }
-        return "Made " + target + ", " + file.length + " bytes. Load Act gives it to a robot.";
+        return "Made " + target + ", " + file.length + " bytes. Load Act loads it onto a robot.";
     }
 
     /** Returns the last part of a class's name, which is the act's name unless another one is given. */

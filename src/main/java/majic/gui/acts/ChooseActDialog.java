@@ -37,7 +37,7 @@ final class ChooseActDialog extends MajicDialog {
     private final DefaultListModel<ActEntry> entries = new DefaultListModel<>();
     private final JList<ActEntry> list = new JList<>(entries);
     private final ActSummary summary = new ActSummary();
-    private final JButton load = button("Load Action", this::load);
+    private final JButton load = button("Load Act", this::load);
 
     ChooseActDialog(Window owner, ActOffers offers, Settings settings, LoadTarget target, Consumer<ActOffer> chosen) {
         super(owner, "Choose Act");
@@ -45,6 +45,7 @@ final class ChooseActDialog extends MajicDialog {
         this.settings = settings;
         this.target = target;
         this.chosen = chosen;
+        load.setName("loadChosen");
         fill(content(), load, closing("Cancel"));
         show(null);
         readAll();
@@ -66,7 +67,7 @@ final class ChooseActDialog extends MajicDialog {
         JPanel panel = new JPanel(new MigLayout(
                 "insets 0, gap 14 8", "[180:200:, fill][320:360:, grow, fill]", "[][240::, grow, fill][]"));
         panel.add(
-                new JLabel("A behaviour for robot " + target.member().number() + ", the "
+                new JLabel("An act for robot " + target.member().number() + ", the "
                         + target.member().bot().type().label()),
                 "spanx 2, wrap");
         panel.add(new JScrollPane(list));
@@ -80,9 +81,9 @@ final class ChooseActDialog extends MajicDialog {
     }
 
     private void readAll() {
-        summary.say("Reading the behaviours there are …");
+        summary.say("Reading the acts …");
         EventThread.background(
-                "reading behaviours",
+                "reading acts",
                 () -> {
                     List<ActEntry> all = ActEntry.readAll(offers);
                     EventThread.later(() -> fillList(all));
@@ -94,7 +95,7 @@ final class ChooseActDialog extends MajicDialog {
         entries.addAll(all);
         if (list.isSelectionEmpty()) {
             summary.say(
-                    all.isEmpty() ? "There are none by name; take one from a file." : "Choose one, or take a file.");
+                    all.isEmpty() ? "There is no act in MAJIC's folder; choose a file." : "Choose an act, or a file.");
         }
     }
 

@@ -48,6 +48,6 @@ public final class LoadActDialog extends MajicDialog {
         Owner lender = member.lender();
         String within = lender == null ? "" : ", part of the script " + Html.escaped(lender.name());
         return "<html>Robot " + member.number() + " is " + Html.escaped(BotStatus.owner(member)) + within
-                + ". End that and load another behaviour?<br>It goes on until the new one starts.";
+                + ". End it and load another act?<br>It continues until the new act starts.";
     }
 }

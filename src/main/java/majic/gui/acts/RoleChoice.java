@@ -45,7 +45,7 @@ final class RoleChoice extends JPanel {
                 .filter(member -> RoleFit.unfit(role, member, target).isEmpty())
                 .toList();
         if (fit.isEmpty()) {
-            JLabel none = new JLabel("No robot here can play this part.");
+            JLabel none = new JLabel("No robot here can take this role.");
             none.setForeground(Palette.error());
             add(none);
         } else {

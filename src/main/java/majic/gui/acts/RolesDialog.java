@@ -48,7 +48,8 @@ final class RolesDialog extends MajicDialog {
             row(content, role.name(), choice);
         }
         content.add(outcome, "spanx 2, growx, wmin 0");
-        JButton load = button("Load Action", this::load);
+        JButton load = button("Load Act", this::load);
+        load.setName("loadChosen");
         load.setEnabled(choices.stream().allMatch(choice -> !choice.chosen().isEmpty()));
         fill(content, load, closing("Cancel"));
     }
@@ -64,7 +65,7 @@ final class RolesDialog extends MajicDialog {
         List<Member> robots =
                 choices.stream().flatMap(choice -> choice.chosen().stream()).toList();
         if (new LinkedHashSet<>(robots).size() < robots.size()) {
-            outcome.show("One robot cannot play two parts; choose another one.", true);
+            outcome.show("One robot cannot have two roles; choose another one.", true);
             return;
         }
         dispose();

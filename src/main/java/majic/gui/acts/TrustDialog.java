@@ -64,7 +64,7 @@ final class TrustDialog extends MajicDialog {
     }
 
     private static Paragraph title(String act) {
-        String words = act + " brings code of its own, which nobody here has agreed to run.";
+        String words = act + " contains code that has no consent yet.";
         Paragraph title = new Paragraph("trustTitle", 1 + words.length() / LINE, LINE / 2);
         title.putClientProperty("FlatLaf.styleClass", "h4");
         title.show(words, false);
@@ -72,7 +72,7 @@ final class TrustDialog extends MajicDialog {
     }
 
     private static String author(ActFile file) {
-        return file.details().author().isEmpty() ? "not said" : file.details().author() + " (as the file says)";
+        return file.details().author().isEmpty() ? "not given" : file.details().author() + " (as the file says)";
     }
 
     /**

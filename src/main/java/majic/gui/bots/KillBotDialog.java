@@ -28,19 +28,18 @@ public final class KillBotDialog extends MajicDialog {
         content.add(new JLabel("Robot"));
         content.add(choice, "wmin 220, wrap");
         content.add(consequence, "spanx 2, growx, wmin 340");
-        JButton ok = button("OK", () -> {
+        JButton ok = button("Kill Bot", () -> {
             dispose();
             kill.accept(choice.chosen());
         });
+        ok.setName("OK");
         sayWhatEnds();
         fill(content, ok, closing("Cancel"));
     }
 
     private void sayWhatEnds() {
         String owner = BotStatus.owner(choice.chosen());
-        consequence.setText(
-                owner.isEmpty()
-                        ? "It is stopped, and its connection closed."
-                        : "It is " + owner + "; that ends. It is stopped, and its connection closed.");
+        String effect = "Kill Bot stops it, closes its connection and removes it.";
+        consequence.setText(owner.isEmpty() ? effect : "It is " + owner + "; that ends. " + effect);
     }
 }

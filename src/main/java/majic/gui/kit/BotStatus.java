@@ -14,7 +14,7 @@ public final class BotStatus {
         return switch (member.bot().connection()) {
             case NEW -> "not connected";
             case CONNECTING -> "connecting…";
-            case CONNECTED -> member.bot().state().moving() ? "connected, moving" : "connected, standing";
+            case CONNECTED -> member.bot().state().moving() ? "connected, moving" : "connected, stationary";
             case LOST -> "connection lost";
             case CLOSED -> "closed";
         };

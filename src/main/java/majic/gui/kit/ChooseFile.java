@@ -30,7 +30,7 @@ public final class ChooseFile extends MajicDialog {
 
     /** Accepts the files that Load Act can load. */
     public static final FileFilter ACTS =
-            new FileNameExtensionFilter("Behaviours and scripts (.act, .majic)", "act", "majic");
+            new FileNameExtensionFilter("Acts and scripts (.act, .majic)", "act", "majic");
 
     private static final FileFilter SOURCES = new FileNameExtensionFilter(
             "Classes, jars, sources and scripts (.class, .jar, .java, .majic)", "class", "jar", "java", "majic");

@@ -94,7 +94,7 @@ public final class StopConfirmation {
         HemissonSession open = sessions.current();
         boolean stopped = open == null || open.conversation().isCertainlyStopped() || stop(open);
         sessions.end();
-        return stopped ? null : "it has not confirmed that it stands; " + HELP;
+        return stopped ? null : "it has not confirmed its stop; " + HELP;
     }
 
     /**

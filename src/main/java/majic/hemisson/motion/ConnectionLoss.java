@@ -46,7 +46,7 @@ final class ConnectionLoss {
     /** Repeats the stop of a robot that was lost in motion; closes the connection once it is confirmed. */
     void stopAfterLoss(HemissonSession open) {
         if (open.conversation().isStopped()) {
-            notices.accept("it answers again and stands; connect again to go on");
+            notices.accept("it answers again and has stopped; connect again to continue");
             open.close();
         } else {
             open.conversation().stop();

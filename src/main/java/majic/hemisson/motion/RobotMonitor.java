@@ -230,8 +230,7 @@ public final class RobotMonitor implements ConversationListener {
         if (inMotion) {
             String failure = exchange.failure();
             if (motion.meets(failure == null ? "it missed an answer" : "it missed an answer: " + failure)) {
-                owner.notice("it did not answer while moving; it is told to stand again and again; "
-                        + StopConfirmation.HELP);
+                owner.notice("it did not answer while moving; MAJIC repeats the stop; " + StopConfirmation.HELP);
             }
         }
         changes.raise();

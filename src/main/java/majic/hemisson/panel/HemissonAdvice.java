@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class HemissonAdvice {
     static final Words LIFT =
-            new Words("Nobody reaches it and it may be moving: lift it, or press 5 on a TV remote control.", true);
+            new Words("It cannot be reached and may be moving: lift it, or press 5 on a TV remote control.", true);
 
     private static final Words NONE = new Words("", false);
     private static final long REFUSAL_NANOS = 8_000_000_000L;
@@ -41,7 +41,7 @@ final class HemissonAdvice {
         if (view.isConnected() && !view.isRemoteControlled()) {
             return new Words(
                     "It runs as its switches say (" + view.mode()
-                            + ") and may do as it likes: put all four to the side that reads 1, switch it off and on.",
+                            + ") and may move by itself: set all four to the side marked 1, then switch it off and on.",
                     false);
         }
         return NONE;

@@ -15,11 +15,12 @@ final class HemissonLights {
     private static final double SILENT_S = 0.7;
 
     private final StatusLight motors =
-            new StatusLight("motors", "What the wheels are told; nothing measures what they do");
+            new StatusLight("motors", "The last motion command; the robot does not measure its wheels");
     private final StatusLight line = new StatusLight(
             "line", "The mean time from a question to its answer; or that answers are missing, or since when");
     private final StatusLight mode = new StatusLight(
-            "mode", "What the four switches chose when the robot was switched on; 1, 1, 1, 1 is remote control");
+            "mode",
+            "The mode that the four switches selected when the robot was switched on; 1, 1, 1, 1 is remote control");
     private final StatusLightsPanel panel = new StatusLightsPanel(LONGEST, List.of(motors, line, mode));
 
     /** All of them. */
@@ -28,6 +29,7 @@ final class HemissonLights {
     }
 
     void show(HemissonScene view) {
+        mode.setEnabled(view.isConnected());
         showMotors(view);
         showLine(view.line());
         showMode(view);
@@ -45,9 +47,9 @@ final class HemissonLights {
 
     private void showMotorsOfOneInReach(HemissonScene view) {
         if (!view.state().moving()) {
-            motors.show(Kind.QUIET, "told to stand");
+            motors.show(Kind.QUIET, "stopped");
         } else if (view.isRemoteControlled()) {
-            motors.show(Kind.GOOD, "told to move");
+            motors.show(Kind.GOOD, "moving");
         } else {
             motors.show(Kind.WARNING, "moves by itself");
         }

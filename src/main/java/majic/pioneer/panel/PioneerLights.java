@@ -18,17 +18,15 @@ final class PioneerLights {
     /** More damaged packets than one in so many are shown as a warning. */
     private static final long DAMAGED_ONE_IN = 200;
 
-    private final StatusLight motors =
-            new StatusLight("motors", "Whether the motors are on; the first motion switches them on");
-    private final StatusLight sonars =
-            new StatusLight("sonars", "Whether the sonars fire; without them it has no distances");
-    private final StatusLight stallLeft = new StatusLight("stallLeft", "Whether the left wheel's motor is stalled");
-    private final StatusLight stallRight = new StatusLight("stallRight", "Whether the right wheel's motor is stalled");
+    private final StatusLight motors = new StatusLight("motors", "Motor power; the first motion switches it on");
+    private final StatusLight sonars = new StatusLight("sonars", "Sonars; without them there are no distances");
+    private final StatusLight stallLeft = new StatusLight("stallLeft", "Stall of the left wheel's motor");
+    private final StatusLight stallRight = new StatusLight("stallRight", "Stall of the right wheel's motor");
     private final StatusLight bumpers =
-            new StatusLight("bumpers", "Touched segments, counted clockwise: F front, R rear");
+            new StatusLight("bumpers", "Touched bumper segments, counted clockwise: F front, R rear");
     private final StatusLight button = new StatusLight("stopButton", "The STOP button on the robot itself");
     private final StatusLight link = new StatusLight(
-            "link", "Packets a second from the robot, and how many came damaged; or since when it has been silent");
+            "link", "Packets per second from the robot and damaged packets, or the time since the last packet");
 
     private final StatusLightsPanel panel =
             new StatusLightsPanel(LONGEST, List.of(motors, sonars, stallLeft, stallRight, bumpers, button, link));
@@ -42,18 +40,20 @@ final class PioneerLights {
     void show(MajicBot.Connection connection) {
         switch (connection) {
             case NEW, CONNECTING -> link.show(Kind.QUIET, "connecting");
-            case CONNECTED -> link.show(Kind.WARNING, "no packet yet");
+            case CONNECTED -> link.show(Kind.WARNING, "no report yet");
             case LOST, CLOSED -> link.show(Kind.ALARM, "link lost");
         }
     }
 
     void show(PioneerScene scene) {
         PioneerState state = scene.state();
+        panel.setCurrent(scene.isConnected());
+        link.setEnabled(true);
         motors.show(state.motorsOn() ? Kind.GOOD : Kind.QUIET, state.motorsOn() ? "motors on" : "motors off");
         sonars.show(state.sonarOn() ? Kind.GOOD : Kind.WARNING, state.sonarOn() ? "sonars on" : "sonars off");
-        showAlarm(stallLeft, state.stallLeft(), "left stalled", "left free");
-        showAlarm(stallRight, state.stallRight(), "right stalled", "right free");
-        showAlarm(button, state.stopButton(), "STOP pressed", "STOP free");
+        showAlarm(stallLeft, state.stallLeft(), "left stuck", "left wheel ok");
+        showAlarm(stallRight, state.stallRight(), "right stuck", "right wheel ok");
+        showAlarm(button, state.stopButton(), "STOP pressed", "STOP ready");
         showBumpers(scene.bumpers(), state);
         showLink(scene);
     }
@@ -68,7 +68,7 @@ final class PioneerLights {
         int count = Integer.bitCount(front) + Integer.bitCount(rear);
         String touched = count > 1 ? count + " bumpers" : "bumper " + (front != 0 ? "F" : "R") + first(front | rear);
         boolean none = fitted.frontSegments() + fitted.rearSegments() == 0;
-        showAlarm(bumpers, count > 0, touched, none ? "no bumpers" : "bumpers free");
+        showAlarm(bumpers, count > 0, touched, none ? "no bumpers" : "no contact");
     }
 
     /** Counted from 1. */

@@ -87,10 +87,10 @@ public final class Maneuver {
             throw failed("the robot fell silent", now);
         }
         if (seconds - movedS > BLOCKED_S && !speeds.hasArrived(seconds)) {
-            throw failed("told to go on, it has not moved for " + (int) BLOCKED_S + " s", now);
+            throw failed("commanded to move, it has not moved for " + (int) BLOCKED_S + " s", now);
         }
         if (seconds > speeds.limitS()) {
-            throw failed("not there within " + Value.plain(speeds.limitS()) + " s: came to a stand", now);
+            throw failed("not there within " + Value.plain(speeds.limitS()) + " s: it stopped before", now);
         }
     }
 
@@ -100,7 +100,7 @@ public final class Maneuver {
 
     private Value endEarly(Motion motion) {
         if (!motion.guardReached()) {
-            throw failed("no word from the robot", state.get());
+            throw failed("no report from the robot", state.get());
         }
         motion.send(motors::stop);
         state.awaitStationary(STOP_S);

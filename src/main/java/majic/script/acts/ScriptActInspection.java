@@ -162,7 +162,7 @@ final class ScriptActInspection extends Inspection {
 
     private void add(Statement.ForSession line, SessionCommand.Add add) {
         if (add.number().isEmpty()) {
-            throw new ScriptException(line.at(), "add: a behaviour is given its robots; leave the line out");
+            throw new ScriptException(line.at(), "add: an act is given its robots; leave the line out");
         }
         BotAddress address = BotAddress.parse(add.address().unquoted());
         types.put(add.number().getAsInt(), type(address));
@@ -183,7 +183,7 @@ final class ScriptActInspection extends Inspection {
                 hasMe = true;
             } else if (item instanceof Robots.Span || item instanceof Robots.OfType) {
                 throw new ScriptException(
-                        item.at(), item.at().text() + ": a behaviour names its robots one by one: me, 2, 3 or all");
+                        item.at(), item.at().text() + ": an act names its robots one by one: me, 2, 3 or all");
             }
         }
     }

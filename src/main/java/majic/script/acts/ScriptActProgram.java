@@ -125,7 +125,7 @@ public final class ScriptActProgram {
                 .filter(line ->
                         robots.present(line.robots()).stream().anyMatch(member -> isRaw(line.command(), member)))
                 .map(line -> new ScriptException(
-                                line.command().at(), line.command().at().text() + ": a behaviour gives no raw commands")
+                                line.command().at(), line.command().at().text() + ": an act gives no raw commands")
                         .mistake())
                 .toList();
     }

@@ -10,10 +10,10 @@ import majic.script.syntax.SessionCommand;
  */
 final class ScriptActRules implements Command.Visitor<Optional<String>>, SessionCommand.Visitor<Optional<String>> {
     private static final Optional<String> ALLOWED = Optional.empty();
-    private static final Optional<String> OTHER_ACT = Optional.of("a behaviour does not run others");
-    private static final Optional<String> HELP = Optional.of("a behaviour needs none; leave the line out");
+    private static final Optional<String> OTHER_ACT = Optional.of("an act does not run others");
+    private static final Optional<String> HELP = Optional.of("an act needs none; leave the line out");
     private static final Optional<String> FOR_SESSION =
-            Optional.of("is for a session; a behaviour only commands the robots it is given");
+            Optional.of("is for a session; an act only commands the robots it is given");
 
     @Override
     public Optional<String> move(Command.Move move) {

@@ -45,7 +45,7 @@ public final class Selection {
                 .distinct()
                 .toList();
         this.byNumber = number -> Optional.ofNullable(numbers.get(number))
-                .orElseThrow(() -> new BotException(number + ": the behaviour was given no such robot"));
+                .orElseThrow(() -> new BotException(number + ": the act was given no such robot"));
         this.me = me;
     }
 
@@ -94,7 +94,7 @@ public final class Selection {
 
     private Member me(Robots.Me item) {
         if (me == null) {
-            throw new ScriptException(item.at(), "me: only a behaviour has a robot of its own; write its number");
+            throw new ScriptException(item.at(), "me: only an act has a robot of its own; write its number");
         }
         return me;
     }

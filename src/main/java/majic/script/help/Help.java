@@ -27,32 +27,32 @@ import org.jspecify.annotations.Nullable;
 /** The answers to {@code help}, for a robot and for the language. */
 public final class Help {
     private static final Map<String, String> ROBOT_COMMANDS = new TreeMap<>(Map.of(
-            "move", "1 move DISTANCE [until CONDITION]: straight, then stands; negative is backward",
-            "turn", "1 turn ANGLE [until CONDITION]: on the spot, left positive, then stands",
-            "drive", "1 drive SPEED TURNRATE [for TIME | until CONDITION]: a curve, one second if nothing is said",
+            "move", "1 move DISTANCE [until CONDITION]: straight ahead; negative is backward",
+            "turn", "1 turn ANGLE [until CONDITION]: on the spot, left positive",
+            "drive", "1 drive SPEED TURNRATE [for TIME | until CONDITION]: a curve, one second unless a time is given",
             "stop", "1 stop: ends the motion, empties the queue, ends act and script; \"stop\" alone is STOP for all",
             "get", "1 get P[,P...]: reads parameters; \"get now P\" does not wait for its turn",
             "set", "1 set P VALUE...: sets a parameter",
             "log", "1 log P[,P...] every TIME: to the parameter log; \"1 log off\" ends it",
-            "act", "1 act NAME [with ROBOTS]: runs a behaviour, a script or an .act file; \"1 act off\" ends it",
+            "act", "1 act NAME [with ROBOTS]: runs an act, a script or an .act file; \"1 act off\" ends it",
             "wait", "1 wait: holds what follows until robot 1 has finished; \"wait\" for all, \"wait 2s\" for a time",
             "help", "1 help [P]: commands and parameters of robot 1; \"help\" alone: the language"));
 
     private static final Map<String, String> SESSION_COMMANDS = new TreeMap<>(Map.ofEntries(
-            entry("acts", "acts: the behaviours there are"),
+            entry("acts", "acts: lists the acts"),
             entry("add", "add URI [as N]: add aibo://192.168.1.20, add pioneer://10.0.0.5:8101, add sim:pioneer"),
             entry("remove", "remove ROBOTS: stops and closes them"),
-            entry("bots", "bots: who is here, in which state"),
-            entry("probe", "probe URI: what answers there, and what to try if nothing does"),
+            entry("bots", "bots: lists the robots and their states"),
+            entry("probe", "probe URI: shows what answers there, and what to try if nothing does"),
             entry("release", "release: allows motion again after STOP"),
             entry("run", "run FILE: runs a script"),
             entry(
                     "save",
-                    "save session FILE, save log FILE, save team FILE: what was done as a script, what was logged as CSV, the robots as a script"),
-            entry("lab", "lab: the true poses in the simulated lab"),
+                    "save session FILE, save log FILE, save team FILE: the session as a script, the parameter log as CSV, the robots as a script"),
+            entry("lab", "lab: shows the true poses in the simulated lab"),
             entry(
                     "trust",
-                    "trust FILE [HASH]: what code a behaviour brings; with its hash you agree to run it; trust off FILE takes that back"),
+                    "trust FILE [HASH]: shows the code in an act; with its hash it gives consent to run it; trust off FILE takes that back"),
             entry("quit", "quit: stops and closes all robots and ends MAJIC")));
 
     private static final Map<String, String> BLOCKS = new TreeMap<>(Map.of(

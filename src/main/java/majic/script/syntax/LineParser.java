@@ -202,7 +202,7 @@ public final class LineParser {
         if (at.match("off")) {
             return new Command.ActOff(word);
         }
-        Literal name = at.value("a behaviour's name", inCall);
+        Literal name = at.value("an act's name", inCall);
         return new Command.Act(word, name, at.match("with") ? Robots.parse(at) : null);
     }
 

@@ -76,9 +76,9 @@ public final class SessionParser {
     /** {@code trust = "trust" ( ACT [ HASH ] | "off" ( ACT | HASH ) ) ;} */
     private SessionCommand trust() {
         if (at.match("off")) {
-            return new SessionCommand.TrustOff(at.value("a behaviour's name, or the hash of its file", false));
+            return new SessionCommand.TrustOff(at.value("an act's name, or the hash of its file", false));
         }
-        Literal act = at.value("a behaviour's name", false);
+        Literal act = at.value("an act's name", false);
         return new SessionCommand.Trust(act, at.peek().isEnd() ? null : at.value("the hash of its file", false));
     }
 

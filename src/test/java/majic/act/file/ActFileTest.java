@@ -65,14 +65,14 @@ class ActFileTest {
         assertThat(ActFile.of("wander.act", wander).describe())
                 .startsWith(
                         "act: Wander 1.2", "author: Ada", "description: walks about", "robots: me aibo (distanceFront)")
-                .contains("class: Wander", "signed by: nobody");
+                .contains("class: Wander", "signed by: none");
     }
 
     @Test
     void withoutConsentNothingOfItRuns() {
         ActFile file = ActFile.of("wander.act", wander);
         assertThatThrownBy(() -> file.load(new ActTrust(Settings.inMemory())))
-                .hasMessage("wander.act brings code of its own, which nobody has agreed to run");
+                .hasMessage("wander.act contains code that has no consent yet");
         assertThat(System.getProperty(LOADED)).isNull();
     }
 

@@ -51,7 +51,7 @@ class CommandLineWindowTest {
     @Test
     void aLineThatNamesABehaviourIsCheckedBesideTheWindow() {
         window.command("1 act Nowhere");
-        window.await("the check", () -> window.text("hint").contains("there is no behaviour Nowhere"));
+        window.await("the check", () -> window.text("hint").contains("there is no act Nowhere"));
         assertThat(window.text("commandLine")).isEqualTo("1 act Nowhere");
         window.focus("commandLine");
         window.type(" ");

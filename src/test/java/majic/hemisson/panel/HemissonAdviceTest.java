@@ -43,7 +43,7 @@ class HemissonAdviceTest {
     void anotherRunningModeIsShownByItsName() {
         HemissonScene dancing = Scenes.withSwitches(Scenes.DANCE, Scenes.DANCE);
 
-        assertThat(advice.on(dancing, 0).text()).contains("dance", "reads 1");
+        assertThat(advice.on(dancing, 0).text()).contains("dance", "marked 1");
         assertThat(advice.on(dancing, 0).urgent()).isFalse();
         assertThat(light("mode", dancing)).isEqualTo("WARNING dance");
     }
@@ -67,8 +67,8 @@ class HemissonAdviceTest {
 
     @Test
     void motorsAreShownByTheValuesSentAndNotAsTurning() {
-        assertThat(light("motors", Scenes.driving(new MotorValues(3, 3)))).isEqualTo("GOOD told to move");
-        assertThat(light("motors", Scenes.driving(MotorValues.STILL))).isEqualTo("QUIET told to stand");
+        assertThat(light("motors", Scenes.driving(new MotorValues(3, 3)))).isEqualTo("GOOD moving");
+        assertThat(light("motors", Scenes.driving(MotorValues.STILL))).isEqualTo("QUIET stopped");
         assertThat(light("motors", Scenes.dancing())).isEqualTo("WARNING moves by itself");
         assertThat(light("motors", Scenes.standing(Scenes.LOST_MOVING))).isEqualTo("ALARM may be moving");
     }

@@ -95,8 +95,8 @@ class PioneerDrawingTest {
         lights.show(scene(sip().state(0x0500, SONARS_ON), Connection.CONNECTED));
         assertThat(light("motors")).isEqualTo("GOOD motors on");
         assertThat(light("bumpers")).isEqualTo("ALARM bumper F2");
-        assertThat(light("stallRight")).isEqualTo("ALARM right stalled");
-        assertThat(light("stallLeft")).isEqualTo("QUIET left free");
+        assertThat(light("stallRight")).isEqualTo("ALARM right stuck");
+        assertThat(light("stallLeft")).isEqualTo("QUIET left wheel ok");
 
         lights.show(scene(sip().state(0, 1 << 5), Connection.LOST));
         assertThat(light("stopButton")).isEqualTo("ALARM STOP pressed");
