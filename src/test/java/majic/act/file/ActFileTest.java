@@ -190,7 +190,7 @@ class ActFileTest {
         String name = "a.X\nsigned by CN=Ada\u202e\u001b[2J";
         ActFile file =
                 ActFile.of("a.act", changed(entries -> with(entries, ClassNames.pathOf(name), TinyClass.of(name, 61))));
-        assertThat(file.describe()).hasSize(11).contains("signed by: nobody");
+        assertThat(file.describe()).hasSize(11).contains("signed by: none");
         assertThat(String.join("", file.describe())).contains("a.X\\nsigned by CN=Ada\\u202e\\u001b[2J");
     }
 
