@@ -63,7 +63,7 @@ class ActPictures {
     @Timeout(300)
     void paintsTheWayOfABehaviourOntoARobot(@TempDir Path home) throws Exception {
         Path source = acts(home);
-        try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2))) {
+        try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2), false)) {
             MajicParser parser = new MajicParser(program.session(), true);
             MajicFrame frame = PictureWindow.open(program, parser);
             PictureWindow.add(program, parser, List.of("aibo", "pioneer", "hemisson"));

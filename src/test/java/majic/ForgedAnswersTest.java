@@ -52,7 +52,7 @@ class ForgedAnswersTest {
 
     @BeforeEach
     void start() throws Exception {
-        program = new Program(new UserFolder(folder), null);
+        program = new Program(new UserFolder(folder), null, false);
         MajicBot bot = new FakeType().create("one", BotEnvironment.plain());
         bot.connect();
         robot = program.team().add(bot, OptionalInt.empty());

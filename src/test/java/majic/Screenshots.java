@@ -37,7 +37,7 @@ class Screenshots {
     @Test
     @Timeout(300)
     void paintsThePicturesOfTheDocuments(@TempDir Path home) throws Exception {
-        try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2))) {
+        try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2), true)) {
             MajicParser parser = new MajicParser(program.session(), true);
             MajicFrame frame = PictureWindow.open(program, parser);
             drive(program, parser);

@@ -1,5 +1,7 @@
 package majic.bot;
 
+import java.util.function.Supplier;
+
 /**
  * Is called with news of a robot: one event after the other, on the robot's listener thread or on a thread that
  * commands it. A listener that blocks holds up the robot's other listeners and perhaps the command that caused the
@@ -30,4 +32,12 @@ public interface BotListener {
      * @param message one sentence or half of one
      */
     default void notice(MajicBot bot, String message) {}
+
+    /**
+     * A picture of the robot's camera arrived, because something asked for it.
+     *
+     * @param bot which robot
+     * @param jpeg makes a JPEG file of it; blocks for some milliseconds
+     */
+    default void pictureTaken(MajicBot bot, Supplier<byte[]> jpeg) {}
 }

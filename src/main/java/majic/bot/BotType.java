@@ -2,6 +2,7 @@ package majic.bot;
 
 import java.util.List;
 import majic.text.Advice;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A make of robot: how it is called, how it is reached, how its driver is made. Implementations are named in
@@ -84,6 +85,16 @@ public interface BotType {
     default MajicBot create(BotAddress address, BotEnvironment environment) {
         address.libraryAmong(libraries());
         return create(address.rest(), environment);
+    }
+
+    /**
+     * Makes the display of a recorded robot. Called on the event dispatch thread.
+     *
+     * @param recorded gives the recorded parameters and states, and refuses every command
+     * @return a display that is fed from the recording; null for a table of the parameters
+     */
+    default @Nullable ReplayDisplay replay(MajicBot recorded) {
+        return null;
     }
 
     /**

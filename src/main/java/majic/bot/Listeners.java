@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
@@ -112,6 +113,12 @@ final class Listeners {
                 call(listener -> listener.stateChanged(bot, newest));
             });
         }
+        deliver();
+    }
+
+    /** Delivers a picture of the camera. */
+    void pictureTaken(Supplier<byte[]> jpeg) {
+        put(listener -> listener.pictureTaken(bot, jpeg));
         deliver();
     }
 

@@ -1,10 +1,12 @@
 package majic.bot;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.text.Suggestion;
 import majic.time.Signal;
@@ -350,6 +352,16 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Returns what the display shows beyond the parameters, in a form that can be recorded; {@link BotType#replay} makes
+     * a display of it again. Called up to 20 times a second on a thread that must neither wait nor cause a request.
+     *
+     * @return texts by the driver's own names; empty if a replay shows only the parameters
+     */
+    public Map<String, String> displayState() {
+        return Map.of();
+    }
+
+    /**
      * Returns the type of this robot.
      *
      * @return its type
@@ -680,6 +692,15 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      */
     public final void notice(String message) {
         listeners.notice(message);
+    }
+
+    /**
+     * Publishes a picture of the camera.
+     *
+     * @param jpeg makes a JPEG file of it; called only if a listener wants it, on any thread
+     */
+    protected final void publishPicture(Supplier<byte[]> jpeg) {
+        listeners.pictureTaken(jpeg);
     }
 
     /**

@@ -56,4 +56,29 @@ public record Pose(double xMm, double yMm, double headingDeg) {
     public double distanceMm(Pose other) {
         return Math.hypot(other.xMm - xMm, other.yMm - yMm);
     }
+
+    /**
+     * Converts a pose relative to this one into the frame in which this one is given.
+     *
+     * @param relative for instance what a robot reports, from where it was added
+     * @return the same place, seen from the origin of this pose
+     */
+    public Pose plus(Pose relative) {
+        double angle = Math.toRadians(headingDeg);
+        double x = xMm + relative.xMm * Math.cos(angle) - relative.yMm * Math.sin(angle);
+        double y = yMm + relative.xMm * Math.sin(angle) + relative.yMm * Math.cos(angle);
+        return new Pose(x, y, headingDeg + relative.headingDeg);
+    }
+
+    /**
+     * Returns the origin of the frame in which this place is the given relative pose.
+     *
+     * @param relative this place in the frame that is looked for
+     * @return the pose for which {@code plus(relative)} is this one
+     */
+    public Pose originOf(Pose relative) {
+        Pose turned = new Pose(0, 0, headingDeg - relative.headingDeg);
+        Pose offset = turned.plus(relative);
+        return new Pose(xMm - offset.xMm, yMm - offset.yMm, turned.headingDeg);
+    }
 }

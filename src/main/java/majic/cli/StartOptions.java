@@ -60,6 +60,9 @@ final class StartOptions {
             description = "With --listen: obey any program on this machine, without a token.")
     private boolean open;
 
+    @Option(names = "--no-recording", scope = ScopeType.INHERIT, description = "Do not record what the robots report.")
+    private boolean unrecorded;
+
     /** Returns the options of the lab, where nothing else is to be started. */
     LabChoice labAlone() {
         if (lab || listen != null || !robots.isEmpty()) {
@@ -90,7 +93,7 @@ final class StartOptions {
         if (simulated != null) {
             choice.tellTakenPorts(simulated.simulators().addresses());
         }
-        Program program = new Program(folder, simulated);
+        Program program = new Program(folder, simulated, !unrecorded);
         program.closeWhenProgramEnds();
         if (listen != null) {
             tell(listen(program, address(listen)));

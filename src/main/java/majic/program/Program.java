@@ -6,6 +6,7 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -15,6 +16,8 @@ import majic.bot.BotException;
 import majic.bot.Settings;
 import majic.bot.ShutdownHook;
 import majic.log.SessionLog;
+import majic.recorder.Recorder;
+import majic.recorder.RecordingFolder;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majic.server.LineServer;
@@ -41,6 +44,7 @@ public final class Program implements AutoCloseable {
     private final Team team;
     private final Session session;
     private final SessionLog log;
+    private final @Nullable Recorder recorder;
     private volatile @Nullable LineServer server;
     private final CountDownLatch quit = new CountDownLatch(1);
     private final AtomicBoolean closing = new AtomicBoolean();
@@ -51,9 +55,10 @@ public final class Program implements AutoCloseable {
      *
      * @param folder the user's folder
      * @param lab a running lab; null for none
+     * @param records whether what the robots report is recorded
      * @throws IOException if the session log cannot be written
      */
-    public Program(UserFolder folder, @Nullable SimulatedLab lab) throws IOException {
+    public Program(UserFolder folder, @Nullable SimulatedLab lab, boolean records) throws IOException {
         this.folder = folder;
         this.lab = lab;
         TimeSource time = lab == null ? TimeSource.system() : lab.time();
@@ -67,6 +72,24 @@ public final class Program implements AutoCloseable {
         log = SessionLog.in(sessions, Clock.systemDefaultZone());
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
+        recorder = records ? record() : null;
+    }
+
+    private Recorder record() {
+        Recorder started = new Recorder(team, factory, recordings(), session::alarm);
+        session.addListener(started);
+        started.start();
+        return started;
+    }
+
+    /** Returns the folder of the recordings of this and earlier sessions. */
+    public RecordingFolder recordings() {
+        return new RecordingFolder(folder.file("recordings"));
+    }
+
+    /** Returns what records this session; empty if it is not recorded. */
+    public Optional<Recorder> recorder() {
+        return Optional.ofNullable(recorder);
     }
 
     /**
@@ -209,6 +232,7 @@ public final class Program implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        recorder().ifPresent(Recorder::close);
         log.close();
         SimulatedLab running = lab;
         if (running != null) {

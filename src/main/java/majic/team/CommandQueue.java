@@ -66,6 +66,11 @@ final class CommandQueue {
         return current == null || Thread.currentThread() == worker;
     }
 
+    /** The text of the command that is running; empty if none is. */
+    synchronized String running() {
+        return current == null ? "" : current.text();
+    }
+
     synchronized boolean hasRoom() {
         return queue.size() < DEPTH;
     }

@@ -11,6 +11,8 @@ import java.util.function.BooleanSupplier;
 public final class WaitPolicy {
     private static final ThreadLocal<Boolean> DENIED = ThreadLocal.withInitial(() -> false);
 
+    private static final ThreadLocal<Boolean> OBSERVING = ThreadLocal.withInitial(() -> false);
+
     private WaitPolicy() {}
 
     /**
@@ -48,5 +50,30 @@ public final class WaitPolicy {
             task.run();
             return true;
         });
+    }
+
+    /**
+     * Returns whether the current thread only observes.
+     *
+     * @return true inside of {@link #observing}; reading a value then does not count as interest in it, so drivers that
+     *     poll a value only while something reads it must not begin or go on because of this thread
+     */
+    public static boolean isObserving() {
+        return OBSERVING.get();
+    }
+
+    /**
+     * Runs a task that reads only what robots have reported anyway: it must not wait, and causes no request to a robot.
+     *
+     * @param task runs on this thread
+     */
+    public static void observing(Runnable task) {
+        boolean before = OBSERVING.get();
+        OBSERVING.set(true);
+        try {
+            without(task);
+        } finally {
+            OBSERVING.set(before);
+        }
     }
 }

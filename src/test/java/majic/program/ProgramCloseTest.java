@@ -44,7 +44,7 @@ class ProgramCloseTest {
     }
 
     private Program programWithASlowRobot(Path folder) throws IOException {
-        Program program = new Program(new UserFolder(folder), null);
+        Program program = new Program(new UserFolder(folder), null, false);
         FakeBot robot = FakeBot.on(TimeSource.system());
         robot.connect();
         program.team().add(robot, OptionalInt.empty());

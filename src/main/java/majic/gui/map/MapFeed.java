@@ -130,7 +130,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     }
 
     private MapScene.Robot robot(Member member, Start start, Map<String, Pose> truths) {
-        Pose reported = PoseFrames.at(start.origin, member.bot().state().pose());
+        Pose reported = start.origin.plus(member.bot().state().pose());
         start.trail.add(reported);
         return new MapScene.Robot(
                 member.number(),
@@ -164,7 +164,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         if (truth == null) {
             return new Start(besideRoom(member.number() - 1, walls), false, walls, new Trail());
         }
-        return new Start(PoseFrames.originOf(truth, member.bot().state().pose()), true, walls, new Trail());
+        return new Start(truth.originOf(member.bot().state().pose()), true, walls, new Trail());
     }
 
     /** Returns a place for a robot whose start is not known: in columns to the right of the room, clear of its walls. */

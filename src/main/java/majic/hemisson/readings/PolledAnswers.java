@@ -10,6 +10,7 @@ import majic.driver.LastTimes;
 import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -96,9 +97,11 @@ public final class PolledAnswers {
         return refusals.contains(question.text());
     }
 
-    /** Polls a question for the next seconds. */
+    /** Polls a question for the next seconds, unless the thread only observes. */
     void request(PolledQuestion question) {
-        requests.record(question);
+        if (!WaitPolicy.isObserving()) {
+            requests.record(question);
+        }
     }
 
     /** The questions that are polled on request now. */

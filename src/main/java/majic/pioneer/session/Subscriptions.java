@@ -7,6 +7,7 @@ import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.state.RequestedReport;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -57,9 +58,11 @@ public final class Subscriptions {
         }
     }
 
-    /** Notes that a report is being read; to be called with each reading. Sends nothing. */
+    /** Notes that a report is being read, unless the thread only observes; to be called with each reading. Sends nothing. */
     public void read(RequestedReport kind) {
-        read.record(kind);
+        if (!WaitPolicy.isObserving()) {
+            read.record(kind);
+        }
     }
 
     /** Notes that a report came. */

@@ -1,0 +1,367 @@
+package majic.recorder;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.time.Instant;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.lab.LabAccess;
+import majic.log.Line;
+import majic.log.SessionListener;
+import majic.recorder.RecordingFormat.Kind;
+import majic.team.Answer;
+import majic.team.BotFactory;
+import majic.team.Member;
+import majic.team.StopStatus;
+import majic.team.Team;
+import majic.team.TeamListener;
+import majic.time.Signal;
+import majic.time.TimeSource;
+import majic.time.WaitPolicy;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Records what the robots of a team report, what happens to them, and the lines of the session, from now until it is
+ * closed. Uses two threads: one finds what has changed, after each report of a robot and at most 20 times a second, the
+ * other writes. So it delays neither a robot nor a listener, and it sends the robots nothing. Thread-safe.
+ */
+public final class Recorder implements SessionListener, AutoCloseable {
+    private static final Logger LOG = System.getLogger(Recorder.class.getName());
+    private static final double LEAST_PERIOD_S = 0.05;
+    private static final double MOST_PERIOD_S = 1;
+    private static final double TRUTH_PERIOD_S = 0.2;
+    private static final double PICTURE_PERIOD_S = 1;
+    private static final long CLOSE_BOUND_MS = 1000;
+    private static final int MOST_EARLY = 100_000;
+
+    /** Distance at which robots are placed from each other when their positions are unknown. */
+    private static final double GUESSED_APART_MM = 1000;
+
+    private final Team team;
+    private final BotFactory factory;
+    private final TimeSource time;
+    private final long startNanos;
+    private final Instant begin = Instant.now();
+    private final RecordingWriter writer;
+    private final Signal due;
+    private final TeamListener events = new TeamEvents();
+    private final BotListener reports = new Reports();
+    private final Map<Member, RobotSampler> robots = new ConcurrentHashMap<>();
+    private final Map<MajicBot, Double> pictures = new ConcurrentHashMap<>();
+    private final Map<String, Pose> truths = new HashMap<>();
+    private volatile @Nullable Thread sampling;
+    private boolean failed;
+    private double truthsS = Double.NEGATIVE_INFINITY;
+    private final StringBuilder early = new StringBuilder();
+    private volatile int part;
+    private volatile boolean changed = true;
+    private volatile boolean closed;
+
+    /**
+     * Creates a recorder; {@link #start()} starts it. Writes no file before there is a robot.
+     *
+     * @param team the robots to record
+     * @param factory knows the simulated lab
+     * @param folder receives the files
+     * @param alarm receives a sentence when nothing can be written, and when that is possible again; on any thread
+     */
+    public Recorder(Team team, BotFactory factory, RecordingFolder folder, Consumer<String> alarm) {
+        this.team = team;
+        this.factory = factory;
+        this.time = team.time();
+        this.startNanos = time.nanos();
+        this.due = time.signal();
+        this.writer = new RecordingWriter(folder, alarm);
+    }
+
+    /** Starts to record, also the robots that are in the team already. Called once. */
+    public void start() {
+        team.addListener(events);
+        team.members().forEach(this::join);
+        Thread started = time.thread("recorder", () -> WaitPolicy.observing(this::run));
+        sampling = started;
+        started.start();
+    }
+
+    /**
+     * Returns what was recorded so far.
+     *
+     * @return reads the files at each call
+     */
+    public RecordedHistory history() {
+        return new RunningHistory(writer::files, this::seconds);
+    }
+
+    /**
+     * Returns the time of the recording.
+     *
+     * @return seconds since it began, on the clock of the team
+     */
+    public double seconds() {
+        return seconds(time.nanos());
+    }
+
+    /**
+     * Returns the time of the recording at a moment.
+     *
+     * @param nanos on the clock of the team
+     * @return seconds since the recording began
+     */
+    public double seconds(long nanos) {
+        return (nanos - startNanos) / 1e9;
+    }
+
+    /**
+     * Returns how many pieces of the recording are missing because the disk was too slow.
+     *
+     * @return 0 normally
+     */
+    public long dropped() {
+        return writer.dropped();
+    }
+
+    /** Records a line of the session. */
+    @Override
+    public void line(Line line) {
+        write(RecordingFormat.line(line));
+    }
+
+    /** Writes what is left, for one second at most. The robots are not affected. */
+    @Override
+    public void close() {
+        team.removeListener(events);
+        robots.keySet().forEach(member -> member.bot().removeListener(reports));
+        closed = true;
+        due.raise();
+        awaitLastSample();
+        writer.close();
+    }
+
+    private void awaitLastSample() {
+        Thread started = sampling;
+        try {
+            if (started != null) {
+                started.join(CLOSE_BOUND_MS);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private void write(String lines) {
+        String stamped = ValueText.time(seconds()) + lines;
+        if (part == 0) {
+            keep(stamped);
+        } else if (!writer.write(stamped)) {
+            robots.values().forEach(RobotSampler::forget);
+        }
+    }
+
+    /** Keeps what happens before there is a robot, and so a file. */
+    private void keep(String lines) {
+        synchronized (early) {
+            if (early.length() < MOST_EARLY) {
+                early.append(lines);
+            }
+        }
+    }
+
+    private void event(int robot, Mark.Kind kind, String text) {
+        write(RecordingFormat.event(robot, kind, text));
+    }
+
+    private void join(Member member) {
+        robots.computeIfAbsent(member, key -> {
+            member.bot().addListener(reports);
+            return new RobotSampler(member, describe(member));
+        });
+        wake();
+    }
+
+    private RecordedRobot describe(Member member) {
+        MajicBot bot = member.bot();
+        String inLab = factory.nameInLab(bot).orElse("");
+        Pose reported = bot.state().pose();
+        Pose origin = factory.lab()
+                .filter(lab -> lab.time() == member.time() && lab.truePoses().containsKey(inLab))
+                .map(lab -> lab.truePoses().get(inLab).originOf(reported))
+                .orElse(new Pose(0, (1 - member.number()) * GUESSED_APART_MM, 0));
+        return new RecordedRobot(
+                member.number(),
+                bot.type().name(),
+                bot.type().label(),
+                bot.type().make(),
+                bot.profile().bodyMm(),
+                bot.profile().estimates(),
+                origin,
+                inLab,
+                seconds());
+    }
+
+    private void wake() {
+        if (!changed) {
+            changed = true;
+            due.raise();
+        }
+    }
+
+    private void run() {
+        try {
+            while (!closed) {
+                due.await(() -> closed || changed, MOST_PERIOD_S);
+                changed = false;
+                trySample();
+                due.await(() -> closed, LEAST_PERIOD_S);
+            }
+            trySample();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** A driver that fails, perhaps of a plug-in, does not end the recording. */
+    private void trySample() {
+        try {
+            sample();
+        } catch (RuntimeException e) {
+            LOG.log(failed ? Level.DEBUG : Level.WARNING, "the robots could not be recorded", e);
+            failed = true;
+        }
+    }
+
+    private void sample() {
+        if (writer.needsPart()) {
+            beginPart();
+        }
+        StringBuilder lines = new StringBuilder();
+        StopStatus stops = team.stopStatus();
+        for (Member member : team.members()) {
+            RobotSampler robot = robots.get(member);
+            if (robot != null) {
+                robot.sample(lines, stops);
+            }
+        }
+        sampleTruths(lines);
+        if (!lines.isEmpty()) {
+            write(lines.toString());
+        }
+    }
+
+    /** Begins a file; it contains what is known of every robot, so that it can be read without the files before it. */
+    private void beginPart() {
+        if (robots.isEmpty()) {
+            return;
+        }
+        StringBuilder lines = new StringBuilder();
+        factory.lab().ifPresent(lab -> {
+            lab.walls().forEach(wall -> lines.append(RecordingFormat.wall(wall)));
+            lab.furnishing().tapes().forEach(tape -> lines.append(RecordingFormat.tape(tape)));
+            lab.furnishing().lamps().forEach(lamp -> lines.append(RecordingFormat.lamp(lamp)));
+        });
+        robots.values().forEach(RobotSampler::forget);
+        truths.clear();
+        synchronized (early) {
+            double beginS = early.isEmpty() ? seconds() : 0;
+            if (writer.begin(new RecordingHead(begin, part + 1, beginS), lines.toString() + early)) {
+                part++;
+                early.setLength(0);
+            }
+        }
+    }
+
+    private void sampleTruths(StringBuilder lines) {
+        LabAccess lab = factory.lab().orElse(null);
+        if (lab == null || seconds() - truthsS < TRUTH_PERIOD_S) {
+            return;
+        }
+        truthsS = seconds();
+        lab.truePoses().forEach((name, pose) -> {
+            if (!pose.equals(truths.put(name, pose))) {
+                lines.append(RecordingFormat.change(Kind.TRUTH, 0, name, RecordingFormat.pose(pose)));
+            }
+        });
+    }
+
+    /** What the robots report. */
+    private final class Reports implements BotListener {
+        @Override
+        public void stateChanged(MajicBot bot, BotState state) {
+            wake();
+        }
+
+        @Override
+        public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
+            wake();
+        }
+
+        @Override
+        public void pictureTaken(MajicBot bot, Supplier<byte[]> jpeg) {
+            double now = seconds();
+            if (now - pictures.getOrDefault(bot, Double.NEGATIVE_INFINITY) >= PICTURE_PERIOD_S) {
+                pictures.put(bot, now);
+                Member.of(bot).ifPresent(member -> write(RecordingFormat.picture(member.number(), jpeg.get())));
+            }
+        }
+    }
+
+    /** What happens in the team. */
+    private final class TeamEvents implements TeamListener {
+        @Override
+        public void added(Member member) {
+            join(member);
+            event(member.number(), Mark.Kind.ADDED, member.bot().type().label());
+        }
+
+        @Override
+        public void removed(Member member) {
+            robots.remove(member);
+            pictures.remove(member.bot());
+            member.bot().removeListener(reports);
+            event(member.number(), Mark.Kind.REMOVED, member.bot().type().label());
+        }
+
+        @Override
+        public void answered(Answer answer) {
+            event(answer.robot(), Mark.Kind.ENDED, answer.text());
+        }
+
+        @Override
+        public void lost(Member member, String reason) {
+            event(member.number(), Mark.Kind.LOST, reason);
+        }
+
+        @Override
+        public void regained(Member member) {
+            event(member.number(), Mark.Kind.REGAINED, "connected again");
+        }
+
+        @Override
+        public void ownerChanged(Member member) {
+            event(member.number(), Mark.Kind.OWNER, RobotSampler.owner(member.owner()));
+        }
+
+        @Override
+        public void stopped(Collection<Member> members, long atNanos) {
+            if (members.size() == team.members().size()) {
+                event(0, Mark.Kind.STOP, "all robots");
+            } else {
+                members.forEach(member -> event(member.number(), Mark.Kind.STOP, "robot " + member.number()));
+            }
+        }
+
+        @Override
+        public void latchChanged(boolean latched) {
+            if (!latched) {
+                event(0, Mark.Kind.RELEASED, "motion is allowed again");
+            }
+        }
+    }
+}

@@ -1,0 +1,216 @@
+package majic.recorder;
+
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import majic.bot.Parameter;
+import majic.bot.Pose;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.lab.LabAccess;
+import majic.log.Line;
+import majic.text.VisibleText;
+
+/**
+ * The lines of a recording: columns between tabs, first the time in seconds, empty if it is that of the line before,
+ * then the kind of line. {@code docs/recordings.md} describes them.
+ */
+final class RecordingFormat {
+    /** The first word of a file. */
+    static final String NAME = "majic-recording";
+
+    /** Is raised when readers of the version before could not read the file. */
+    static final String VERSION = "1";
+
+    private static final String TAB = "\t";
+    private static final int ROBOT_COLUMNS = 12;
+    private static final int PARAMETER_COLUMNS = 9;
+
+    /** The kinds of lines. */
+    enum Kind {
+        /** A wall of the room: two ends. */
+        WALL,
+        /** A piece of tape on the floor: two ends. */
+        TAPE,
+        /** A lamp above the floor. */
+        LAMP,
+        /** A robot joins the recording. */
+        ROBOT,
+        /** A parameter of which values follow. */
+        PARAMETER,
+        /** A parameter of a robot has changed. */
+        VALUE,
+        /** What the team knows of a robot has changed: connection, owner, running command. */
+        STATUS,
+        /** What a robot's panel shows beyond the parameters has changed; its driver defines names and texts. */
+        REPORT,
+        /** The true pose of a robot in the simulated lab has changed. */
+        TRUTH,
+        /** A picture of a robot's camera. */
+        PICTURE,
+        /** Something happened to a robot or the team. */
+        EVENT,
+        /** A line of the session. */
+        LINE,
+        /** Lines are missing here, because the disk was too slow. */
+        MISSING;
+
+        /** The word in the file. */
+        String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+    }
+
+    private RecordingFormat() {}
+
+    static String wall(LabAccess.Wall wall) {
+        return places(Kind.WALL, wall.x1(), wall.y1(), wall.x2(), wall.y2());
+    }
+
+    static String tape(LabAccess.Tape tape) {
+        return places(Kind.TAPE, tape.x1(), tape.y1(), tape.x2(), tape.y2());
+    }
+
+    static String lamp(LabAccess.Lamp lamp) {
+        return places(Kind.LAMP, lamp.x(), lamp.y());
+    }
+
+    private static String places(Kind kind, double... mm) {
+        return columns(kind, DoubleStream.of(mm).mapToObj(ValueText::of).collect(Collectors.joining(TAB)));
+    }
+
+    static String robot(RecordedRobot robot) {
+        Pose origin = robot.origin();
+        return columns(
+                Kind.ROBOT,
+                String.valueOf(robot.number()),
+                robot.type(),
+                VisibleText.of(robot.label()),
+                VisibleText.of(robot.make()),
+                ValueText.of(robot.bodyMm()),
+                robot.estimates() ? "about" : "",
+                ValueText.of(origin.xMm()),
+                ValueText.of(origin.yMm()),
+                ValueText.of(origin.headingDeg()),
+                robot.inLab());
+    }
+
+    static RecordedRobot robot(String[] columns, double seconds) {
+        require(columns, ROBOT_COLUMNS);
+        return new RecordedRobot(
+                Integer.parseInt(columns[2]),
+                columns[3],
+                columns[4],
+                columns[5],
+                number(columns[6]),
+                !columns[7].isEmpty(),
+                new Pose(number(columns[8]), number(columns[9]), number(columns[10])),
+                columns[11],
+                seconds);
+    }
+
+    static String parameter(int robot, Parameter parameter, boolean about) {
+        return columns(
+                Kind.PARAMETER,
+                String.valueOf(robot),
+                parameter.name(),
+                parameter.kind().name().toLowerCase(Locale.ROOT),
+                parameter.unit().symbol(),
+                about ? "about" : "",
+                String.valueOf(parameter.range().min()),
+                String.valueOf(parameter.range().max()),
+                VisibleText.of(parameter.help()));
+    }
+
+    static Parameter parameter(String[] columns) {
+        require(columns, PARAMETER_COLUMNS + 1);
+        return new Parameter(
+                columns[3],
+                Parameter.Kind.valueOf(columns[4].toUpperCase(Locale.ROOT)),
+                unit(columns[5]),
+                new Range(number(columns[7]), number(columns[8])),
+                false,
+                List.of(),
+                true,
+                false,
+                false,
+                List.of(),
+                columns[9]);
+    }
+
+    private static Unit unit(String symbol) {
+        for (Unit unit : Unit.values()) {
+            if (unit.symbol().equals(symbol)) {
+                return unit;
+            }
+        }
+        throw new IllegalArgumentException("no unit: " + symbol);
+    }
+
+    static boolean isAbout(String[] columns) {
+        return !columns[6].isEmpty();
+    }
+
+    static String change(Kind kind, int robot, String name, String text) {
+        return columns(kind, String.valueOf(robot), name, text);
+    }
+
+    static String pose(Pose pose) {
+        return ValueText.of(pose.xMm()) + " " + ValueText.of(pose.yMm()) + " " + ValueText.of(pose.headingDeg());
+    }
+
+    static Pose pose(String text) {
+        String[] numbers = text.split(" ");
+        require(numbers, 3);
+        return new Pose(number(numbers[0]), number(numbers[1]), number(numbers[2]));
+    }
+
+    static String picture(int robot, byte[] jpeg) {
+        return columns(Kind.PICTURE, String.valueOf(robot), Base64.getEncoder().encodeToString(jpeg));
+    }
+
+    static String event(int robot, Mark.Kind kind, String text) {
+        return columns(Kind.EVENT, String.valueOf(robot), kind.name().toLowerCase(Locale.ROOT), VisibleText.of(text));
+    }
+
+    static Mark event(String[] columns, double seconds) {
+        require(columns, 5);
+        Mark.Kind kind = Mark.Kind.valueOf(columns[3].toUpperCase(Locale.ROOT));
+        return new Mark(seconds, kind, Integer.parseInt(columns[2]), columns[4]);
+    }
+
+    static String line(Line line) {
+        return columns(Kind.LINE, line.kind().name().toLowerCase(Locale.ROOT), line.text());
+    }
+
+    static RecordedLine line(String[] columns, double seconds) {
+        require(columns, 4);
+        return new RecordedLine(seconds, Line.Kind.valueOf(columns[2].toUpperCase(Locale.ROOT)), columns[3]);
+    }
+
+    static String missing(long lines) {
+        return columns(Kind.MISSING, String.valueOf(lines));
+    }
+
+    private static String columns(Kind kind, String... columns) {
+        return TAB + kind.word() + TAB + String.join(TAB, columns) + "\n";
+    }
+
+    /** The columns of a line; trailing empty ones are kept. */
+    static String[] split(String line) {
+        return line.split(TAB, -1);
+    }
+
+    static double number(String text) {
+        return Double.parseDouble(text);
+    }
+
+    /** Refuses a line that is too short. */
+    static void require(String[] columns, int count) {
+        if (columns.length < count) {
+            throw new IllegalArgumentException("it has " + columns.length + " columns and needs " + count);
+        }
+    }
+}

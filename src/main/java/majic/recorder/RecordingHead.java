@@ -1,0 +1,45 @@
+package majic.recorder;
+
+import java.io.IOException;
+import java.time.Instant;
+import java.time.format.DateTimeParseException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The first line of a file of a recording. Immutable.
+ *
+ * @param begin the time of day at which the recording began
+ * @param part the number of the file among those of the recording, from 1
+ * @param beginS the time of the recording at which the file begins, seconds
+ */
+public record RecordingHead(Instant begin, int part, double beginS) {
+    private static final int COLUMNS = 5;
+
+    String text() {
+        return String.join(
+                        "\t",
+                        RecordingFormat.NAME,
+                        RecordingFormat.VERSION,
+                        begin.toString(),
+                        "" + part,
+                        ValueText.time(beginS))
+                + "\n";
+    }
+
+    static RecordingHead parse(@Nullable String line) throws IOException {
+        String[] columns = RecordingFormat.split(line == null ? "" : line);
+        if (columns.length < COLUMNS || !columns[0].equals(RecordingFormat.NAME)) {
+            throw new IOException("it is no recording of MAJIC");
+        }
+        if (!columns[1].equals(RecordingFormat.VERSION)) {
+            throw new IOException("it was recorded by another version of MAJIC (format " + columns[1]
+                    + "; this one reads format " + RecordingFormat.VERSION + ")");
+        }
+        try {
+            return new RecordingHead(
+                    Instant.parse(columns[2]), Integer.parseInt(columns[3]), Double.parseDouble(columns[4]));
+        } catch (DateTimeParseException | NumberFormatException e) {
+            throw new IOException("its first line is damaged", e);
+        }
+    }
+}

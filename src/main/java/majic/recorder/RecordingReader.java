@@ -1,0 +1,163 @@
+package majic.recorder;
+
+import java.io.BufferedReader;
+import java.io.EOFException;
+import java.io.FilterInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipException;
+import majic.recorder.RecordingFormat.Kind;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads a file of a recording. A file whose end is missing, because the program was killed or still writes it, is read
+ * up to that place. Lines of a kind that this version does not have are skipped.
+ */
+final class RecordingReader {
+    private static final Logger LOG = System.getLogger(RecordingReader.class.getName());
+    private static final int BUFFER = 1 << 16;
+    private static final Map<String, Kind> KINDS =
+            Arrays.stream(Kind.values()).collect(Collectors.toMap(Kind::word, kind -> kind));
+
+    private final Path file;
+    private final RecordingSink sink;
+    private double seconds;
+    private long number = 1;
+
+    private RecordingReader(Path file, RecordingSink sink) {
+        this.file = file;
+        this.sink = sink;
+    }
+
+    /**
+     * Passes the content of a file to a sink. Blocks.
+     *
+     * @return the first line: what the file says about itself
+     * @throws IOException if it cannot be read, or is no recording; the message is a whole sentence without the file
+     */
+    static RecordingHead read(Path file, RecordingSink sink) throws IOException {
+        return new RecordingReader(file, sink).read();
+    }
+
+    private RecordingHead read() throws IOException {
+        try (BufferedReader lines = open()) {
+            RecordingHead head = RecordingHead.parse(lines.readLine());
+            seconds = head.beginS();
+            readLines(lines);
+            return head;
+        } catch (ZipException e) {
+            throw new IOException(file.getFileName() + " is no recording, or it is damaged", e);
+        } catch (EOFException e) {
+            throw new IOException(file.getFileName() + " is empty", e);
+        }
+    }
+
+    private BufferedReader open() throws IOException {
+        InputStream compressed = Files.newInputStream(file);
+        try {
+            InputStream bytes = new CutInput(new GZIPInputStream(compressed, BUFFER));
+            return new BufferedReader(new InputStreamReader(bytes, StandardCharsets.UTF_8), BUFFER);
+        } catch (IOException e) {
+            compressed.close();
+            throw e;
+        }
+    }
+
+    /** Ends where the input is cut off, instead of failing there: a reader would drop what it has read ahead. */
+    private static final class CutInput extends FilterInputStream {
+        CutInput(InputStream in) {
+            super(in);
+        }
+
+        @Override
+        public int read(byte[] bytes, int from, int length) throws IOException {
+            try {
+                return super.read(bytes, from, length);
+            } catch (EOFException e) {
+                return -1;
+            }
+        }
+    }
+
+    private void readLines(BufferedReader lines) throws IOException {
+        String line = lines.readLine();
+        for (String next = lines.readLine(); next != null; next = lines.readLine()) {
+            number++;
+            take(line);
+            line = next;
+        }
+        takeLast(line);
+    }
+
+    /** The last line may be cut off; then it is left out. */
+    private void takeLast(@Nullable String line) {
+        if (line != null) {
+            try {
+                take(line);
+            } catch (IOException e) {
+                LOG.log(Level.DEBUG, "the end is missing", e);
+            }
+        }
+    }
+
+    private void take(String line) throws IOException {
+        String[] columns = RecordingFormat.split(line);
+        try {
+            RecordingFormat.require(columns, 2);
+            if (!columns[0].isEmpty()) {
+                seconds = Math.max(seconds, RecordingFormat.number(columns[0]));
+            }
+            sink.time(seconds);
+            take(columns);
+        } catch (IllegalArgumentException e) {
+            throw new IOException(file.getFileName() + " is damaged in line " + number + ": " + e.getMessage(), e);
+        }
+    }
+
+    private void take(String[] columns) {
+        Kind kind = KINDS.get(columns[1]);
+        if (kind == null) {
+            return;
+        }
+        switch (kind) {
+            case WALL, TAPE -> sink.room(kind, places(columns, 4));
+            case LAMP -> sink.room(kind, places(columns, 2));
+            case ROBOT -> sink.robot(RecordingFormat.robot(columns, seconds));
+            case PARAMETER ->
+                sink.parameter(robot(columns), RecordingFormat.parameter(columns), RecordingFormat.isAbout(columns));
+            case VALUE, STATUS, REPORT, TRUTH -> {
+                RecordingFormat.require(columns, 5);
+                sink.change(kind, robot(columns), columns[3], columns[4]);
+            }
+            case PICTURE -> {
+                RecordingFormat.require(columns, 4);
+                sink.picture(robot(columns), columns[3]);
+            }
+            case EVENT -> sink.event(RecordingFormat.event(columns, seconds));
+            case LINE -> sink.line(RecordingFormat.line(columns, seconds));
+            case MISSING -> {}
+        }
+    }
+
+    private static double[] places(String[] columns, int count) {
+        RecordingFormat.require(columns, 2 + count);
+        return Arrays.stream(columns, 2, 2 + count)
+                .mapToDouble(RecordingFormat::number)
+                .toArray();
+    }
+
+    private static int robot(String[] columns) {
+        RecordingFormat.require(columns, 3);
+        return Integer.parseInt(columns[2]);
+    }
+}

@@ -1,0 +1,109 @@
+package majic.recorder;
+
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.Locale;
+import java.util.Map;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.Parameter;
+import majic.bot.Value;
+import majic.recorder.RecordingFormat.Kind;
+import majic.team.Member;
+import majic.team.Owner;
+import majic.team.StopStatus;
+import majic.text.VisibleText;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds what has changed of one robot since the last time: its parameters, the reports that its panel needs, what the
+ * team knows of it. Sends the robot nothing and waits for nothing. Samples are taken by one thread.
+ */
+final class RobotSampler {
+    /** Changes all the time and follows from the times of the other values. */
+    private static final String AGE = "age";
+
+    private final Member member;
+    private final RecordedRobot robot;
+    private final Map<String, Value> values = new HashMap<>();
+    private final Map<Kind, Map<String, String>> texts = new EnumMap<>(Kind.class);
+    private String running = "";
+    private volatile boolean forgotten = true;
+
+    RobotSampler(Member member, RecordedRobot robot) {
+        this.member = member;
+        this.robot = robot;
+    }
+
+    /** Describes everything anew the next time. Called by any thread. */
+    void forget() {
+        forgotten = true;
+    }
+
+    /** Adds a line for each change. */
+    void sample(StringBuilder lines, StopStatus stops) {
+        if (forgotten) {
+            forgotten = false;
+            values.clear();
+            texts.clear();
+            lines.append(RecordingFormat.robot(robot));
+        }
+        sampleCommand(lines);
+        MajicBot bot = member.bot();
+        for (Parameter parameter : bot.parameters()) {
+            if (parameter.readable() && !parameter.name().equals(AGE)) {
+                sample(lines, parameter, read(bot, parameter));
+            }
+        }
+        bot.displayState().forEach((name, text) -> note(lines, Kind.REPORT, name, VisibleText.of(text)));
+        note(lines, Kind.STATUS, "connection", bot.connection().name().toLowerCase(Locale.ROOT));
+        note(lines, Kind.STATUS, "owner", owner(member.owner()));
+        note(
+                lines,
+                Kind.STATUS,
+                "stop",
+                VisibleText.of(stops.problem(robot.number()).orElse("")));
+    }
+
+    private static Value read(MajicBot bot, Parameter parameter) {
+        try {
+            return bot.get(parameter.name());
+        } catch (BotException e) {
+            return Value.unknown(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private void sample(StringBuilder lines, Parameter parameter, Value value) {
+        Value before = values.put(parameter.name(), value);
+        if (value.equals(before)) {
+            return;
+        }
+        boolean about = value instanceof Value.Number number && number.about();
+        if (before == null || about != (before instanceof Value.Number number && number.about())) {
+            lines.append(RecordingFormat.parameter(robot.number(), parameter, about));
+        }
+        note(lines, Kind.VALUE, parameter.name(), ValueText.of(value));
+    }
+
+    private void note(StringBuilder lines, Kind kind, String name, String text) {
+        String before = texts.computeIfAbsent(kind, key -> new HashMap<>()).put(name, text);
+        if (!text.equals(before)) {
+            lines.append(RecordingFormat.change(kind, robot.number(), name, text));
+        }
+    }
+
+    private void sampleCommand(StringBuilder lines) {
+        String now = member.running();
+        if (!now.equals(running) && !now.isEmpty()) {
+            lines.append(RecordingFormat.event(robot.number(), Mark.Kind.BEGUN, robot.number() + " " + now));
+        }
+        running = now;
+    }
+
+    static String owner(@Nullable Owner owner) {
+        if (owner == null) {
+            return "";
+        }
+        return owner.kind() == Owner.Kind.MANUAL ? "driven by hand" : "running " + VisibleText.of(owner.name());
+    }
+}

@@ -1,0 +1,179 @@
+package majic.recorder;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import majic.bot.Parameter;
+import majic.bot.Value;
+import majic.recorder.RecordingFormat.Kind;
+
+/** What was recorded of one robot. Filled by the thread that reads the file, then read by any. */
+public final class RobotTracks {
+    private final RecordedRobot robot;
+    private final Map<String, Parameter> parameters = new LinkedHashMap<>();
+    private final Map<String, Boolean> estimates = new TreeMap<>();
+    private final Map<String, Track> values = new TreeMap<>();
+    private final Map<String, Track> status = new TreeMap<>();
+    private final Map<String, Track> reports = new TreeMap<>();
+    private final Track pictures = new Track();
+    private double removedS = Double.POSITIVE_INFINITY;
+
+    RobotTracks(RecordedRobot robot) {
+        this.robot = robot;
+    }
+
+    void describe(Parameter parameter, boolean about) {
+        parameters.put(key(parameter.name()), parameter);
+        estimates.put(key(parameter.name()), about);
+    }
+
+    void add(Kind kind, String name, double seconds, String text) {
+        Map<String, Track> tracks = kind == Kind.VALUE ? values : kind == Kind.STATUS ? status : reports;
+        String key = kind == Kind.VALUE ? key(name) : name;
+        tracks.computeIfAbsent(key, missing -> new Track()).add(seconds, text);
+    }
+
+    void addPicture(double seconds, String jpeg) {
+        pictures.add(seconds, jpeg);
+    }
+
+    void removed(double seconds) {
+        removedS = seconds;
+    }
+
+    private static String key(String name) {
+        return name.toLowerCase(Locale.ROOT);
+    }
+
+    /**
+     * Returns which robot it was.
+     *
+     * @return its number, type and place
+     */
+    public RecordedRobot robot() {
+        return robot;
+    }
+
+    /**
+     * Returns whether the robot was in the team at a time.
+     *
+     * @param seconds time of the recording
+     * @return true from its line in the file until it was removed
+     */
+    public boolean isPresent(double seconds) {
+        return seconds >= robot.addedS() && seconds < removedS;
+    }
+
+    /**
+     * Returns its parameters.
+     *
+     * @return those of which values were recorded, in the order of its table
+     */
+    public List<Parameter> parameters() {
+        return List.copyOf(parameters.values());
+    }
+
+    /**
+     * Returns the value of a parameter at a time.
+     *
+     * @param parameter one of {@link #parameters()}
+     * @param seconds time of the recording
+     * @return unknown before the first one
+     */
+    public Value value(Parameter parameter, double seconds) {
+        Track track = values.get(key(parameter.name()));
+        String text = track == null ? null : track.at(seconds);
+        return text == null
+                ? Value.unknown("not recorded yet")
+                : ValueText.value(text, parameter, estimates.getOrDefault(key(parameter.name()), false));
+    }
+
+    /**
+     * Returns the number in a parameter at a time.
+     *
+     * @param parameter its name
+     * @param seconds time of the recording
+     * @return empty if there was none
+     */
+    public Optional<Double> number(String parameter, double seconds) {
+        Track track = values.get(key(parameter));
+        String text = track == null ? null : track.at(seconds);
+        return Optional.ofNullable(text).map(ValueText::amount).filter(Double::isFinite);
+    }
+
+    /**
+     * Returns what the team knew of the robot at a time.
+     *
+     * @param name {@code connection}, {@code owner}, {@code running} or {@code stop}
+     * @param seconds time of the recording
+     * @return the text; empty if there was none
+     */
+    public String status(String name, double seconds) {
+        Track track = status.get(name);
+        String text = track == null ? null : track.at(seconds);
+        return text == null ? "" : text;
+    }
+
+    /**
+     * Returns what the robot's panel showed beyond the parameters.
+     *
+     * @param seconds time of the recording
+     * @return by the names that its driver has defined
+     */
+    public Map<String, String> reports(double seconds) {
+        Map<String, String> texts = new TreeMap<>();
+        reports.forEach(
+                (name, track) -> Optional.ofNullable(track.at(seconds)).ifPresent(text -> texts.put(name, text)));
+        return texts;
+    }
+
+    /**
+     * Returns the times at which something of {@link #reports} changed.
+     *
+     * @param fromS excluded
+     * @param toS included
+     * @return ascending
+     */
+    public double[] reportTimes(double fromS, double toS) {
+        List<double[]> times = new ArrayList<>();
+        reports.values().forEach(track -> times.add(track.times(fromS, toS)));
+        return times.stream()
+                .flatMapToDouble(Arrays::stream)
+                .sorted()
+                .distinct()
+                .toArray();
+    }
+
+    /**
+     * Returns the last picture of the camera before a time.
+     *
+     * @param seconds time of the recording
+     * @return when it came; empty if there was none
+     */
+    public Optional<Picture> picture(double seconds) {
+        int index = pictures.indexAt(seconds);
+        return index < 0
+                ? Optional.empty()
+                : Optional.of(
+                        new Picture(pictures.seconds(index), Base64.getDecoder().decode(pictures.text(index))));
+    }
+
+    /**
+     * A picture of the camera.
+     *
+     * @param seconds when it came
+     * @param jpeg a JPEG file; not to be changed
+     */
+    public record Picture(double seconds, byte[] jpeg) {}
+
+    Series series(String parameter, double fromS) {
+        Track track = values.get(key(parameter));
+        return track == null ? Series.EMPTY : track.series(fromS);
+    }
+}

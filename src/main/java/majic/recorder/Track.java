@@ -1,0 +1,89 @@
+package majic.recorder;
+
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The recorded values of one thing, as texts over time. Numbers take 12 bytes each. Filled by one thread, then read by
+ * any.
+ */
+final class Track {
+    private static final int FIRST_CAPACITY = 4;
+
+    private int[] atMs = new int[FIRST_CAPACITY];
+    private double[] numbers = new double[FIRST_CAPACITY];
+    private final Map<Integer, String> texts = new HashMap<>();
+    private int size;
+
+    /** Adds a value at a time that is not before the last one. */
+    void add(double seconds, String text) {
+        if (size == atMs.length) {
+            atMs = Arrays.copyOf(atMs, 2 * size);
+            numbers = Arrays.copyOf(numbers, 2 * size);
+        }
+        double number = ValueText.amount(text);
+        boolean plain = Double.isFinite(number) && ValueText.of(number).equals(text);
+        if (!plain) {
+            texts.put(size, text);
+        }
+        atMs[size] = ms(seconds);
+        numbers[size] = number;
+        size++;
+    }
+
+    private static int ms(double seconds) {
+        return (int) Math.round(seconds * 1000);
+    }
+
+    int size() {
+        return size;
+    }
+
+    double seconds(int index) {
+        return atMs[index] / 1000.0;
+    }
+
+    String text(int index) {
+        String text = texts.get(index);
+        return text == null ? ValueText.of(numbers[index]) : text;
+    }
+
+    /** The value in force at a time; null before the first. */
+    @Nullable
+    String at(double seconds) {
+        int index = indexAt(seconds);
+        return index < 0 ? null : text(index);
+    }
+
+    /** The index of the value in force at a time; -1 before the first. */
+    int indexAt(double seconds) {
+        int found = Arrays.binarySearch(atMs, 0, size, ms(seconds) + 1);
+        int after = found < 0 ? -found - 1 : found;
+        while (after > 0 && atMs[after - 1] > ms(seconds)) {
+            after--;
+        }
+        return after - 1;
+    }
+
+    /** The times of the changes after a time, up to another one. */
+    double[] times(double afterS, double toS) {
+        int first = indexAt(afterS) + 1;
+        double[] times = new double[Math.max(0, indexAt(toS) + 1 - first)];
+        for (int index = 0; index < times.length; index++) {
+            times[index] = seconds(first + index);
+        }
+        return times;
+    }
+
+    /** The numbers from a time on, beginning with the one in force then. */
+    Series series(double fromS) {
+        int first = Math.max(0, indexAt(fromS));
+        double[] seconds = new double[size - first];
+        for (int index = first; index < size; index++) {
+            seconds[index - first] = seconds(index);
+        }
+        return new Series(seconds, Arrays.copyOfRange(numbers, first, size));
+    }
+}

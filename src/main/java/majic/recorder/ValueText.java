@@ -1,0 +1,84 @@
+package majic.recorder;
+
+import java.math.BigDecimal;
+import majic.bot.Parameter;
+import majic.bot.Value;
+import majic.text.VisibleText;
+
+/** The form of values and times in a recording: numbers without unit, and with no more digits than sensors have. */
+final class ValueText {
+    /** Precedes the reason why there is no value. */
+    private static final String UNKNOWN = "?";
+
+    private static final int MOST_DIGITS = 25;
+
+    private ValueText() {}
+
+    /** A value as text without tabs and line ends. */
+    static String of(Value value) {
+        if (value instanceof Value.Number number) {
+            return of(number.amount());
+        }
+        return VisibleText.of(value instanceof Value.Unknown unknown ? UNKNOWN + unknown.reason() : value.toString());
+    }
+
+    /** A number with four digits or more, as far as they are not zero. */
+    static String of(double number) {
+        if (number == Math.rint(number) && Math.abs(number) < 1e15) {
+            return Long.toString((long) number);
+        }
+        double size = Math.abs(number);
+        int digits = size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 5;
+        long scaled = Math.round(number * Math.pow(10, digits));
+        return scaled == 0
+                ? "0"
+                : BigDecimal.valueOf(scaled, digits).stripTrailingZeros().toPlainString();
+    }
+
+    /** A time in seconds, with three decimal places. */
+    static String time(double seconds) {
+        return BigDecimal.valueOf(Math.round(seconds * 1000), 3).toPlainString();
+    }
+
+    /** The value that a text stands for. */
+    static Value value(String text, Parameter parameter, boolean about) {
+        if (text.startsWith(UNKNOWN)) {
+            return Value.unknown(text.substring(UNKNOWN.length()));
+        }
+        return switch (parameter.kind()) {
+            case NUMBER -> number(text, parameter, about);
+            case YES_NO -> Value.yesNo(text.equals("yes"));
+            case ON_OFF -> Value.onOff(text.equals("on"));
+            case CHOICE, TEXT, LIST -> Value.text(text);
+        };
+    }
+
+    private static Value number(String text, Parameter parameter, boolean about) {
+        double amount = amount(text);
+        if (Double.isFinite(amount)) {
+            return new Value.Number(amount, parameter.unit(), about);
+        }
+        return text.equals("clear") ? Value.CLEAR : Value.text(text);
+    }
+
+    /** The number that a text stands for: 1 and 0 for flags, infinity for clear, NaN for all else. */
+    static double amount(String text) {
+        return switch (text) {
+            case "yes", "on" -> 1;
+            case "no", "off" -> 0;
+            case "clear" -> Double.POSITIVE_INFINITY;
+            default -> parsed(text);
+        };
+    }
+
+    private static double parsed(String text) {
+        if (text.isEmpty() || text.length() > MOST_DIGITS || "+-.0123456789".indexOf(text.charAt(0)) < 0) {
+            return Double.NaN;
+        }
+        try {
+            return Double.parseDouble(text);
+        } catch (NumberFormatException e) {
+            return Double.NaN;
+        }
+    }
+}
