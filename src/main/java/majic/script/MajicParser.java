@@ -6,10 +6,12 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.log.Line;
 import majic.log.SessionOutput;
+import majic.script.lines.DefaultRobots;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.LineSource;
 import majic.script.lines.PreparedLine;
@@ -39,6 +41,7 @@ public final class MajicParser {
     private final LineSource source;
     private final Dispatcher dispatcher;
     private final Deque<String> commands = new ArrayDeque<>();
+    private final DefaultRobots defaultRobots;
     private int total;
     private @Nullable TypedBlock block;
 
@@ -59,6 +62,7 @@ public final class MajicParser {
         this.robotTypes = session.robotTypes();
         this.source = source;
         this.dispatcher = new Dispatcher(session.state(), session.actions(), source, this);
+        this.defaultRobots = new DefaultRobots(session.team());
     }
 
     /**
@@ -70,6 +74,17 @@ public final class MajicParser {
      */
     public static MajicParser remote(Session session) {
         return new MajicParser(session, LineSource.SOCKET);
+    }
+
+    /**
+     * Sets the robots that a command is for if its line names none, as in {@code move 500}. Their numbers are put in
+     * front of the line before anything else happens, so that listeners and a saved session have them. Without this
+     * call, and while there are none, such a line is refused.
+     *
+     * @param robots returns their numbers, perhaps none; called on any thread that submits lines
+     */
+    public void useDefaultRobots(Supplier<List<Integer>> robots) {
+        defaultRobots.use(robots);
     }
 
     /**
@@ -113,7 +128,8 @@ public final class MajicParser {
 
     private Optional<String> parse(String text, String place, Consumer<String> refusedLater) {
         for (String line : text.split("\\R")) {
-            Optional<String> wrong = line.isBlank() ? Optional.empty() : parseOne(line, place, refusedLater);
+            Optional<String> wrong =
+                    line.isBlank() ? Optional.empty() : parseOne(defaultRobots.addTo(line), place, refusedLater);
             if (wrong.isPresent()) {
                 return wrong;
             }
@@ -386,6 +402,6 @@ public final class MajicParser {
      * @return whole words, sorted, each to replace the one before the caret
      */
     public List<String> complete(String text, int caret) {
-        return session.completion().complete(text.substring(0, caret));
+        return session.completion().complete(defaultRobots.addTo(text.substring(0, caret)));
     }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeSet;
 import majic.script.syntax.Literal.Quantity;
@@ -54,6 +55,16 @@ public final class LineParser {
     /** Whether the line begins a block, continues it with {@code else}, or ends it. */
     public boolean isBlockLine() {
         return at.peek().isOneOf(ScriptParser.BLOCK_WORDS);
+    }
+
+    /** Returns the word that the line begins with; empty for a line that begins otherwise, with a number for instance. */
+    public Optional<String> firstWord() {
+        return at.check(Kind.WORD) ? Optional.of(at.peek().text().toLowerCase(Locale.ROOT)) : Optional.empty();
+    }
+
+    /** Whether the second token begins the arguments of a call, as in {@code move(500)}. */
+    public boolean isCallWithoutRobots() {
+        return at.peekSecond().kind() == Kind.LEFT;
     }
 
     /** Parses the line: {@code line = sessionCommand | robots ( command | call ) ;}. */
