@@ -4,6 +4,7 @@ import static majic.PictureWindow.awaitDialog;
 import static majic.PictureWindow.awaitWindow;
 import static majic.PictureWindow.click;
 import static majic.PictureWindow.find;
+import static majic.PictureWindow.select;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
@@ -13,7 +14,6 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JComboBox;
 import javax.swing.JList;
-import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import majic.PictureWindow.Settled;
@@ -67,13 +67,13 @@ class ActPictures {
             MajicParser parser = new MajicParser(program.session(), true);
             MajicFrame frame = PictureWindow.open(program, parser);
             PictureWindow.add(program, parser, List.of("aibo", "pioneer", "hemisson"));
-            choose(frame, 1, "Relay");
+            choose(frame, 2, "Relay");
             save(frame, "choose-act.png");
             click(awaitDialog(frame, "Choose Act"), "loadChosen");
             awaitDialog(frame, "Assign Roles");
             save(frame, "roles.png");
             click(awaitDialog(frame, "Assign Roles"), "Cancel");
-            choose(frame, 1, "Patrol");
+            choose(frame, 2, "Patrol");
             click(awaitDialog(frame, "Choose Act"), "loadChosen");
             Container trust = awaitDialog(frame, "Trust this code?");
             save(frame, "trust.png");
@@ -102,9 +102,8 @@ class ActPictures {
         return source;
     }
 
-    private static void choose(MajicFrame frame, int tab, String act) throws Exception {
-        JTabbedPane tabs = (JTabbedPane) find(frame, "bots");
-        SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(tab));
+    private static void choose(MajicFrame frame, int robot, String act) throws Exception {
+        select(frame, robot);
         click(frame, "Load Act");
         click(awaitDialog(frame, "Load Act"), "OK");
         JList<?> list = (JList<?>) find(awaitDialog(frame, "Choose Act"), "acts");

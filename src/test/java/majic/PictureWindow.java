@@ -3,6 +3,7 @@ package majic;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Window;
+import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
@@ -65,6 +66,13 @@ final class PictureWindow {
 
     static void click(Container parent, String button) throws Exception {
         SwingUtilities.invokeAndWait(() -> ((AbstractButton) find(parent, button)).doClick());
+    }
+
+    /** Selects a robot by a click on its card. */
+    static void select(Container frame, int robot) throws Exception {
+        Component card = find(frame, "card" + robot);
+        SwingUtilities.invokeAndWait(() -> card.dispatchEvent(new MouseEvent(
+                card, MouseEvent.MOUSE_PRESSED, System.currentTimeMillis(), 0, 5, 5, 1, false, MouseEvent.BUTTON1)));
     }
 
     /** Waits for a dialog of the window. */

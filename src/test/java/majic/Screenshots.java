@@ -4,13 +4,13 @@ import static majic.PictureWindow.awaitDialog;
 import static majic.PictureWindow.awaitWindow;
 import static majic.PictureWindow.click;
 import static majic.PictureWindow.find;
+import static majic.PictureWindow.select;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Window;
 import java.nio.file.Path;
 import java.util.List;
-import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import majic.PictureWindow.Settled;
@@ -32,7 +32,7 @@ class Screenshots {
     private static final Path IMAGES = Path.of("docs", "images");
     private static final LabOptions OPTIONS =
             LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7);
-    private static final int PIONEERS_TAB = 1;
+    private static final int PIONEER = 2;
 
     @Test
     @Timeout(300)
@@ -41,8 +41,7 @@ class Screenshots {
             MajicParser parser = new MajicParser(program.session(), true);
             MajicFrame frame = PictureWindow.open(program, parser);
             drive(program, parser);
-            JTabbedPane tabs = (JTabbedPane) find(frame, "bots");
-            SwingUtilities.invokeAndWait(() -> tabs.setSelectedIndex(PIONEERS_TAB));
+            select(frame, PIONEER);
             awaitWindow(new Settled());
             WindowPicture.save(frame, IMAGES.resolve("main.png"));
             withDialog(frame, "Add Bot", "add-bot.png");

@@ -24,7 +24,7 @@ final class FrameActions {
         killBot = new IconAction(
                 "Kill Bot", "kill", "Stop a robot, close its connection and remove it", frame::removeBot);
         loadAct = new IconAction("Load Act", "act", "Load an act onto a robot", frame::loadAct).withKey(KeyEvent.VK_L);
-        endAct = new IconAction("End Act", "kill", "End the act of the selected robot", frame::endAct)
+        endAct = new IconAction("End Act", "kill", "End the act of the selected robots", frame::endAct)
                 .withKey(KeyEvent.VK_E);
         makeAct = new IconAction("Make Act…", "act", "Make the file of an act from Java or a script", dialogs::makeAct);
         help = new IconAction("Help", "help", "Show commands, parameters and keys", dialogs::help)

@@ -11,7 +11,6 @@ import majic.gui.acts.ActLoader;
 import majic.gui.acts.LoadActDialog;
 import majic.gui.acts.MakeActDialog;
 import majic.gui.add.AddBotDialog;
-import majic.gui.bots.BotTabs;
 import majic.gui.bots.KillBotDialog;
 import majic.gui.help.AboutDialog;
 import majic.gui.help.HelpDialog;
@@ -20,6 +19,7 @@ import majic.gui.kit.CommandChannel;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.PictureDialog;
 import majic.gui.kit.ProgramServices;
+import majic.gui.kit.RobotSelection;
 import majic.panel.PictureView;
 import majic.script.Session;
 import majic.team.Member;
@@ -29,28 +29,51 @@ final class FrameDialogs {
     private final MajicFrame frame;
     private final Session session;
     private final ProgramServices services;
-    private final BotTabs tabs;
+    private final RobotSelection selection;
     private final ActLoader loader;
 
-    FrameDialogs(MajicFrame frame, Session session, ProgramServices services, BotTabs tabs, CommandChannel channel) {
+    FrameDialogs(
+            MajicFrame frame,
+            Session session,
+            ProgramServices services,
+            RobotSelection selection,
+            CommandChannel channel) {
         this.frame = frame;
         this.session = session;
         this.services = services;
-        this.tabs = tabs;
+        this.selection = selection;
         this.loader = new ActLoader(frame, session, channel, services.settings());
     }
 
     void addBot() {
-        open("Add Bot", () -> new AddBotDialog(frame, session, services, tabs::select, AddBotDialog.GIVE_UP_MS));
+        open("Add Bot", () -> new AddBotDialog(frame, session, services, selection::select, AddBotDialog.GIVE_UP_MS));
     }
 
     void removeBot() {
+        withRobots(members -> removeBot(selection.first()));
+    }
+
+    /** Opens the dialog that removes a robot, with this one chosen. */
+    void removeBot(Member member) {
+        removeBot(Optional.of(member));
+    }
+
+    private void removeBot(Optional<Member> chosen) {
         Consumer<Member> kill = member -> frame.submit("remove " + member.number());
-        withRobots(members -> open("Kill Bot", () -> new KillBotDialog(frame, members, tabs.selected(), kill)));
+        open("Kill Bot", () -> new KillBotDialog(frame, session.team().members(), chosen, kill));
     }
 
     void loadAct() {
-        withRobots(members -> open("Load Act", () -> new LoadActDialog(frame, members, tabs.selected(), loader::load)));
+        withRobots(members -> loadAct(selection.first()));
+    }
+
+    /** Opens the dialogs that load an act, with this robot chosen. */
+    void loadAct(Member member) {
+        loadAct(Optional.of(member));
+    }
+
+    private void loadAct(Optional<Member> chosen) {
+        open("Load Act", () -> new LoadActDialog(frame, session.team().members(), chosen, loader::load));
     }
 
     void makeAct() {
@@ -70,7 +93,7 @@ final class FrameDialogs {
     }
 
     private HelpDialog newHelp() {
-        return new HelpDialog(frame, session.team().members(), tabs.selected());
+        return new HelpDialog(frame, session.team().members(), selection.first());
     }
 
     void about() {

@@ -9,21 +9,27 @@ import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
+import java.util.stream.Collectors;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.LayoutFocusTraversalPolicy;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
-import majic.gui.bots.BotTabs;
+import majic.gui.bots.RobotActions;
+import majic.gui.bots.RobotPanels;
+import majic.gui.bots.TeamStrip;
 import majic.gui.command.CommandPane;
+import majic.gui.kit.BotStatus;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.EventThreadTeamListener;
 import majic.gui.kit.IconAction;
 import majic.gui.kit.Icons;
 import majic.gui.kit.ProgramServices;
+import majic.gui.kit.RobotSelection;
 import majic.gui.map.MapFeed;
 import majic.gui.map.TeamMap;
 import majic.lab.LabAccess;
@@ -32,10 +38,11 @@ import majic.panel.PictureView;
 import majic.panel.PictureViewer;
 import majic.script.MajicParser;
 import majic.script.Session;
+import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * The main window: buttons and STOP above, team map beside the robots' tabs, messages and command line below. Places
+ * The main window: buttons and STOP above, cards of the robots, team map and panels of the selected robots side by side, messages and command line below. Places
  * its parts, and passes commands on to the team and the parser. Must be used on the event dispatch thread.
  */
 public final class MajicFrame extends JFrame implements PictureViewer {
@@ -49,8 +56,10 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient MapFeed mapFeed;
     private final transient FrameDialogs dialogs;
     private final transient CommandChannel channel = new Channel();
-    private final TeamMap map = new TeamMap();
-    private final BotTabs tabs;
+    private final transient RobotSelection selection = new RobotSelection();
+    private final TeamMap map;
+    private final TeamStrip strip;
+    private final RobotPanels panels;
     private final CommandPane commands;
     private boolean quitting;
 
@@ -67,8 +76,13 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         this.parser = parser;
         this.services = services;
         commands = new CommandPane(parser);
-        tabs = new BotTabs(session.team(), channel);
-        dialogs = new FrameDialogs(this, session, services, tabs, channel);
+        parser.useDefaultRobots(selection::numbers);
+        dialogs = new FrameDialogs(this, session, services, selection, channel);
+        RobotActions actions = new RobotActions(session.team(), channel, dialogs::loadAct, dialogs::removeBot);
+        panels = new RobotPanels(session.team(), selection, actions, startPage());
+        strip = new TeamStrip(session.team(), selection, actions, panels::openWindow);
+        map = new TeamMap();
+        map.select(session.team(), selection);
         mapFeed = new MapFeed(session.team(), session.factory(), map::show);
         stopKeys = new StopKeys(this::stopAll, commands.line()::isMarked);
         place();
@@ -84,16 +98,28 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         LookAndFeels.install(settings);
     }
 
+    private static JPanel startPage() {
+        JPanel hint = new JPanel(new MigLayout("wrap 1, alignx center, aligny center", "[center]"));
+        hint.add(new JLabel("No robots yet."), "gapbottom 12");
+        hint.add(new JLabel("Add Bot connects one; the menu Lab"));
+        hint.add(new JLabel("starts a simulated lab with three of them."));
+        return hint;
+    }
+
     private void place() {
         StopPanel stop = new StopPanel(session.team(), this::stopAll);
         session.team().addListener(new EventThreadTeamListener(stop));
         StopAlarm alarm = new StopAlarm(session.team());
         session.team().addListener(new EventThreadTeamListener(alarm));
         FrameActions actions = new FrameActions(this, dialogs);
-        JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, map, tabs);
+        JPanel team = new JPanel(
+                new MigLayout("insets 0, gap 6, hidemode 3", "[fill][grow, fill, shrinkprio 200]", "[grow, fill]"));
+        team.add(strip, "hmin 0");
+        team.add(map, "hmin 0");
+        JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, team, panels);
         middle.setResizeWeight(0.58);
-        tabs.setPreferredSize(new Dimension(470, 400));
-        tabs.setMinimumSize(new Dimension(360, 200));
+        panels.setPreferredSize(new Dimension(470, 400));
+        panels.setMinimumSize(new Dimension(360, 200));
         JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, commands);
         all.setResizeWeight(0.75);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));
@@ -121,7 +147,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     private void listen() {
         session.addListener(commands.messages());
-        session.team().addListener(new EventThreadTeamListener(tabs));
+        session.team().addListener(new EventThreadTeamListener(panels));
+        session.team().addListener(new EventThreadTeamListener(strip));
         stopKeys.install();
         mapFeed.start();
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
@@ -194,6 +221,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     public void dispose() {
         stopKeys.close();
         mapFeed.close();
+        panels.close();
         super.dispose();
     }
 
@@ -220,12 +248,20 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         LookAndFeels.change(dark, services.settings());
     }
 
-    /** Ends the act of the robot whose tab is selected; shows a message if none runs. */
+    /** Ends the acts of the selected robots; shows a message if none runs, or no robot is selected. */
     void endAct() {
-        tabs.selected()
-                .ifPresentOrElse(
-                        member -> channel.submit(member.number() + " act off"),
-                        () -> showError("There are no robots yet; Add Bot connects one."));
+        List<Member> inAct =
+                selection.members().stream().filter(BotStatus::isInAct).toList();
+        List<Member> meant = inAct.isEmpty() ? selection.members() : inAct;
+        if (meant.isEmpty()) {
+            showError(
+                    totalBots() == 0
+                            ? "There are no robots yet; Add Bot connects one."
+                            : "No robot is selected; click its card first.");
+        } else {
+            channel.submit(
+                    meant.stream().map(member -> "" + member.number()).collect(Collectors.joining(",")) + " act off");
+        }
     }
 
     /** Submits a line as if it had been typed; its result is shown among the messages. */

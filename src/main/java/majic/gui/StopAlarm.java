@@ -22,7 +22,7 @@ final class StopAlarm extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
     private static final Color RED = new Color(0xB3261E);
 
-    /** How many reasons are shown; the reasons of further robots are on their tabs. */
+    /** How many reasons are shown; the reasons of further robots are on their cards. */
     private static final int MOST_REASONS = 4;
 
     private static final String REMEDY =
@@ -94,7 +94,7 @@ final class StopAlarm extends JPanel implements TeamListener {
         }
         int others = texts.size() - MOST_REASONS + 1;
         return String.join("   ", texts.subList(0, MOST_REASONS - 1)) + "   and " + others
-                + " other reasons, on the tabs";
+                + " other reasons, on the cards";
     }
 
     private static String names(List<Integer> robots) {

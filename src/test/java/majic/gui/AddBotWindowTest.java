@@ -22,14 +22,14 @@ class AddBotWindowTest {
     @Test
     void theMenuStartsTheLabAndAddsItsRobots() {
         window.run(window.frame::startLab);
-        window.await("the lab's robot", () -> window.titles().contains("1"));
+        window.await("the lab's robot", () -> window.cards().contains("1"));
     }
 
     @Test
     void aRobotThatAnswersJoinsTheTeam() {
         window.click("Add Bot");
         connectTo("here");
-        window.await("its tab", () -> window.titles().contains("1"));
+        window.await("its card", () -> window.cards().contains("1"));
         window.await("the dialog to close", () -> !window.isShowing("Add Bot dialog"));
         assertThat(window.frame.getBot(1).isConnected()).isTrue();
     }

@@ -68,7 +68,7 @@ class DriveByHandWindowTest {
     @Test
     void theReasonWhyARobotCannotBeDrivenIsShownOnce() {
         window.team.stopAll();
-        window.focus("drivePad1");
+        window.focus("drivePad");
         window.hold(KeyEvent.VK_UP);
         window.awaitMessage("STOP is latched; \"release\" allows motion again");
         assertThat(bot.told).doesNotContain(AHEAD);
@@ -109,12 +109,11 @@ class DriveByHandWindowTest {
     }
 
     private void awaitHint(String part) {
-        window.await(
-                "the hint \"" + part + "\"", () -> window.text("driveHint1").contains(part));
+        window.await("the hint \"" + part + "\"", () -> window.text("driveHint").contains(part));
     }
 
     private void holdUp() {
-        window.focus("drivePad1");
+        window.focus("drivePad");
         window.hold(KeyEvent.VK_UP);
         window.await("the robot to drive", () -> bot.told.contains(AHEAD));
     }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -107,7 +106,7 @@ class RolesWindowTest {
         window.parser.parseText("2 act Relay with 1");
         window.await("it to run", () -> window.team.member(1).owner() != null);
         window.add("three");
-        window.run(() -> window.find("bots", JTabbedPane.class).setSelectedIndex(2));
+        window.click("card3");
         choose("Relay");
         assertThat(window.text("why robot2")).contains("Robot 1 is running Relay.", "Robot 2 is running Relay.");
         assertThat(window.isEnabled("loadChosen")).isFalse();

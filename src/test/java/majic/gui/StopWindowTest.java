@@ -55,7 +55,7 @@ class StopWindowTest {
     }
 
     @Test
-    void aRobotThatDoesNotConfirmItsOwnStopIsNamedOnItsTabUntilItIsRemoved() {
+    void aRobotThatDoesNotConfirmItsOwnStopIsNamedOnItsPanelUntilItIsRemoved() {
         window.add("one").confirmStops(false);
         window.run(() -> window.team.stop(window.team.members(), null));
         window.await("the alarm", () -> window.isShowing("stopAlarm") && window.isShowing("stopProblem1"));
@@ -70,7 +70,7 @@ class StopWindowTest {
                 new TreeMap<>(Map.of(2, "silent", 3, "stuck", 7, "silent", 9, "lost", 11, "x"));
         assertThat(StopAlarm.reasons(unconfirmed)).isEqualTo("2, 7: silent   3: stuck   9: lost   11: x");
         unconfirmed.put(12, "y");
-        assertThat(StopAlarm.reasons(unconfirmed)).endsWith("9: lost   and 2 other reasons, on the tabs");
+        assertThat(StopAlarm.reasons(unconfirmed)).endsWith("9: lost   and 2 other reasons, on the cards");
     }
 
     @Test

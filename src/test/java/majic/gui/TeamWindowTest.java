@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import java.awt.Container;
-import javax.swing.JTabbedPane;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
 import org.junit.jupiter.api.AutoClose;
@@ -19,27 +18,26 @@ class TeamWindowTest {
     private final TestWindow window = TestWindow.open();
 
     @Test
-    void killBotClosesTheRobotAndItsTabAndReportsIt() {
+    void killBotClosesTheRobotAndItsCardAndReportsIt() {
         ToyBot bot = window.add("one");
         window.click("Kill Bot");
         window.click("OK");
         window.awaitMessage("Bot 1 is dead");
-        window.await("the tab to go", () -> window.titles().isEmpty());
+        window.await("the card to go", () -> window.cards().isEmpty());
         assertThat(bot.told).contains("shut");
     }
 
     @Test
-    void aRobotsTabShowsItsNumberAndItsMake() {
+    void aRobotsCardShowsItsNumberAndItsType() {
         window.add("one");
-        JTabbedPane tabs = window.find("bots", JTabbedPane.class);
-        assertThat(window.titles()).containsExactly("1");
-        assertThat(tabs.getToolTipTextAt(0)).isEqualTo("Toy (Playthings Toy)");
+        assertThat(window.cards()).containsExactly("1");
+        assertThat(window.text("cardName1")).isEqualTo("Toy");
         assertThat(window.frame.totalBots()).isEqualTo(1);
         assertThat(window.frame.getBot(1)).isSameAs(window.type.made.get(0));
     }
 
     @Test
-    void aRobotsTabShowsItsPoseAndItsState() {
+    void aRobotsPanelShowsItsPoseAndItsState() {
         window.add("one").at(new Pose(120, -30, 45), true);
         window.await("its place", () -> window.text("pose1").equals("x 120 mm   y -30 mm   heading 45°"));
         assertThat(window.text("condition1")).isEqualTo("connected, moving");
@@ -53,7 +51,7 @@ class TeamWindowTest {
     }
 
     @Test
-    void aRobotWithoutDisplayHasATabThatStatesIt() {
+    void aRobotWithoutDisplayHasAPanelThatStatesIt() {
         window.add("plain");
         window.await("the words", () -> window.isShowing("noDisplay"));
     }

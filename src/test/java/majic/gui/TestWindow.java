@@ -1,6 +1,7 @@
 package majic.gui;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
@@ -12,11 +13,11 @@ import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JList;
-import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.ListModel;
 import javax.swing.text.JTextComponent;
@@ -85,19 +86,21 @@ public final class TestWindow implements AutoCloseable {
         quits.incrementAndGet();
     }
 
-    /** Adds a connected toy and waits for its tab. */
+    /** Adds a connected toy and waits for its card. */
     public ToyBot add(String address) {
         ToyBot bot = (ToyBot) factory.create("toy:" + address);
         bot.connect();
         int number = team.add(bot, OptionalInt.empty()).number();
-        await("a tab for robot " + number, () -> titles().contains("" + number));
+        await("a card for robot " + number, () -> cards().contains("" + number));
+        robot.waitForIdle();
         return bot;
     }
 
-    List<String> titles() {
-        JTabbedPane tabs = find("bots", JTabbedPane.class);
-        return GuiActionRunner.execute(() -> IntStream.range(0, tabs.getTabCount())
-                .mapToObj(tabs::getTitleAt)
+    /** Returns the numbers of the robots on the cards, in the order of the cards. */
+    List<String> cards() {
+        Container strip = find("teamStrip", Container.class);
+        return GuiActionRunner.execute(() -> Stream.of(strip.getComponents())
+                .map(card -> card.getName().substring("card".length()))
                 .toList());
     }
 
@@ -166,9 +169,21 @@ public final class TestWindow implements AutoCloseable {
     }
 
     void pressWithCtrl(int keyCode) {
-        robot.pressKey(KeyEvent.VK_CONTROL);
-        press(keyCode);
-        robot.releaseKey(KeyEvent.VK_CONTROL);
+        with(KeyEvent.VK_CONTROL, () -> press(keyCode));
+    }
+
+    void pressWithAlt(int keyCode) {
+        with(KeyEvent.VK_ALT, () -> press(keyCode));
+    }
+
+    void clickWithCtrl(String name) {
+        with(KeyEvent.VK_CONTROL, () -> click(name));
+    }
+
+    private void with(int modifier, Runnable action) {
+        robot.pressKey(modifier);
+        action.run();
+        robot.releaseKey(modifier);
         robot.waitForIdle();
     }
 

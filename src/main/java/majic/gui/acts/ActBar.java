@@ -4,21 +4,18 @@ import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.util.Locale;
-import java.util.concurrent.TimeUnit;
+import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import javax.swing.UIManager;
-import majic.gui.kit.BotStatus;
 import majic.gui.kit.Html;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import majic.team.Member;
 import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
-import org.jspecify.annotations.Nullable;
 
 /** Shows the act that runs on a robot: its name, its time, its last message, and the button that ends it. */
 public final class ActBar extends JPanel {
@@ -26,13 +23,11 @@ public final class ActBar extends JPanel {
     private static final int TICK_MS = 200;
     private static final int ARC = 12;
 
-    private final transient Member member;
+    private final transient RunningAct act;
     private final JLabel name;
     private final JLabel time = new JLabel();
     private final JLabel message;
     private final Timer tick = new Timer(TICK_MS, event -> update());
-    private transient @Nullable Owner act;
-    private long beganNanos;
 
     /**
      * Creates a bar that is invisible until an act runs.
@@ -41,7 +36,7 @@ public final class ActBar extends JPanel {
      */
     public ActBar(Member member, Runnable end) {
         super(new MigLayout("insets 6 10 6 8, gap 10 0", "[][grow, fill][]", "[][]"));
-        this.member = member;
+        act = new RunningAct(member);
         setOpaque(false);
         name = new PlainLabel("act" + member.number(), "");
         name.putClientProperty("FlatLaf.style", "font: bold");
@@ -62,35 +57,29 @@ public final class ActBar extends JPanel {
 
     /** Shows the act that runs now. */
     public void update() {
-        Owner owner = member.owner();
-        if (owner == null || !BotStatus.isInAct(member)) {
-            act = null;
-            tick.stop();
-            setVisible(false);
-            return;
-        }
-        if (owner != act) {
-            act = owner;
-            beganNanos = member.time().nanos();
+        Optional<Owner> owner = act.update();
+        setVisible(owner.isPresent());
+        if (owner.isPresent() && isDisplayable()) {
             tick.start();
+        } else {
+            tick.stop();
         }
-        show(owner);
+        owner.ifPresent(this::show);
     }
 
     private void show(Owner owner) {
         name.setText(owner.name());
-        time.setText(clock(member.time().secondsSince(beganNanos)));
+        time.setText(act.time());
         time.setForeground(Palette.faint());
         message.setText(owner.status().isEmpty() ? " " : owner.status());
         message.setToolTipText(owner.status().isEmpty() ? null : "<html>" + Html.escaped(owner.status()));
-        setVisible(true);
     }
 
-    /** Formats a time as minutes and seconds: {@code 02:05}. */
-    static String clock(double seconds) {
-        long whole = (long) seconds;
-        long minutes = TimeUnit.SECONDS.toMinutes(whole);
-        return String.format(Locale.ROOT, "%02d:%02d", minutes, whole - TimeUnit.MINUTES.toSeconds(minutes));
+    /** Continues to update when the bar was moved to another place. */
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        update();
     }
 
     @Override

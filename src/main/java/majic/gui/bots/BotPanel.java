@@ -3,6 +3,7 @@ package majic.gui.bots;
 import java.awt.BorderLayout;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -12,44 +13,38 @@ import javax.swing.SwingConstants;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
-import majic.gui.drive.DrivePad;
-import majic.gui.kit.CommandChannel;
 import majic.gui.kit.UpdateThrottle;
 import majic.team.Member;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
-/** Fills a robot's tab: its status strip, the display that its class provides, and the pad for manual driving. */
+/** Shows one robot large: its status strip, and the display that its class provides. */
 final class BotPanel extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final Logger LOG = System.getLogger(BotPanel.class.getName());
 
     private final transient Member member;
     private final StatusStrip strip;
-    private final DrivePad pad;
     private final transient UpdateThrottle throttle;
     private final transient BotListener listener = new ChangeListener();
 
     /**
      * Creates a panel for a robot; it listens to the robot until {@link #close()}.
      *
+     * @param move shows the panel in a window of its own, or back in the main window
      * @param changed runs, at most ten times a second, after the robot's state has changed
-     * @param channel submits lines and shows messages
      */
-    BotPanel(Team team, Member member, Runnable changed, CommandChannel channel) {
+    BotPanel(Team team, Member member, RobotActions actions, Consumer<Member> move, Runnable changed) {
         super(new BorderLayout());
         this.member = member;
         setName("bot" + member.number());
-        strip = new StatusStrip(team, member, channel);
-        pad = new DrivePad(member, channel::showError);
+        strip = new StatusStrip(team, member, actions, () -> move.accept(member));
         throttle = new UpdateThrottle(() -> {
             strip.update();
-            pad.update();
             changed.run();
         });
         add(strip, BorderLayout.NORTH);
         add(display(), BorderLayout.CENTER);
-        add(pad, BorderLayout.SOUTH);
         member.bot().addListener(listener);
     }
 
@@ -57,12 +52,17 @@ final class BotPanel extends JPanel {
         return member;
     }
 
-    /** Schedules an update of strip and pad; callable from any thread. */
+    /** Schedules an update; callable from any thread. */
     void changed() {
         throttle.changed();
     }
 
-    /** Removes the listeners. */
+    /** Shows whether the panel is in a window of its own. */
+    void setDocked(boolean docked) {
+        strip.setDocked(docked);
+    }
+
+    /** Removes the listener. */
     void close() {
         member.bot().removeListener(listener);
     }
@@ -81,8 +81,8 @@ final class BotPanel extends JPanel {
     }
 
     /**
-     * Creates the robot's own display; null if that fails, since a robot's class may come from a plug-in. The tab is
-     * shown without it then.
+     * Creates the robot's own display; null if that fails, since a robot's class may come from a plug-in. The panel
+     * is shown without it then.
      */
     private @Nullable JComponent ownDisplay() {
         try {

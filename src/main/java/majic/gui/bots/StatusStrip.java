@@ -1,17 +1,15 @@
 package majic.gui.bots;
 
 import java.awt.Container;
-import java.util.List;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.bot.BotException;
+import javax.swing.SwingConstants;
 import majic.bot.MajicBot;
 import majic.gui.acts.ActBar;
 import majic.gui.kit.BotStatus;
-import majic.gui.kit.CommandChannel;
-import majic.gui.kit.EventThread;
+import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import majic.gui.kit.StateIcon;
@@ -27,40 +25,49 @@ final class StatusStrip extends JPanel {
     private static final long serialVersionUID = 1L;
 
     private final transient Member member;
-    private final transient CommandChannel channel;
     private final transient Team team;
     private final JLabel condition = new JLabel();
     private final JLabel stopProblem;
     private final JLabel pose = new JLabel();
     private final ActBar act;
     private final JButton reconnect = new JButton("Reconnect");
+    private final JButton window = new JButton(ActionIcon.WINDOW);
 
-    StatusStrip(Team team, Member member, CommandChannel channel) {
-        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][]", "[][][][][]"));
+    /**
+     * Creates a strip.
+     *
+     * @param move shows the robot's panel in a window of its own, or back in the main window
+     */
+    StatusStrip(Team team, Member member, RobotActions actions, Runnable move) {
+        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][][]", "[][][][][]"));
         this.team = team;
         this.member = member;
-        this.channel = channel;
-        act = new ActBar(member, () -> channel.submit(member.number() + " act off"));
+        act = new ActBar(member, () -> actions.endAct(member));
         condition.setName("condition" + member.number());
         stopProblem = new PlainLabel("stopProblem" + member.number(), "");
         stopProblem.setForeground(Palette.error());
         stopProblem.setIcon(StateIcon.UNCONFIRMED);
         stopProblem.putClientProperty("FlatLaf.style", "font: bold");
         pose.setName("pose" + member.number());
-        JLabel title = new JLabel(member.number() + "  " + member.bot().type().make());
+        JLabel title =
+                new JLabel(member.bot().type().make(), new NumberBadge(member.number(), 22), SwingConstants.LEADING);
         title.putClientProperty("FlatLaf.styleClass", "h4");
         JButton stopIt = new JButton("Stop " + member.number());
         stopIt.setToolTipText("Stop this robot alone, and whatever drives it");
-        stopIt.addActionListener(event -> team.stop(List.of(member), null));
+        stopIt.addActionListener(event -> actions.stop(member));
         reconnect.setName("reconnect" + member.number());
-        reconnect.addActionListener(event -> reconnect());
+        reconnect.addActionListener(event -> reconnect(actions));
+        window.setName("window" + member.number());
+        window.addActionListener(event -> move.run());
+        setDocked(true);
         add(title, "wmin 0");
         add(reconnect);
-        add(stopIt, "wrap");
-        add(condition, "spanx 3, wmin 0, wrap");
-        add(stopProblem, "spanx 3, wmin 0, wrap");
-        add(pose, "spanx 3, wmin 0, wrap");
-        add(act, "spanx 3, growx, wmin 0, gaptop 4");
+        add(stopIt);
+        add(window, "wrap");
+        add(condition, "spanx 4, wmin 0, wrap");
+        add(stopProblem, "spanx 4, wmin 0, wrap");
+        add(pose, "spanx 4, wmin 0, wrap");
+        add(act, "spanx 4, growx, wmin 0, gaptop 4");
         update();
     }
 
@@ -91,19 +98,17 @@ final class StatusStrip extends JPanel {
         stopProblem.setVisible(problem.isPresent());
     }
 
-    private void reconnect() {
+    /** Shows whether the panel is in the main window. */
+    void setDocked(boolean docked) {
+        String text = docked ? "Open this robot in a window of its own" : "Put this robot back into the main window";
+        window.setToolTipText(text);
+        window.getAccessibleContext().setAccessibleName(text);
+    }
+
+    private void reconnect(RobotActions actions) {
         reconnect.setEnabled(false);
         leaveFocus();
-        EventThread.background("reconnecting robot " + member.number(), () -> {
-            try {
-                member.bot().connect();
-            } catch (BotException e) {
-                String problem = String.valueOf(e.getMessage());
-                channel.showError(member.number() + ": " + member.bot().type().adviceAfter(problem));
-            } finally {
-                EventThread.later(() -> reconnect.setEnabled(true));
-            }
-        });
+        actions.reconnect(member, () -> reconnect.setEnabled(true));
     }
 
     /**

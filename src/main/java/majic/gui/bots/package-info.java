@@ -1,5 +1,5 @@
 /**
- * The robots' tabs.
+ * The team strip with a card for each robot, and the panels of the selected robots.
  */
 @NullMarked
 package majic.gui.bots;

@@ -9,6 +9,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
@@ -18,64 +19,54 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
-import majic.bot.BotException;
-import majic.bot.MajicBot;
-import majic.gui.kit.BotStatus;
 import majic.gui.kit.PlainLabel;
 import majic.team.Member;
-import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * Drives one robot manually while an arrow key is held and the pad has the focus, or while the mouse is pressed on an
- * arrow. Releasing the key or button stops the robot; so does losing the focus or being hidden. While the robot cannot be
- * driven, the pad looks disabled and shows why.
+ * Drives robots manually while an arrow key is held and the pad has the focus, or while the mouse is pressed on an
+ * arrow. Releasing the key or button stops the robots; so does losing the focus or being hidden. Robots that cannot be
+ * driven are left out; if there is no other, the pad looks disabled and shows why.
  */
 public final class DrivePad extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int FULL_SPEED_PERCENT = 100;
 
-    private final transient Member member;
     private final transient ManualDriver driver;
     private final transient Map<JButton, String> arrows = new LinkedHashMap<>();
     private final JLabel hint = new PlainLabel("", "");
-    private String obstacle = "";
+    private transient List<Member> members = List.of();
+    private transient DriveObstacles obstacles = DriveObstacles.of(List.of());
 
-    public DrivePad(Member member, Consumer<String> errors) {
+    /**
+     * Creates a pad without robots.
+     *
+     * @param suffix distinguishes the names of the components
+     * @param errors receives the reason when a robot cannot be driven
+     */
+    public DrivePad(String suffix, Consumer<String> errors) {
         super(new MigLayout("insets 6 10 6 10, gap 4 4", "[][][]16[grow, fill]", "[][]"));
-        this.member = member;
-        driver = new ManualDriver(member, errors, () -> System.nanoTime() / 1_000_000);
-        setName("drivePad" + member.number());
+        driver = new ManualDriver(errors, () -> System.nanoTime() / 1_000_000);
+        setName("drivePad" + suffix);
         setFocusable(true);
-        getAccessibleContext().setAccessibleName("Drive robot " + member.number() + " by hand");
-        hint.setName("driveHint" + member.number());
+        hint.setName("driveHint" + suffix);
         placeArrows();
         listen();
         showState(false);
         update();
     }
 
-    /** Shows whether the robot can be driven now, and if not, why. */
-    public void update() {
-        obstacle = obstacle();
-        showState(isFocusOwner());
+    /** Chooses the robots to drive; those that are driven at the moment and are not among them stop. */
+    public void choose(List<Member> newMembers) {
+        members = List.copyOf(newMembers);
+        driver.choose(members);
+        update();
     }
 
-    /** Returns why the robot cannot be driven by hand now; empty if it can be, or is. */
-    private String obstacle() {
-        if (member.bot().connection() != MajicBot.Connection.CONNECTED) {
-            return BotStatus.condition(member);
-        }
-        Owner owner = member.owner();
-        if (owner != null && owner.kind() == Owner.Kind.MANUAL) {
-            return "";
-        }
-        try {
-            member.check(true, null);
-            return "";
-        } catch (BotException e) {
-            return String.valueOf(e.getMessage());
-        }
+    /** Shows which of the robots can be driven now, and why the others cannot. */
+    public void update() {
+        obstacles = DriveObstacles.of(members);
+        showState(isFocusOwner());
     }
 
     private void placeArrows() {
@@ -157,14 +148,15 @@ public final class DrivePad extends JPanel {
     }
 
     private void showState(boolean focused) {
-        boolean usable = obstacle.isEmpty();
-        String advice = focused ? "Hold an arrow key to drive, let go to stop" : "Click here to drive by arrow keys";
-        hint.setText(usable ? advice : obstacle);
-        hint.setToolTipText(usable ? null : obstacle);
+        boolean usable = obstacles.someCanBeDriven();
+        String advice = obstacles.text(focused);
+        getAccessibleContext().setAccessibleName("Drive by hand. " + advice);
+        hint.setText(advice);
+        hint.setToolTipText(obstacles.details());
         hint.setEnabled(usable);
         arrows.forEach((arrow, tip) -> {
             arrow.setEnabled(usable);
-            arrow.setToolTipText(usable ? tip : obstacle);
+            arrow.setToolTipText(usable ? tip : advice);
         });
         setBorder(BorderFactory.createLineBorder(
                 UIManager.getColor(focused ? "Component.focusedBorderColor" : "Component.borderColor"),

@@ -1,50 +1,60 @@
 package majic.gui.drive;
 
+import java.util.ArrayList;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import javax.swing.Timer;
-import majic.bot.BotException;
-import majic.bot.BotProfile;
-import majic.team.ManualControl;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Drives one robot while arrows are held, and releases it when they are not. Runs on the event dispatch thread and
- * never blocks there: if that thread hangs, the commands are not renewed and the robot stops 600 ms later.
+ * Drives robots while arrows are held, and releases them when they are not. Runs on the event dispatch thread and never
+ * blocks there: if that thread hangs, the commands are not renewed and the robots stop 600 ms later.
  */
 final class ManualDriver {
     private static final int TICK_MS = 25;
-    private static final long RENEWAL_MS = 150;
 
-    /** Time in ms that a released manual control may take until the next one can own the robot. */
-    private static final long RELEASE_TIME_MS = 500;
-
-    private final Member member;
     private final Consumer<String> errors;
     private final LongSupplier clockMs;
     private final HeldKeys keys = new HeldKeys();
     private final Timer ticks = new Timer(TICK_MS, event -> tick());
+    private List<DrivenRobot> robots = List.of();
     private @Nullable Direction pointed;
-    private @Nullable ManualControl control;
-    private Set<Direction> driven = Set.of();
-    private long renewedMs;
-    private long releasedMs = Long.MIN_VALUE / 2;
-    private boolean refused;
+    private boolean ignoresHeldArrows;
     private double share = 1;
 
     /**
-     * Creates a driver that does not drive yet.
+     * Creates a driver without robots.
      *
-     * @param errors receives the reason when the robot cannot be driven
+     * @param errors receives the reason when a robot cannot be driven
      * @param clockMs any clock that does not go back
      */
-    ManualDriver(Member member, Consumer<String> errors, LongSupplier clockMs) {
-        this.member = member;
+    ManualDriver(Consumer<String> errors, LongSupplier clockMs) {
         this.errors = errors;
         this.clockMs = clockMs;
+    }
+
+    /**
+     * Chooses the robots to drive. If arrows are held at the moment, the driven robots stop, and the arrows drive none
+     * until all of them have been released once.
+     */
+    void choose(List<Member> members) {
+        if (members.equals(robots.stream().map(DrivenRobot::member).toList())) {
+            return;
+        }
+        List<DrivenRobot> chosen = new ArrayList<>();
+        for (Member member : members) {
+            chosen.add(robots.stream()
+                    .filter(robot -> robot.member() == member)
+                    .findFirst()
+                    .orElseGet(() -> new DrivenRobot(member, errors, clockMs)));
+        }
+        robots.forEach(DrivenRobot::release);
+        robots = List.copyOf(chosen);
+        ignoresHeldArrows = ticks.isRunning();
     }
 
     void keyPressed(Direction key) {
@@ -93,46 +103,11 @@ final class ManualDriver {
     private void tick() {
         Set<Direction> wanted = wanted();
         if (wanted.isEmpty()) {
-            release();
-        } else if (!refused && (control != null || acquire())) {
-            drive(wanted);
+            ticks.stop();
+            ignoresHeldArrows = false;
+            robots.forEach(DrivenRobot::release);
+        } else if (!ignoresHeldArrows) {
+            robots.forEach(robot -> robot.drive(wanted, share));
         }
-    }
-
-    private void release() {
-        ticks.stop();
-        refused = false;
-        driven = Set.of();
-        if (control != null) {
-            control.close();
-            control = null;
-            releasedMs = clockMs.getAsLong();
-        }
-    }
-
-    private boolean acquire() {
-        try {
-            control = new ManualControl(member);
-            return true;
-        } catch (BotException e) {
-            if (clockMs.getAsLong() - releasedMs > RELEASE_TIME_MS) {
-                refused = true;
-                errors.accept(e.getMessage());
-            }
-            return false;
-        }
-    }
-
-    private void drive(Set<Direction> wanted) {
-        long now = clockMs.getAsLong();
-        if (control == null || (wanted.equals(driven) && now - renewedMs < RENEWAL_MS)) {
-            return;
-        }
-        driven = wanted;
-        renewedMs = now;
-        BotProfile profile = member.bot().profile();
-        control.drive(
-                share * profile.cruiseMmPerSec() * Direction.forward(wanted),
-                share * profile.cruiseTurnDegPerSec() * Direction.left(wanted));
     }
 }

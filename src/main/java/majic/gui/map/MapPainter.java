@@ -8,6 +8,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.util.List;
+import java.util.Set;
 import javax.swing.UIManager;
 import majic.gui.kit.Palette;
 import majic.lab.LabAccess.Lamp;
@@ -41,7 +42,12 @@ public final class MapPainter {
         this.view = view;
     }
 
-    void paint(MapScene scene) {
+    /**
+     * Draws a scene.
+     *
+     * @param selected the numbers of the robots to mark as selected
+     */
+    void paint(MapScene scene, Set<Integer> selected) {
         g.setFont(UIManager.getFont("Label.font"));
         scene.furnishing().tapes().forEach(this::paintTape);
         scene.walls().forEach(this::paintWall);
@@ -53,6 +59,7 @@ public final class MapPainter {
         robots.forEach(robot -> robot.paintTrail(g));
         robots.forEach(robot -> robot.paintBody(g));
         robots.forEach(robot -> robot.paintTruth(g));
+        robots.stream().filter(robot -> selected.contains(robot.number())).forEach(robot -> robot.paintSelection(g));
         paintKey(scene);
     }
 

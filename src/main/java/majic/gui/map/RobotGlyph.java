@@ -2,14 +2,15 @@ package majic.gui.map;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.bot.Pose;
+import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
+import majic.gui.kit.RobotColors;
 import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 
@@ -24,6 +25,9 @@ final class RobotGlyph {
     private static final Stroke TRAIL = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final Stroke ALARM = new BasicStroke(2.5f);
     private static final double ALARM_GAP_PX = 6;
+    private static final Stroke SELECTED = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+    private static final double SELECTED_GAP_PX = 7;
+    private static final int BADGE_PX = 16;
     private static final Stroke TRUTH =
             new BasicStroke(1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 3}, 0);
 
@@ -37,6 +41,10 @@ final class RobotGlyph {
         this.view = view;
         this.color = RobotColors.of(robot.number());
         this.radiusPx = Math.max(SMALLEST_PX, robot.bodyMm() * view.pxPerMm());
+    }
+
+    int number() {
+        return robot.number();
     }
 
     /** Returns whether a pixel is on the body. */
@@ -73,6 +81,24 @@ final class RobotGlyph {
         }
     }
 
+    /** Draws the four corners of a square around the robot. */
+    void paintSelection(Graphics2D g) {
+        g.setColor(Palette.text());
+        g.setStroke(SELECTED);
+        Point2D middle = pixel(robot.reported());
+        double far = radiusPx + SELECTED_GAP_PX;
+        double near = far * 0.55;
+        for (int corner = 0; corner < 4; corner++) {
+            double right = corner % 2 == 0 ? 1 : -1;
+            double down = corner < 2 ? 1 : -1;
+            Path2D angle = new Path2D.Double();
+            angle.moveTo(middle.getX() + right * near, middle.getY() + down * far);
+            angle.lineTo(middle.getX() + right * far, middle.getY() + down * far);
+            angle.lineTo(middle.getX() + right * far, middle.getY() + down * near);
+            g.draw(angle);
+        }
+    }
+
     /** Draws two rings around the robot and an exclamation mark beside it. */
     private void paintAlarm(Graphics2D g) {
         g.setColor(Palette.error());
@@ -97,12 +123,8 @@ final class RobotGlyph {
 
     private void paintNumber(Graphics2D g) {
         String text = robot.connected() ? "" + robot.number() : robot.number() + "?";
-        FontMetrics metrics = g.getFontMetrics();
         Point2D middle = pixel(robot.reported());
-        float x = (float) (middle.getX() - metrics.stringWidth(text) / 2.0);
-        float y = (float) (middle.getY() + (metrics.getAscent() - metrics.getDescent()) / 2.0);
-        g.setColor(luminance() > 0.6 ? Color.BLACK : Color.WHITE);
-        g.drawString(text, x, y);
+        new NumberBadge(robot.number(), BADGE_PX).paint(g, middle.getX(), middle.getY(), text);
     }
 
     private Ellipse2D circle(Pose at) {
@@ -130,9 +152,5 @@ final class RobotGlyph {
         } else {
             path.lineTo(x, y);
         }
-    }
-
-    private double luminance() {
-        return (0.299 * color.getRed() + 0.587 * color.getGreen() + 0.114 * color.getBlue()) / 255;
     }
 }

@@ -3,6 +3,10 @@ package majic.gui.map;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Collection;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
 import majic.bot.Pose;
 import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapContent;
@@ -20,6 +24,7 @@ final class TeamFloor implements MapContent {
     private static final double FREE_MM = 600;
 
     private MapScene scene = MapScene.EMPTY;
+    private Set<Integer> selected = Set.of();
 
     void show(MapScene newScene) {
         scene = newScene;
@@ -29,9 +34,23 @@ final class TeamFloor implements MapContent {
         return scene;
     }
 
+    /** Marks these robots as selected, and no others. */
+    void mark(Collection<Integer> numbers) {
+        selected = Set.copyOf(numbers);
+    }
+
+    /** Returns the numbers of the robots that are drawn at a pixel. */
+    List<Integer> robotsAt(Point2D pixel, MapView view) {
+        return robotsUnder(pixel, view).map(MapScene.Robot::number).toList();
+    }
+
+    private Stream<MapScene.Robot> robotsUnder(Point2D pixel, MapView view) {
+        return scene.robots().stream().filter(robot -> new RobotGlyph(robot, view).covers(pixel));
+    }
+
     @Override
     public void paint(Graphics2D pen, MapView view) {
-        new MapPainter(pen, view).paint(scene);
+        new MapPainter(pen, view).paint(scene, selected);
     }
 
     @Override
@@ -79,11 +98,12 @@ final class TeamFloor implements MapContent {
     @Override
     public String tip(double xMm, double yMm, MapView view) {
         Point2D mouse = view.pixel(xMm, yMm);
-        return scene.robots().stream()
-                .filter(robot -> new RobotGlyph(robot, view).covers(mouse))
-                .map(TeamFloor::describe)
-                .findFirst()
-                .orElseGet(() -> MapContent.super.tip(xMm, yMm, view));
+        List<String> robots = robotsUnder(mouse, view).map(TeamFloor::describe).toList();
+        return switch (robots.size()) {
+            case 0 -> MapContent.super.tip(xMm, yMm, view);
+            case 1 -> robots.get(0);
+            default -> "<html>" + String.join("<br>", robots);
+        };
     }
 
     private static String describe(MapScene.Robot robot) {

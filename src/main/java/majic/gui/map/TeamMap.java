@@ -1,8 +1,12 @@
 package majic.gui.map;
 
 import java.awt.Dimension;
+import java.awt.Point;
+import java.util.List;
 import java.util.stream.Collectors;
+import majic.gui.kit.RobotSelection;
 import majic.panel.map.ZoomableMap;
+import majic.team.Team;
 
 /**
  * The map of the team: every robot with its number, heading and trail, and with a lab the room and the robots' true
@@ -24,6 +28,20 @@ public final class TeamMap extends ZoomableMap {
         setPreferredSize(new Dimension(640, 420));
         setMinimumSize(new Dimension(240, 160));
         getAccessibleContext().setAccessibleName("Team map");
+    }
+
+    /** Marks the selected robots, and lets a click select one. */
+    public void select(Team team, RobotSelection selection) {
+        addMouseListener(new MapSelection(this, team, selection));
+        selection.addListener(() -> {
+            floor.mark(selection.numbers());
+            repaint();
+        });
+    }
+
+    /** Returns the numbers of the robots that are drawn at a pixel, in increasing order. */
+    List<Integer> robotsAt(Point pixel) {
+        return floor.robotsAt(pixel, view());
     }
 
     /** Shows another scene, and describes it for screen readers as {@code 1 Pioneer, 2 Aibo}. */

@@ -61,8 +61,8 @@ class CommandLineWindowTest {
     @Test
     void anArrowKeyHeldFromDrivingRecallsNoLine() {
         window.command("1 move 10");
-        window.focus("drivePad1");
-        arrow("drivePad1", KeyEvent.KEY_PRESSED, 1000);
+        window.focus("drivePad");
+        arrow("drivePad", KeyEvent.KEY_PRESSED, 1000);
         window.focus("commandLine");
         arrow("commandLine", KeyEvent.KEY_RELEASED, 1500);
         arrow("commandLine", KeyEvent.KEY_PRESSED, 1501);
@@ -85,7 +85,7 @@ class CommandLineWindowTest {
         window.focus("commandLine");
         window.type("3 mov");
         window.run(FlatLaf::updateUI);
-        window.focus("drivePad1");
+        window.focus("drivePad");
         window.focus("commandLine");
         window.type("e 50");
         assertThat(window.text("commandLine")).isEqualTo("3 move 50");

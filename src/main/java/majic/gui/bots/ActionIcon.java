@@ -1,0 +1,72 @@
+package majic.gui.bots;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
+import javax.swing.Icon;
+import majic.gui.kit.Palette;
+import majic.panel.DrawingColors;
+
+/** Pictures of small buttons. */
+enum ActionIcon implements Icon {
+    /** A filled square in the alarm colour. */
+    STOP,
+    /** An arrow that turns in a circle. */
+    RECONNECT,
+    /** Two windows, one in front of the other. */
+    WINDOW;
+
+    private static final int SIZE = 12;
+
+    @Override
+    public void paintIcon(Component component, Graphics graphics, int x, int y) {
+        Graphics2D g = (Graphics2D) graphics.create(x, y, SIZE, SIZE);
+        DrawingColors.prepare(g);
+        g.setStroke(new BasicStroke(1.4f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        g.setColor(component.isEnabled() ? color() : Palette.mixed(0.4));
+        switch (this) {
+            case STOP -> g.fill(new RoundRectangle2D.Double(1.5, 1.5, 9, 9, 2, 2));
+            case RECONNECT -> {
+                g.draw(new Arc2D.Double(1.5, 1.5, 9, 9, 60, 290, Arc2D.OPEN));
+                g.fill(head());
+            }
+            case WINDOW -> {
+                g.draw(new Rectangle2D.Double(4.5, 1, 6.5, 5.5));
+                g.setColor(DrawingColors.current().paper());
+                g.fill(new Rectangle2D.Double(1, 4.5, 6.5, 6));
+                g.setColor(color());
+                g.draw(new Rectangle2D.Double(1, 4.5, 6.5, 6));
+            }
+        }
+        g.dispose();
+    }
+
+    private Color color() {
+        return this == STOP ? Palette.error() : Palette.mixed(0.85);
+    }
+
+    private static Path2D head() {
+        Path2D head = new Path2D.Double();
+        head.moveTo(7, 0);
+        head.lineTo(11.5, 2.5);
+        head.lineTo(7, 5);
+        head.closePath();
+        return head;
+    }
+
+    @Override
+    public int getIconWidth() {
+        return SIZE;
+    }
+
+    @Override
+    public int getIconHeight() {
+        return SIZE;
+    }
+}

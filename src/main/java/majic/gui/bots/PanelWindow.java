@@ -1,0 +1,66 @@
+package majic.gui.bots;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.List;
+import javax.swing.JFrame;
+import majic.gui.drive.DrivePad;
+import majic.panel.PictureView;
+import majic.panel.PictureViewer;
+import majic.team.Member;
+import org.jspecify.annotations.Nullable;
+
+/** A window with the panel of one robot and a pad that drives this robot. */
+final class PanelWindow extends JFrame implements PictureViewer {
+    private static final long serialVersionUID = 1L;
+    private static final int PAD_HEIGHT = 90;
+
+    private final DrivePad pad;
+    private final @Nullable Window main;
+
+    /**
+     * Creates the window around a panel; takes the panel from where it is.
+     *
+     * @param main the main window; null without one
+     * @param closed runs when the user closes the window
+     */
+    PanelWindow(BotPanel panel, RobotActions actions, @Nullable Window main, Runnable closed) {
+        this.main = main;
+        Member member = panel.member();
+        setTitle("Robot " + member.number() + ", " + member.bot().type().make() + " \u2013 MAJIC");
+        setName("robotWindow" + member.number());
+        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
+        Dimension size = panel.getSize();
+        pad = new DrivePad("Window" + member.number(), actions::showError);
+        pad.choose(List.of(member));
+        add(panel, BorderLayout.CENTER);
+        add(pad, BorderLayout.SOUTH);
+        if (main != null) {
+            setIconImages(main.getIconImages());
+        }
+        pack();
+        setSize(Math.max(getWidth(), size.width), Math.max(getHeight(), size.height + PAD_HEIGHT));
+        setLocationRelativeTo(main);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                closed.run();
+            }
+        });
+    }
+
+    /** Passes the picture on to the main window. */
+    @Override
+    public void enlarge(PictureView view) {
+        if (main instanceof PictureViewer viewer) {
+            viewer.enlarge(view);
+        }
+    }
+
+    void update() {
+        pad.update();
+    }
+}

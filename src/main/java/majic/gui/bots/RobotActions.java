@@ -1,0 +1,71 @@
+package majic.gui.bots;
+
+import java.util.List;
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.gui.kit.CommandChannel;
+import majic.gui.kit.EventThread;
+import majic.team.Member;
+import majic.team.Team;
+
+/** What the buttons and menus of a robot do. Must be used on the event dispatch thread; no method blocks. */
+public final class RobotActions {
+    private final Team team;
+    private final CommandChannel channel;
+    private final Consumer<Member> loadAct;
+    private final Consumer<Member> kill;
+
+    /**
+     * Creates the actions.
+     *
+     * @param channel submits lines and shows messages
+     * @param loadAct opens the dialog that loads an act onto a robot
+     * @param kill opens the dialog that removes a robot
+     */
+    public RobotActions(Team team, CommandChannel channel, Consumer<Member> loadAct, Consumer<Member> kill) {
+        this.team = team;
+        this.channel = channel;
+        this.loadAct = loadAct;
+        this.kill = kill;
+    }
+
+    /** Stops this robot alone, and whatever drives it. */
+    void stop(Member member) {
+        team.stop(List.of(member), null);
+    }
+
+    /**
+     * Connects a robot again in the background.
+     *
+     * @param ended runs on the event dispatch thread when the attempt has ended
+     */
+    void reconnect(Member member, Runnable ended) {
+        EventThread.background("reconnecting robot " + member.number(), () -> {
+            try {
+                member.bot().connect();
+            } catch (BotException e) {
+                String problem = String.valueOf(e.getMessage());
+                channel.showError(member.number() + ": " + member.bot().type().adviceAfter(problem));
+            } finally {
+                EventThread.later(ended);
+            }
+        });
+    }
+
+    void loadAct(Member member) {
+        loadAct.accept(member);
+    }
+
+    void endAct(Member member) {
+        channel.submit(member.number() + " act off");
+    }
+
+    void kill(Member member) {
+        kill.accept(member);
+    }
+
+    /** Shows a message that does not come from the session. */
+    void showError(String sentence) {
+        channel.showError(sentence);
+    }
+}

@@ -1,0 +1,249 @@
+package majic.gui.bots;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Insets;
+import java.awt.geom.RoundRectangle2D;
+import java.util.Objects;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.UIManager;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.MajicBot;
+import majic.gui.acts.RunningAct;
+import majic.gui.kit.NumberBadge;
+import majic.gui.kit.Palette;
+import majic.gui.kit.PlainLabel;
+import majic.gui.kit.UpdateThrottle;
+import majic.panel.BatteryIcon;
+import majic.panel.DrawingColors;
+import majic.team.Member;
+import majic.team.Team;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One robot of the team: number, type, state, act, battery and connection, with the buttons that stop and reconnect it.
+ * Listens to the robot until {@link #close()}.
+ */
+final class RobotCard extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int ARC = 10;
+
+    private final transient Team team;
+    private final transient Member member;
+    private final transient BatteryReader batteries;
+    private final transient RunningAct act;
+    private final transient LinkMeter link = new LinkMeter();
+    private final transient UpdateThrottle throttle = new UpdateThrottle(this::update);
+    private final transient BotListener listener = new ChangeListener();
+    private final JLabel badge = new JLabel();
+    private final JLabel name;
+    private final JLabel line;
+    private final JLabel activity;
+    private final JLabel connection = new JLabel();
+    private final JLabel battery = new JLabel();
+    private final JButton reconnect;
+    private final JButton stop;
+    private @Nullable CardSize size;
+    private transient @Nullable RobotSummary shown;
+    private boolean selected;
+
+    RobotCard(Team team, Member member, RobotActions actions, BatteryReader batteries) {
+        this.team = team;
+        this.member = member;
+        this.batteries = batteries;
+        act = new RunningAct(member);
+        int number = member.number();
+        setName("card" + number);
+        setOpaque(false);
+        name = new PlainLabel("cardName" + number, "");
+        name.putClientProperty("FlatLaf.style", "font: bold");
+        line = new PlainLabel("cardLine" + number, "");
+        activity = new PlainLabel("cardActivity" + number, "");
+        stop = button("cardStop" + number, "Stop", ActionIcon.STOP, "Stop robot " + number + " alone");
+        stop.addActionListener(event -> actions.stop(member));
+        reconnect = button(
+                "cardReconnect" + number, "Reconnect", ActionIcon.RECONNECT, "Connect robot " + number + " again");
+        reconnect.addActionListener(event -> {
+            reconnect.setEnabled(false);
+            actions.reconnect(member, () -> reconnect.setEnabled(true));
+        });
+        show(CardSize.FULL);
+        update();
+        member.bot().addListener(listener);
+    }
+
+    private static JButton button(String name, String text, Icon icon, String tip) {
+        JButton button = new JButton(text, icon);
+        button.setName(name);
+        button.setFocusable(false);
+        button.setMargin(new Insets(0, 3, 0, 3));
+        button.setIconTextGap(3);
+        button.setToolTipText(tip);
+        button.getAccessibleContext().setAccessibleName(tip);
+        return button;
+    }
+
+    Member member() {
+        return member;
+    }
+
+    /** Schedules an update; callable from any thread. */
+    void changed() {
+        throttle.changed();
+    }
+
+    /** Removes the listener. */
+    void close() {
+        member.bot().removeListener(listener);
+    }
+
+    /** Shows whether the robot is selected. */
+    void setSelected(boolean isSelected) {
+        selected = isSelected;
+        describe();
+        repaint();
+    }
+
+    boolean isSelected() {
+        return selected;
+    }
+
+    /** Arranges the parts for another size. */
+    void show(CardSize newSize) {
+        if (newSize == size) {
+            return;
+        }
+        size = newSize;
+        removeAll();
+        stop.setText(newSize == CardSize.FULL ? "Stop" : "");
+        reconnect.setText(newSize == CardSize.FULL ? "Reconnect" : "");
+        badge.setIcon(new NumberBadge(member.number(), newSize == CardSize.COMPACT ? 18 : 26));
+        String gaps = ", gap 6 0, hidemode 3, novisualpadding";
+        switch (newSize) {
+            case FULL -> {
+                setLayout(new MigLayout("insets 4 8 4 6" + gaps, "[][grow, fill][][]", "[grow][grow][grow]"));
+                add(badge, "spany 3, aligny center");
+                add(name, "wmin 0");
+                add(connection);
+                add(battery);
+                add(line, "newline, spanx 3, wmin 0, growx");
+                add(activity, "newline, spanx 3, split 3, wmin 0, growx, pushx");
+            }
+            case MEDIUM -> {
+                setLayout(new MigLayout("insets 3 8 3 6" + gaps, "[][grow, fill][][]", "[grow][grow]"));
+                add(badge, "spany 2, aligny center");
+                add(name, "wmin 0");
+                add(connection);
+                add(battery);
+                add(line, "newline, spanx 3, split 3, wmin 0, growx, pushx");
+            }
+            case COMPACT -> {
+                setLayout(new MigLayout("insets 0 6 0 3" + gaps, "[][grow, fill][][][][]", "[grow]"));
+                add(badge);
+                add(line, "wmin 0");
+                add(connection);
+                add(battery);
+            }
+        }
+        add(reconnect, "hmax 100%");
+        add(stop, "hmax 100%");
+        shown = null;
+        update();
+    }
+
+    /** Shows the state of the robot. */
+    void update() {
+        RobotSummary now = RobotSummary.of(member, team.stopStatus(), act, link, batteries.level(member));
+        if (now.equals(shown)) {
+            return;
+        }
+        shown = now;
+        name.setText(now.name());
+        line.setIcon(now.icon());
+        line.setText(
+                switch (Objects.requireNonNull(size)) {
+                    case FULL -> now.problem().isEmpty() ? now.condition() : now.problem();
+                    case MEDIUM -> now.line();
+                    case COMPACT -> now.shortest();
+                });
+        line.putClientProperty("FlatLaf.style", now.problem().isEmpty() ? null : "font: bold");
+        line.setForeground(now.isUnconfirmed() || now.isLost() ? Palette.error() : null);
+        activity.setText(now.activity());
+        connection.setIcon(new LinkIcon(now.bars()));
+        connection.setVisible(!now.isLost());
+        battery.setIcon(new BatteryIcon(now.battery().percent(), false));
+        battery.setText(size == CardSize.COMPACT ? "" : now.battery().text());
+        battery.setVisible(!now.isLost() && !now.battery().text().isEmpty());
+        reconnect.setVisible(now.isLost());
+        describe();
+        repaint();
+    }
+
+    private void describe() {
+        if (shown == null) {
+            return;
+        }
+        String all = member.number() + " " + shown.description();
+        setToolTipText("<html>" + majic.gui.kit.Html.escaped(all));
+        getAccessibleContext().setAccessibleName("Robot " + all + (selected ? ", selected" : ""));
+    }
+
+    /** Adapts the colours to the look and feel. */
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (stop != null) {
+            shown = null;
+            update();
+        }
+    }
+
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(0, 0);
+    }
+
+    /** Paints the card: tinted with a thick frame if selected, framed in the alarm colour if a stop is not confirmed. */
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        DrawingColors.prepare(g);
+        boolean alarm = shown != null && shown.isUnconfirmed();
+        Color accent = UIManager.getColor("Component.accentColor");
+        double inset = selected || alarm ? 1 : 0.5;
+        RoundRectangle2D shape =
+                new RoundRectangle2D.Double(inset, inset, getWidth() - 2 * inset, getHeight() - 2 * inset, ARC, ARC);
+        g.setColor(selected ? DrawingColors.translucent(accent, 0.16) : Palette.paper());
+        g.fill(shape);
+        g.setStroke(new BasicStroke(selected || alarm ? 2 : 1));
+        g.setColor(alarm ? Palette.error() : selected ? accent : UIManager.getColor("Component.borderColor"));
+        g.draw(shape);
+        if (isFocusOwner()) {
+            g.setColor(Palette.text());
+            g.setStroke(new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_MITER, 1, new float[] {2, 2}, 0));
+            g.draw(new RoundRectangle2D.Double(3.5, 3.5, getWidth() - 7, getHeight() - 7, ARC / 2.0, ARC / 2.0));
+        }
+        g.dispose();
+    }
+
+    /** Updates the card at a limited rate, however fast the robot reports. */
+    private final class ChangeListener implements BotListener {
+        @Override
+        public void stateChanged(MajicBot bot, BotState state) {
+            throttle.changed();
+        }
+
+        @Override
+        public void connectionChanged(MajicBot bot, MajicBot.Connection now) {
+            throttle.changed();
+        }
+    }
+}

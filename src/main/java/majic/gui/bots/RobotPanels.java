@@ -1,0 +1,202 @@
+package majic.gui.bots;
+
+import java.awt.BorderLayout;
+import java.awt.CardLayout;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingConstants;
+import javax.swing.SwingUtilities;
+import majic.gui.drive.DrivePad;
+import majic.gui.kit.PlainLabel;
+import majic.gui.kit.RobotSelection;
+import majic.team.Member;
+import majic.team.StopStatus;
+import majic.team.Team;
+import majic.team.TeamListener;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * The panel of the selected robot, or those of two side by side, above the pad that drives the selected robots. A panel
+ * can be moved into a window of its own. Without robots, another component is shown.
+ */
+public final class RobotPanels extends JPanel implements TeamListener {
+    private static final long serialVersionUID = 1L;
+    private static final String EMPTY = "no robots";
+    private static final String ROBOTS = "robots";
+
+    /** How many panels are shown side by side. */
+    private static final int COMPARED = 2;
+
+    private final transient Team team;
+    private final transient RobotSelection selection;
+    private final transient RobotActions actions;
+    private final CardLayout cards = new CardLayout();
+    private final JPanel row = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fill", "", "[fill]"));
+    private final JLabel notice = new PlainLabel("panelNotice", "");
+    private final DrivePad pad;
+    private final transient Map<Member, BotPanel> panels = new HashMap<>();
+    private final transient Map<Member, PanelWindow> windows = new HashMap<>();
+
+    /**
+     * Creates panels for the robots that are in the team already; panels for later ones are added by events.
+     *
+     * @param whenEmpty shown while there is no robot
+     */
+    public RobotPanels(Team team, RobotSelection selection, RobotActions actions, JComponent whenEmpty) {
+        this.team = team;
+        this.selection = selection;
+        this.actions = actions;
+        pad = new DrivePad("", actions::showError);
+        setLayout(cards);
+        setName("robotPanels");
+        notice.setHorizontalAlignment(SwingConstants.CENTER);
+        notice.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
+        JPanel robots = new JPanel(new BorderLayout());
+        robots.add(notice, BorderLayout.NORTH);
+        robots.add(row, BorderLayout.CENTER);
+        robots.add(pad, BorderLayout.SOUTH);
+        add(whenEmpty, EMPTY);
+        add(robots, ROBOTS);
+        selection.addListener(this::showSelection);
+        team.members().forEach(this::added);
+    }
+
+    /** Adds the panel, in the order of the numbers; it is visible while its robot is selected. */
+    @Override
+    public void added(Member member) {
+        if (team.members().contains(member) && !panels.containsKey(member)) {
+            panels.put(member, new BotPanel(team, member, actions, this::move, () -> changed(member)));
+            dock(member);
+            cards.show(this, ROBOTS);
+        }
+    }
+
+    @Override
+    public void removed(Member member) {
+        BotPanel panel = panels.remove(member);
+        if (panel == null) {
+            return;
+        }
+        panel.close();
+        row.remove(panel);
+        Optional.ofNullable(windows.remove(member)).ifPresent(PanelWindow::dispose);
+        if (panels.isEmpty()) {
+            cards.show(this, EMPTY);
+        }
+        showSelection();
+    }
+
+    /** Shows the panel of a robot in a window of its own; if it is in one already, brings that to the front. */
+    public void openWindow(Member member) {
+        BotPanel panel = panels.get(member);
+        if (panel == null) {
+            return;
+        }
+        PanelWindow window = windows.get(member);
+        if (window == null) {
+            panel.setVisible(true);
+            panel.setDocked(false);
+            window = new PanelWindow(panel, actions, SwingUtilities.getWindowAncestor(this), () -> dock(member));
+            windows.put(member, window);
+            window.setVisible(true);
+            showSelection();
+        }
+        window.toFront();
+    }
+
+    private void move(Member member) {
+        if (windows.containsKey(member)) {
+            dock(member);
+        } else {
+            openWindow(member);
+        }
+    }
+
+    /** Puts the panel of a robot into this component, and closes its window if it has one. */
+    private void dock(Member member) {
+        BotPanel panel = panels.get(member);
+        Optional.ofNullable(windows.remove(member)).ifPresent(PanelWindow::dispose);
+        if (panel != null) {
+            panel.setDocked(true);
+            row.removeAll();
+            Map<Integer, BotPanel> docked = new TreeMap<>();
+            panels.forEach((robot, its) -> {
+                if (!windows.containsKey(robot)) {
+                    docked.put(robot.number(), its);
+                }
+            });
+            docked.values().forEach(its -> row.add(its, "grow, push, sizegroup panels, wmin 0, hmin 0"));
+        }
+        showSelection();
+    }
+
+    /** Closes the windows of the robots; to be called when the main window closes. */
+    public void close() {
+        windows.values().forEach(PanelWindow::dispose);
+        windows.clear();
+    }
+
+    private void showSelection() {
+        List<Member> chosen = selection.members();
+        List<Member> docked = chosen.stream()
+                .filter(member -> panels.containsKey(member) && !windows.containsKey(member))
+                .toList();
+        List<Member> shown = docked.subList(0, Math.min(docked.size(), chosen.size() > COMPARED ? 1 : COMPARED));
+        panels.forEach((member, panel) -> {
+            if (!windows.containsKey(member)) {
+                panel.setVisible(shown.contains(member));
+            }
+        });
+        notice.setText(notice(chosen, shown));
+        notice.setVisible(!notice.getText().isEmpty());
+        pad.choose(chosen);
+        revalidate();
+        repaint();
+    }
+
+    private String notice(List<Member> chosen, List<Member> shown) {
+        if (chosen.isEmpty()) {
+            return "No robot is selected; click its card or its place on the map.";
+        }
+        if (chosen.size() > COMPARED) {
+            return "Selected: " + numbers(chosen) + ". Select one robot to see it, or two to compare them.";
+        }
+        List<Member> elsewhere =
+                chosen.stream().filter(member -> !shown.contains(member)).toList();
+        return elsewhere.isEmpty() ? "" : "In a window of its own: " + numbers(elsewhere);
+    }
+
+    private static String numbers(List<Member> members) {
+        return members.stream().map(member -> "" + member.number()).collect(Collectors.joining(", "));
+    }
+
+    private void changed(Member member) {
+        if (selection.contains(member)) {
+            pad.update();
+        }
+        Optional.ofNullable(windows.get(member)).ifPresent(PanelWindow::update);
+    }
+
+    @Override
+    public void ownerChanged(Member member) {
+        Optional.ofNullable(panels.get(member)).ifPresent(BotPanel::changed);
+    }
+
+    @Override
+    public void stopStatusChanged(StopStatus then) {
+        panels.values().forEach(BotPanel::changed);
+    }
+
+    @Override
+    public void latchChanged(boolean latched) {
+        panels.values().forEach(BotPanel::changed);
+    }
+}

@@ -1,0 +1,105 @@
+package majic.gui.bots;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import majic.bot.MajicBot;
+import majic.gui.acts.RunningAct;
+import majic.gui.kit.BotStatus;
+import majic.gui.kit.StateIcon;
+import majic.team.Member;
+import majic.team.StopStatus;
+
+/**
+ * What the card of a robot shows at one moment. Immutable.
+ *
+ * @param icon the sign of its state
+ * @param name the label of its type
+ * @param condition how it is connected and whether it moves
+ * @param problem what needs attention, in a few words; empty if nothing does
+ * @param activity the act with its time, or what else owns the robot; empty if nothing does
+ * @param battery its charge
+ * @param bars the quality of its connection, 0 to 3
+ * @param isLost whether it can be reconnected
+ * @param isUnconfirmed whether its last stop was not confirmed
+ */
+record RobotSummary(
+        StateIcon icon,
+        String name,
+        String condition,
+        String problem,
+        String activity,
+        BatteryLevel battery,
+        int bars,
+        boolean isLost,
+        boolean isUnconfirmed) {
+    /** Describes a robot as it is now. */
+    static RobotSummary of(Member member, StopStatus stops, RunningAct act, LinkMeter link, BatteryLevel battery) {
+        MajicBot bot = member.bot();
+        boolean unconfirmed = stops.problem(member.number()).isPresent();
+        boolean connected = bot.isConnected();
+        if (connected) {
+            link.reported(bot.state().atNanos());
+        } else {
+            link.clear();
+        }
+        long now = member.time().nanos();
+        boolean lost = bot.connection() == MajicBot.Connection.LOST;
+        return new RobotSummary(
+                StateIcon.of(member, stops),
+                bot.type().label(),
+                BotStatus.condition(member),
+                problem(unconfirmed, lost, link, now),
+                activity(member, act),
+                connected ? battery : BatteryLevel.UNKNOWN,
+                connected ? link.bars(now) : 0,
+                lost,
+                unconfirmed);
+    }
+
+    private static String problem(boolean unconfirmed, boolean lost, LinkMeter link, long nowNanos) {
+        if (unconfirmed) {
+            return "stop not confirmed";
+        }
+        if (lost) {
+            return "connection lost";
+        }
+        return link.overdueS(nowNanos).stream()
+                .mapToObj(age -> String.format(Locale.ROOT, "no report for %.0f s", Math.max(1, age)))
+                .findFirst()
+                .orElse("");
+    }
+
+    private static String activity(Member member, RunningAct act) {
+        return act.update().map(owner -> owner.name() + "  " + act.time()).orElseGet(() -> BotStatus.owner(member));
+    }
+
+    /** Returns the most important text of a card with room for one line beside the name. */
+    String line() {
+        return firstOf(problem, activity, condition);
+    }
+
+    /** Returns the most important text of a card with room for one line only. */
+    String shortest() {
+        return firstOf(problem, activity, name);
+    }
+
+    private static String firstOf(String... texts) {
+        return Stream.of(texts).filter(text -> !text.isEmpty()).findFirst().orElse("");
+    }
+
+    /** Returns all as one line, for screen readers and the tool tip. */
+    String description() {
+        Optional<String> charge = Optional.of(battery.text()).filter(text -> !text.isEmpty());
+        return Stream.of(
+                        name,
+                        condition,
+                        problem,
+                        activity,
+                        charge.map(text -> "battery " + text).orElse(""))
+                .filter(text -> !text.isEmpty())
+                .distinct()
+                .collect(Collectors.joining(", "));
+    }
+}

@@ -1,0 +1,98 @@
+package majic.gui.bots;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.AbstractAction;
+import javax.swing.JComponent;
+import javax.swing.KeyStroke;
+import majic.team.Member;
+
+/**
+ * The keys of the team strip. In the whole window Alt and a digit selects the robot of that number, 0 the tenth. On a
+ * card the arrow keys select the previous or the next robot, with Ctrl they only go there; Space adds the robot to the
+ * selection or removes it, Ctrl A selects all, and the menu key opens the robot's menu.
+ */
+final class StripKeys {
+    private static final int DIGITS = 10;
+    private static final int CTRL = InputEvent.CTRL_DOWN_MASK;
+
+    private final TeamStrip strip;
+
+    private StripKeys(TeamStrip strip) {
+        this.strip = strip;
+    }
+
+    static void bind(TeamStrip strip) {
+        StripKeys keys = new StripKeys(strip);
+        for (int digit = 0; digit < DIGITS; digit++) {
+            int number = digit == 0 ? DIGITS : digit;
+            KeyStroke key = KeyStroke.getKeyStroke(KeyEvent.VK_0 + digit, InputEvent.ALT_DOWN_MASK);
+            keys.bind(JComponent.WHEN_IN_FOCUSED_WINDOW, key, () -> keys.selectNumber(number));
+        }
+        keys.bindArrows(-1, KeyEvent.VK_UP, KeyEvent.VK_KP_UP, KeyEvent.VK_LEFT, KeyEvent.VK_KP_LEFT);
+        keys.bindArrows(1, KeyEvent.VK_DOWN, KeyEvent.VK_KP_DOWN, KeyEvent.VK_RIGHT, KeyEvent.VK_KP_RIGHT);
+        keys.bindOnCard(KeyEvent.VK_SPACE, 0, card -> strip.selection().toggle(card.member()));
+        keys.bindOnCard(KeyEvent.VK_A, CTRL, card -> keys.selectAll());
+        keys.bindOnCard(KeyEvent.VK_CONTEXT_MENU, 0, keys::showMenu);
+        keys.bindOnCard(KeyEvent.VK_F10, InputEvent.SHIFT_DOWN_MASK, keys::showMenu);
+    }
+
+    private void bindArrows(int step, int... codes) {
+        for (int code : codes) {
+            bindOnCard(code, 0, card -> strip.selection().select(go(card, step).member()));
+            bindOnCard(code, CTRL, card -> go(card, step));
+        }
+    }
+
+    private void bindOnCard(int code, int modifiers, Consumer<RobotCard> action) {
+        bind(
+                JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT,
+                KeyStroke.getKeyStroke(code, modifiers),
+                () -> strip.cards().stream()
+                        .filter(RobotCard::isFocusOwner)
+                        .findFirst()
+                        .ifPresent(action));
+    }
+
+    private void bind(int condition, KeyStroke key, Runnable action) {
+        strip.getInputMap(condition).put(key, key.toString());
+        strip.getActionMap().put(key.toString(), new AbstractAction() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+
+    private void selectNumber(int number) {
+        strip.cards().stream()
+                .map(RobotCard::member)
+                .filter(member -> member.number() == number)
+                .findFirst()
+                .ifPresent(strip.selection()::select);
+    }
+
+    private void selectAll() {
+        List<Member> all = strip.cards().stream().map(RobotCard::member).toList();
+        strip.selection().set(all);
+    }
+
+    /** Moves the focus to a neighbour; returns that, or the same card at an end. */
+    private RobotCard go(RobotCard from, int step) {
+        List<RobotCard> cards = strip.cards();
+        int index = Math.max(0, Math.min(cards.size() - 1, cards.indexOf(from) + step));
+        RobotCard next = cards.get(index);
+        next.setFocusable(true);
+        next.requestFocusInWindow();
+        return next;
+    }
+
+    private void showMenu(RobotCard card) {
+        strip.showMenu(card, card.getWidth() / 4, card.getHeight() / 2);
+    }
+}

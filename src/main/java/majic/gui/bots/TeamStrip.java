@@ -1,0 +1,188 @@
+package majic.gui.bots;
+
+import java.awt.Component;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import majic.gui.kit.RobotSelection;
+import majic.team.Member;
+import majic.team.StopStatus;
+import majic.team.Team;
+import majic.team.TeamListener;
+
+/**
+ * The team at a glance: a card for each robot, by number. A click selects a robot, Ctrl and a click adds it to the
+ * selection or removes it; a right click opens its menu. {@link StripKeys} lists the keys.
+ */
+public final class TeamStrip extends JPanel implements TeamListener {
+    private static final long serialVersionUID = 1L;
+
+    /** How often the times on the cards are brought up to date without a report of the robot. */
+    private static final int TICK_MS = 500;
+
+    private final transient Team team;
+    private final transient RobotSelection selection;
+    private final transient RobotActions actions;
+    private final transient Consumer<Member> openWindow;
+    private final transient BatteryReader batteries;
+    private final Timer tick = new Timer(TICK_MS, event -> cards().forEach(RobotCard::update));
+
+    /**
+     * Creates cards for the robots that are in the team already; cards for later ones are added by events. The first
+     * robot of a team is selected.
+     *
+     * @param openWindow shows the panel of a robot in a window of its own
+     */
+    public TeamStrip(Team team, RobotSelection selection, RobotActions actions, Consumer<Member> openWindow) {
+        super(new StripLayout());
+        this.team = team;
+        this.selection = selection;
+        this.actions = actions;
+        this.openWindow = openWindow;
+        batteries = new BatteryReader(team);
+        setName("teamStrip");
+        getAccessibleContext().setAccessibleName("Team");
+        StripKeys.bind(this);
+        selection.addListener(this::showSelection);
+        team.members().forEach(this::added);
+        setVisible(getComponentCount() > 0);
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        batteries.start();
+        tick.start();
+    }
+
+    @Override
+    public void removeNotify() {
+        tick.stop();
+        batteries.close();
+        super.removeNotify();
+    }
+
+    List<RobotCard> cards() {
+        return Stream.of(getComponents()).map(RobotCard.class::cast).toList();
+    }
+
+    RobotSelection selection() {
+        return selection;
+    }
+
+    private Optional<RobotCard> card(Member member) {
+        return cards().stream().filter(card -> card.member() == member).findFirst();
+    }
+
+    /** Adds a card; selects the robot only if it is the only one, because a selected one may be driven at the moment. */
+    @Override
+    public void added(Member member) {
+        if (!team.members().contains(member) || card(member).isPresent()) {
+            return;
+        }
+        RobotCard card = new RobotCard(team, member, actions, batteries);
+        card.setSelected(selection.contains(member));
+        Clicks clicks = new Clicks(card);
+        card.addMouseListener(clicks);
+        card.addFocusListener(clicks);
+        int place = (int) cards().stream()
+                .filter(other -> other.member().number() < member.number())
+                .count();
+        add(card, place);
+        card.setFocusable(getComponentCount() == 1);
+        if (getComponentCount() == 1) {
+            selection.select(member);
+        }
+        cardsChanged();
+    }
+
+    @Override
+    public void removed(Member member) {
+        card(member).ifPresent(card -> {
+            card.close();
+            remove(card);
+            selection.remove(member);
+            if (cards().stream().noneMatch(Component::isFocusable)) {
+                cards().stream().findFirst().ifPresent(first -> first.setFocusable(true));
+            }
+            cardsChanged();
+        });
+    }
+
+    private void cardsChanged() {
+        setVisible(getComponentCount() > 0);
+        revalidate();
+        repaint();
+    }
+
+    @Override
+    public void ownerChanged(Member member) {
+        card(member).ifPresent(RobotCard::changed);
+    }
+
+    @Override
+    public void stopStatusChanged(StopStatus then) {
+        cards().forEach(RobotCard::changed);
+    }
+
+    private void showSelection() {
+        cards().forEach(card -> card.setSelected(selection.contains(card.member())));
+    }
+
+    void showMenu(RobotCard card, int x, int y) {
+        new CardMenu(card.member(), actions, openWindow).show(card, x, y);
+    }
+
+    /** Selects by the mouse, and shows the card that has the focus. The focus stays where it is. */
+    private final class Clicks extends MouseAdapter implements FocusListener {
+        private final RobotCard card;
+
+        Clicks(RobotCard card) {
+            this.card = card;
+        }
+
+        @Override
+        public void mousePressed(MouseEvent event) {
+            if (event.isPopupTrigger()) {
+                showMenu(card, event.getX(), event.getY());
+            } else if (SwingUtilities.isLeftMouseButton(event)) {
+                choose(event);
+            }
+        }
+
+        private void choose(MouseEvent event) {
+            if (event.isControlDown() || event.isMetaDown()) {
+                selection.toggle(card.member());
+            } else {
+                selection.select(card.member());
+            }
+        }
+
+        @Override
+        public void mouseReleased(MouseEvent event) {
+            if (event.isPopupTrigger()) {
+                showMenu(card, event.getX(), event.getY());
+            }
+        }
+
+        /** Makes the focused card the one that Tab returns to. */
+        @Override
+        public void focusGained(FocusEvent event) {
+            cards().forEach(other -> other.setFocusable(other == card));
+            card.repaint();
+        }
+
+        @Override
+        public void focusLost(FocusEvent event) {
+            card.repaint();
+        }
+    }
+}

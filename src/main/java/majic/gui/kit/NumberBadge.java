@@ -1,0 +1,63 @@
+package majic.gui.kit;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.RoundRectangle2D;
+import javax.swing.Icon;
+import javax.swing.UIManager;
+import majic.panel.DrawingColors;
+
+/**
+ * A robot's number on its colour: a disc for the numbers up to 10, a rounded square for larger ones.
+ *
+ * @param number the robot's number
+ * @param size width and height in pixels
+ */
+public record NumberBadge(int number, int size) implements Icon {
+    private static final int LAST_DISC = 10;
+
+    @Override
+    public void paintIcon(Component component, Graphics graphics, int x, int y) {
+        Graphics2D g = (Graphics2D) graphics.create();
+        DrawingColors.prepare(g);
+        paint(g, x + size / 2.0, y + size / 2.0, "" + number);
+        g.dispose();
+    }
+
+    /**
+     * Paints the badge around a point.
+     *
+     * @param text the number, perhaps with a mark behind it
+     */
+    public void paint(Graphics2D pen, double x, double y, String text) {
+        Graphics2D g = (Graphics2D) pen.create();
+        Color color = RobotColors.of(number);
+        g.setColor(color);
+        g.fill(
+                number <= LAST_DISC
+                        ? new Ellipse2D.Double(x - size / 2.0, y - size / 2.0, size, size)
+                        : new RoundRectangle2D.Double(
+                                x - size / 2.0, y - size / 2.0, size, size, size / 3.0, size / 3.0));
+        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.BOLD, size * 0.58f));
+        FontMetrics metrics = g.getFontMetrics();
+        g.setColor(RobotColors.textOn(color));
+        g.drawString(text, (float) (x - metrics.stringWidth(text) / 2.0), (float)
+                (y + (metrics.getAscent() - metrics.getDescent()) / 2.0));
+        g.dispose();
+    }
+
+    @Override
+    public int getIconWidth() {
+        return size;
+    }
+
+    @Override
+    public int getIconHeight() {
+        return size;
+    }
+}
