@@ -82,6 +82,11 @@ public final class MakeActDialog extends MajicDialog {
         }
     }
 
+    /** Makes the act of this source, as if it had been chosen. */
+    public void makeOf(Path source) {
+        chosen(source);
+    }
+
     private void chosen(Path file) {
         from.setText(file.toString());
         look();

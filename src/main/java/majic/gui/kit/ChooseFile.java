@@ -32,6 +32,10 @@ public final class ChooseFile extends MajicDialog {
     public static final FileFilter ACTS =
             new FileNameExtensionFilter("Acts and scripts (.act, .majic)", "act", "majic");
 
+    /** Accepts the files that the script editor can open. */
+    public static final FileFilter SCRIPTS =
+            new FileNameExtensionFilter("Scripts and saved sessions (.majic, .script)", "majic", "script");
+
     private static final FileFilter SOURCES = new FileNameExtensionFilter(
             "Classes, jars, sources and scripts (.class, .jar, .java, .majic)", "class", "jar", "java", "majic");
 
@@ -58,6 +62,7 @@ public final class ChooseFile extends MajicDialog {
     public static void toOpen(Window owner, Settings settings, String title, FileFilter filter, Consumer<Path> chosen) {
         ChooseFile dialog = new ChooseFile(owner, settings, title, JFileChooser.OPEN_DIALOG);
         dialog.chooser.setFileFilter(filter);
+        dialog.whenOpened(field -> {});
         dialog.open(dialog.closingAfter(chosen));
     }
 
@@ -158,12 +163,17 @@ public final class ChooseFile extends MajicDialog {
         File file = new File(name);
         chooser.setSelectedFile(file);
         int dot = file.getName().lastIndexOf('.');
+        whenOpened(field -> field.select(0, dot < 0 ? file.getName().length() : dot));
+    }
+
+    /** Gives the field of the name the focus once the dialog is open. */
+    private void whenOpened(Consumer<JTextField> prepared) {
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
                 textFields(chooser).findFirst().ifPresent(field -> {
                     field.requestFocusInWindow();
-                    field.select(0, dot < 0 ? file.getName().length() : dot);
+                    prepared.accept(field);
                 });
             }
         });

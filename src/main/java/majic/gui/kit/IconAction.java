@@ -29,8 +29,8 @@ public final class IconAction extends AbstractAction {
 
     /** Sets the action's key, which is pressed together with Ctrl (Cmd on a Mac). */
     public IconAction withKey(int keyCode) {
-        return withKey(KeyStroke.getKeyStroke(
-                keyCode, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx()));
+        return withKey(
+                KeyStroke.getKeyStroke(keyCode, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx()));
     }
 
     /** Sets the action's key. */

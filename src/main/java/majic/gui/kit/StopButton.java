@@ -1,0 +1,63 @@
+package majic.gui.kit;
+
+import java.awt.Color;
+import javax.swing.JButton;
+import majic.team.Team;
+import majic.team.TeamListener;
+
+/** The STOP button of the windows beside the main one. Stops all robots; shows whether STOP is latched. */
+public final class StopButton extends JButton {
+    private static final long serialVersionUID = 1L;
+    private static final Color RED = new Color(0xC62828);
+    private static final Color DARK_RED = new Color(0x7F1D1D);
+
+    private final transient Team team;
+    private final transient TeamListener listener = new EventThreadTeamListener(new Latch());
+
+    /**
+     * Creates the button.
+     *
+     * @param stopAll stops all robots
+     */
+    public StopButton(Team team, Runnable stopAll) {
+        this.team = team;
+        setName("smallStop");
+        setFocusable(false);
+        setForeground(Color.WHITE);
+        putClientProperty("JButton.buttonType", "roundRect");
+        putClientProperty("FlatLaf.style", "font: bold +4");
+        setToolTipText(
+                "Stops every robot at once; in every window of MAJIC also F12, and Esc unless it closes something");
+        addActionListener(event -> stopAll.run());
+        showLatch();
+    }
+
+    /** Begins to follow the team. */
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        team.addListener(listener);
+        showLatch();
+    }
+
+    @Override
+    public void removeNotify() {
+        team.removeListener(listener);
+        super.removeNotify();
+    }
+
+    private void showLatch() {
+        boolean latched = team.isLatched();
+        setText(latched ? "STOPPED" : "STOP");
+        setBackground(latched ? DARK_RED : RED);
+        getAccessibleContext().setAccessibleName(latched ? "Stopped; stop again" : "Stop all robots");
+    }
+
+    /** Shows the team's present state rather than the event's, because events may arrive late. */
+    private final class Latch implements TeamListener {
+        @Override
+        public void latchChanged(boolean then) {
+            showLatch();
+        }
+    }
+}
