@@ -15,11 +15,13 @@ final class FrameActions {
     final IconAction help;
     final IconAction guide;
     final IconAction about;
+    final IconAction newScript;
+    final IconAction openScript;
     final IconAction saveSession;
     final IconAction saveLog;
     final IconAction killMajic;
 
-    FrameActions(MajicFrame frame, FrameDialogs dialogs) {
+    FrameActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
         addBot = new IconAction("Add Bot", "add", "Connect a robot", frame::addBot).withKey(KeyEvent.VK_N);
         killBot = new IconAction(
                 "Kill Bot", "kill", "Stop a robot, close its connection and remove it", frame::removeBot);
@@ -31,6 +33,10 @@ final class FrameActions {
                 .withKey(KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
         guide = new IconAction("Guide", "help", "Show the user's guide", dialogs::guide);
         about = new IconAction("About MAJIC", "app", "Show version and licences", dialogs::about);
+        newScript = new IconAction("New Script", "new", "Write a script in the editor", editor::newScript);
+        openScript = new IconAction(
+                        "Open…", "open", "Open a script or a saved session in the editor", editor::chooseAndOpen)
+                .withKey(KeyEvent.VK_O);
         saveSession = new IconAction("Save Session", "session", "Save the session as a script", dialogs::saveSession)
                 .withKey(KeyEvent.VK_S);
         saveLog = new IconAction("Save Log", "log", "Save the parameter log", dialogs::saveLog);

@@ -80,6 +80,12 @@ final class FrameDialogs {
         open("Make Act", () -> new MakeActDialog(frame, session.offers(), services.settings()));
     }
 
+    /** Opens the dialog that makes the file of an act, for a script. */
+    void makeActOf(Path script) {
+        makeAct();
+        shown("Make Act").ifPresent(dialog -> ((MakeActDialog) dialog).makeOf(script));
+    }
+
     void help() {
         open("Help", this::newHelp);
     }
@@ -139,11 +145,14 @@ final class FrameDialogs {
     }
 
     private void open(String title, Supplier<MajicDialog> make) {
-        Stream.of(frame.getOwnedWindows())
+        shown(title).ifPresentOrElse(Window::toFront, () -> make.get().setVisible(true));
+    }
+
+    private Optional<Window> shown(String title) {
+        return Stream.of(frame.getOwnedWindows())
                 .filter(window -> window instanceof MajicDialog dialog
                         && dialog.isShowing()
                         && dialog.getTitle().equals(title))
-                .findFirst()
-                .ifPresentOrElse(Window::toFront, () -> make.get().setVisible(true));
+                .findFirst();
     }
 }

@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 final class FrameMenu extends JMenuBar {
     private static final long serialVersionUID = 1L;
 
-    FrameMenu(MajicFrame frame, FrameActions actions) {
-        add(menu("File", 'F', actions.saveSession, actions.saveLog, null, actions.killMajic));
+    FrameMenu(MajicFrame frame, FrameActions actions, FrameEditor editor) {
+        add(file(actions, editor));
         add(menu("Robot", 'R', actions.addBot, actions.killBot));
         add(menu("Act", 'A', actions.loadAct, actions.endAct, null, actions.makeAct));
         add(lab(frame));
@@ -35,6 +35,25 @@ final class FrameMenu extends JMenuBar {
             }
         }
         return menu;
+    }
+
+    private static JMenu file(FrameActions actions, FrameEditor editor) {
+        JMenu file = menu("File", 'F', actions.newScript, actions.openScript);
+        JMenu recent = new JMenu("Open recent");
+        recent.setMnemonic('R');
+        recent.addChangeListener(change -> {
+            if (recent.isSelected()) {
+                editor.fillRecent(recent);
+            }
+        });
+        file.add(recent);
+        file.addSeparator();
+        for (Action action : List.of(actions.saveSession, actions.saveLog)) {
+            file.add(new JMenuItem(action)).setToolTipText(null);
+        }
+        file.addSeparator();
+        file.add(new JMenuItem(actions.killMajic)).setToolTipText(null);
+        return file;
     }
 
     private static JMenu lab(MajicFrame frame) {

@@ -26,6 +26,7 @@ import majic.gui.kit.BotStatus;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.EventThreadTeamListener;
+import majic.gui.kit.FileDrop;
 import majic.gui.kit.IconAction;
 import majic.gui.kit.Icons;
 import majic.gui.kit.ProgramServices;
@@ -55,6 +56,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient StopKeys stopKeys;
     private final transient MapFeed mapFeed;
     private final transient FrameDialogs dialogs;
+    private final transient FrameEditor editor;
     private final transient CommandChannel channel = new Channel();
     private final transient RobotSelection selection = new RobotSelection();
     private final TeamMap map;
@@ -78,6 +80,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         commands = new CommandPane(parser);
         parser.useDefaultRobots(selection::numbers);
         dialogs = new FrameDialogs(this, session, services, selection, channel);
+        editor = new FrameEditor(this, session, services, this::stopAll, dialogs);
         RobotActions actions = new RobotActions(session.team(), channel, dialogs::loadAct, dialogs::removeBot);
         panels = new RobotPanels(session.team(), selection, actions, startPage());
         strip = new TeamStrip(session.team(), selection, actions, panels::openWindow);
@@ -111,7 +114,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         session.team().addListener(new EventThreadTeamListener(stop));
         StopAlarm alarm = new StopAlarm(session.team());
         session.team().addListener(new EventThreadTeamListener(alarm));
-        FrameActions actions = new FrameActions(this, dialogs);
+        FrameActions actions = new FrameActions(this, dialogs, editor);
         JPanel team = new JPanel(
                 new MigLayout("insets 0, gap 6, hidemode 3", "[fill][grow, fill, shrinkprio 200]", "[grow, fill]"));
         team.add(strip, "hmin 0");
@@ -127,7 +130,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         content.add(alarm, "wmin 0, gap 8 8 0 6");
         content.add(all, "wmin 0, hmin 0, pushy, growy, gap 8 8 0 8");
         setContentPane(content);
-        setJMenuBar(new FrameMenu(this, actions));
+        setJMenuBar(new FrameMenu(this, actions, editor));
         EventThread.background("reading pictures", () -> readPictures(actions));
         setFocusTraversalPolicy(new CommandsFirst());
         setMinimumSize(new Dimension(700, 520));
@@ -141,6 +144,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         Image icon = Icons.now("app", ICON_SIZE);
         EventThread.later(() -> {
             setIconImage(icon);
+            FileDrop.install(getRootPane(), editor::open);
             repaint();
         });
     }
@@ -207,19 +211,25 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         return session.team().members().size();
     }
 
-    /** Ends the program, in the background; has no effect when called again. */
+    /**
+     * Ends the program, in the background; has no effect when called again. Asks first what to do with scripts that are
+     * not saved.
+     */
     public void quit() {
-        if (!quitting) {
-            quitting = true;
-            setTitle("MAJIC: stopping and closing all robots …");
-            EventThread.background("quit", services.quit());
-        }
+        editor.closeThen(() -> {
+            if (!quitting) {
+                quitting = true;
+                setTitle("MAJIC: stopping and closing all robots …");
+                EventThread.background("quit", services.quit());
+            }
+        });
     }
 
     /** Removes the listeners and releases the window; does not affect the robots. */
     @Override
     public void dispose() {
         stopKeys.close();
+        editor.dispose();
         mapFeed.close();
         panels.close();
         super.dispose();

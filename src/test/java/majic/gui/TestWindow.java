@@ -150,6 +150,11 @@ public final class TestWindow implements AutoCloseable {
         robot.focusAndWaitForFocusGain(find(name, Component.class));
     }
 
+    /** As {@link #focus(String)}, for a component whose name others have too. */
+    void focus(Component component) {
+        robot.focusAndWaitForFocusGain(component);
+    }
+
     /** Types into the component that has the focus. */
     public void type(String text) {
         robot.enterText(text);

@@ -1,0 +1,75 @@
+package majic.gui;
+
+import java.nio.file.Path;
+import java.util.List;
+import javax.swing.JMenu;
+import majic.gui.editor.EditorContext;
+import majic.gui.editor.EditorWindow;
+import majic.gui.editor.RecentMenu;
+import majic.gui.kit.ChooseFile;
+import majic.gui.kit.ProgramServices;
+import majic.script.Session;
+import org.jspecify.annotations.Nullable;
+
+/** Opens scripts in the script editor, which is created at its first use. */
+final class FrameEditor {
+    private final MajicFrame frame;
+    private final ProgramServices services;
+    private final EditorContext context;
+    private @Nullable EditorWindow window;
+
+    /**
+     * An editor that is not created yet.
+     *
+     * @param stopAll stops all robots
+     */
+    FrameEditor(MajicFrame frame, Session session, ProgramServices services, Runnable stopAll, FrameDialogs dialogs) {
+        this.frame = frame;
+        this.services = services;
+        this.context = new EditorContext(session, services.settings(), stopAll, dialogs::makeActOf);
+    }
+
+    private EditorWindow window() {
+        EditorWindow there = window;
+        if (there == null) {
+            there = new EditorWindow(context, frame);
+            window = there;
+        }
+        return there;
+    }
+
+    void newScript() {
+        window().newScript();
+    }
+
+    void chooseAndOpen() {
+        ChooseFile.toOpen(frame, services.settings(), "Open Script", ChooseFile.SCRIPTS, this::open);
+    }
+
+    void open(Path file) {
+        window().open(file);
+    }
+
+    void open(List<Path> files) {
+        files.forEach(this::open);
+    }
+
+    void fillRecent(JMenu menu) {
+        RecentMenu.fill(menu, services.settings(), this::open);
+    }
+
+    /** Asks what to do with scripts that are not saved or that run; then does something, unless the answer is no. */
+    void closeThen(Runnable then) {
+        if (window == null) {
+            then.run();
+        } else {
+            window.closeAll(then);
+        }
+    }
+
+    void dispose() {
+        if (window != null) {
+            window.dispose();
+        }
+    }
+}

@@ -1,0 +1,173 @@
+package majic.gui.editor;
+
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.swing.JPanel;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import majic.script.ScriptRunner;
+import majic.script.ScriptRunner.Checked;
+import majic.script.run.ScriptControl.Progress;
+import majic.script.syntax.Mistake;
+import majic.team.Member;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+
+/** One script in the editor: its text, its mistakes, its file and its run. */
+final class EditorTab extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final ScriptArea area = new ScriptArea();
+    private final FileNotice notice = new FileNotice();
+    private final MistakeList mistakes = new MistakeList(mistake -> area.goTo(mistake.line(), mistake.column()));
+    private final transient BackgroundCheck check;
+    private final transient TabFile file;
+    private final transient TabRun run;
+    private final transient Runnable changed;
+    private transient @Nullable Checked checked;
+
+    /**
+     * Creates a tab.
+     *
+     * @param script the script
+     * @param exists whether the script's file was read, and not only named
+     * @param changed called after each change of what the window shows of it
+     */
+    EditorTab(EditorContext context, ScriptRunner runner, ScriptFile script, boolean exists, Runnable changed) {
+        super(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));
+        this.changed = changed;
+        file = new TabFile(this, context, script, exists);
+        run = new TabRun(this, runner);
+        check = new BackgroundCheck(runner, this::text, this::show);
+        add(notice, "wmin 0");
+        add(area, "wmin 0, hmin 0, pushy, growy");
+        add(mistakes, "wmin 0");
+        file.showText();
+        area.text().getDocument().addDocumentListener(new Edits());
+        area.text().addCaretListener(event -> changed());
+        check.soon();
+    }
+
+    ScriptArea area() {
+        return area;
+    }
+
+    FileNotice notice() {
+        return notice;
+    }
+
+    TabFile file() {
+        return file;
+    }
+
+    TabRun run() {
+        return run;
+    }
+
+    String text() {
+        return area.text().getText();
+    }
+
+    /** Shows another text; the present one can be brought back by undoing. */
+    void replaceText(String text) {
+        boolean first = checked == null;
+        int caret = Math.min(area.text().getCaretPosition(), text.length());
+        area.text().setText(text);
+        area.text().setCaretPosition(first ? 0 : caret);
+        if (first) {
+            area.text().discardAllEdits();
+        }
+    }
+
+    /** Whether it is a new script without text. */
+    boolean isUntouched() {
+        return file.path().isEmpty() && text().isEmpty() && !run.isRunning();
+    }
+
+    /** Ends what the tab does by itself. */
+    void close() {
+        run.close();
+    }
+
+    /** Reports a change to the window. */
+    void changed() {
+        changed.run();
+    }
+
+    /** Checks the script again, because it or the team has changed. */
+    void checkSoon() {
+        check.soon();
+    }
+
+    private void show(Checked found) {
+        checked = found;
+        area.show(found.mistakes());
+        mistakes.show(found.mistakes());
+        changed();
+    }
+
+    /** Returns the name with a sign for unsaved changes and for a run. */
+    String title() {
+        String sign = run.isRunning() ? "\u25B6 " : "";
+        return sign + file.name() + (file.isModified() ? " \u2022" : "");
+    }
+
+    /** Returns which robots the script commands, as known since the last check. */
+    String robots() {
+        Checked known = checked;
+        if (known == null) {
+            return "";
+        }
+        List<Member> robots = known.robots().stream()
+                .sorted(Comparator.comparingInt(Member::number))
+                .toList();
+        return robots.isEmpty()
+                ? "no robot"
+                : robots.stream()
+                        .map(robot -> robot.number() + " " + robot.bot().type().label())
+                        .collect(Collectors.joining(", "));
+    }
+
+    /** Returns a sentence on the run, or on the mistakes while it does not run. */
+    String status() {
+        Progress progress = run.progress();
+        if (run.isRunning()) {
+            return running(progress);
+        }
+        List<Mistake> wrong = checked == null ? List.of() : checked.mistakes();
+        if (!wrong.isEmpty()) {
+            return Mistake.counted(wrong.size());
+        }
+        return progress.isOver() ? "Last run: " + progress.outcome() : checked == null ? "" : "No mistakes";
+    }
+
+    private static String running(Progress progress) {
+        String lines = (progress.running().size() == 1 ? "line " : "lines ")
+                + progress.running().stream().map(String::valueOf).collect(Collectors.joining(", "));
+        if (progress.next().isPresent()) {
+            String paused = "Paused before line " + progress.next().getAsInt();
+            return progress.running().isEmpty() ? paused : paused + ", " + lines + " still running";
+        }
+        String running = progress.running().isEmpty() ? "Running" : "Running " + lines;
+        return progress.paused() ? running + ", pausing" : running;
+    }
+
+    /** Notices edits of the text. */
+    private final class Edits implements DocumentListener {
+        @Override
+        public void insertUpdate(DocumentEvent event) {
+            checkSoon();
+            changed();
+        }
+
+        @Override
+        public void removeUpdate(DocumentEvent event) {
+            checkSoon();
+            changed();
+        }
+
+        @Override
+        public void changedUpdate(DocumentEvent event) {}
+    }
+}

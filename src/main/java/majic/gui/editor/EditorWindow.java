@@ -1,0 +1,290 @@
+package majic.gui.editor;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.Timer;
+import majic.gui.kit.ChooseFile;
+import majic.gui.kit.Confirm;
+import majic.gui.kit.EventThread;
+import majic.gui.kit.EventThreadTeamListener;
+import majic.gui.kit.FileDrop;
+import majic.gui.kit.IconAction;
+import majic.gui.kit.StopButton;
+import majic.script.ScriptRunner;
+import majic.team.Member;
+import majic.team.TeamListener;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * The script editor: opens, edits, checks, runs and saves scripts and saved sessions, each in a tab. Must be used on the
+ * event dispatch thread.
+ */
+public final class EditorWindow extends JFrame {
+    private static final long serialVersionUID = 1L;
+    private static final int LOOK_AT_FILES_MS = 2000;
+    private static final String TITLE = "MAJIC: Script Editor";
+
+    private final transient EditorContext context;
+    private final transient ScriptRunner runner;
+    private final transient EditorActions actions = new EditorActions(this);
+    private final EditorToolbar toolbar;
+    private final FileNotice notice = new FileNotice();
+    private final JTabbedPane tabs = new JTabbedPane(JTabbedPane.TOP, JTabbedPane.SCROLL_TAB_LAYOUT);
+    private final JLabel status = new JLabel(" ");
+    private final JLabel place = new JLabel();
+    private final Timer looking = new Timer(LOOK_AT_FILES_MS, event -> lookAtFiles());
+    private final transient TeamListener team = new EventThreadTeamListener(new Rechecking());
+    private int created;
+
+    /**
+     * Creates the window without a script; it is shown with the first one.
+     *
+     * @param near the window that it is placed on
+     */
+    public EditorWindow(EditorContext context, Window near) {
+        super(TITLE);
+        this.context = context;
+        this.runner = new ScriptRunner(context.session());
+        setName("editor");
+        toolbar = new EditorToolbar(
+                actions.buttons(), new StopButton(context.session().team(), context.stopAll()));
+        place();
+        listen();
+        setIconImages(near.getIconImages());
+        setMinimumSize(new Dimension(640, 400));
+        setSize(1000, 720);
+        setLocationRelativeTo(near);
+    }
+
+    private void place() {
+        tabs.setName("scripts");
+        tabs.getAccessibleContext().setAccessibleName("Scripts");
+        tabs.putClientProperty("JTabbedPane.tabClosable", true);
+        tabs.putClientProperty("JTabbedPane.tabCloseToolTipText", "Close");
+        tabs.putClientProperty("JTabbedPane.tabCloseCallback", (BiConsumer<JTabbedPane, Integer>)
+                (all, index) -> close((EditorTab) all.getComponentAt(index), () -> {}));
+        status.setName("scriptStatus");
+        status.putClientProperty("html.disable", true);
+        JPanel bottom = new JPanel(new MigLayout("insets 4 12 6 12", "[grow, fill][]"));
+        bottom.add(status, "wmin 0");
+        bottom.add(place);
+        JPanel top = new JPanel(new BorderLayout());
+        top.add(toolbar, BorderLayout.CENTER);
+        top.add(notice, BorderLayout.SOUTH);
+        JPanel content = new JPanel(new BorderLayout());
+        content.add(top, BorderLayout.NORTH);
+        content.add(tabs, BorderLayout.CENTER);
+        content.add(bottom, BorderLayout.SOUTH);
+        setContentPane(content);
+        setJMenuBar(new EditorMenu(this, context, actions));
+    }
+
+    private void listen() {
+        tabs.addChangeListener(event -> showTab());
+        context.session().team().addListener(team);
+        FileDrop.install(getRootPane(), files -> files.forEach(this::open));
+        EventThread.background("reading pictures", () -> {
+            actions.buttons().forEach(group -> group.forEach(IconAction::readPicture));
+            EventThread.later(this::repaint);
+        });
+        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowClosing(WindowEvent event) {
+                closeAll(() -> {});
+            }
+
+            @Override
+            public void windowActivated(WindowEvent event) {
+                lookAtFiles();
+            }
+        });
+        looking.start();
+    }
+
+    private void lookAtFiles() {
+        if (isShowing()) {
+            all().forEach(tab -> tab.file().look());
+        }
+    }
+
+    /** Opens an empty script in a new tab. */
+    public void newScript() {
+        created++;
+        String name = "script" + (created == 1 ? "" : " " + created) + ScriptFile.ENDING;
+        add(ScriptFile.fresh(Path.of(name)), false);
+    }
+
+    /** Asks for a script and opens it. */
+    public void chooseAndOpen() {
+        ChooseFile.toOpen(this, context.settings(), "Open Script", ChooseFile.SCRIPTS, this::open);
+    }
+
+    /** Opens a script, or selects its tab if it is open. It is read in the background. */
+    public void open(Path file) {
+        Path path = file.toAbsolutePath().normalize();
+        Optional<EditorTab> there = all().stream()
+                .filter(tab -> tab.file().path().equals(Optional.of(path)))
+                .findFirst();
+        if (there.isPresent()) {
+            tabs.setSelectedComponent(there.get());
+            bringToFront();
+            return;
+        }
+        EventThread.background(
+                "reading " + path,
+                () -> {
+                    ScriptFile read = ScriptFile.read(path);
+                    EventThread.later(() -> opened(read));
+                },
+                why -> notOpened(path, why));
+    }
+
+    private void opened(ScriptFile read) {
+        notice.setVisible(false);
+        all().stream().filter(EditorTab::isUntouched).findFirst().ifPresent(this::remove);
+        add(read, true);
+        new RecentFiles(context.settings()).add(read.path());
+    }
+
+    private void notOpened(Path path, String why) {
+        new RecentFiles(context.settings()).remove(path);
+        notice.show(why, new FileNotice.Choice("Close", () -> {}));
+        bringToFront();
+    }
+
+    private void add(ScriptFile file, boolean exists) {
+        EditorTab tab = new EditorTab(context, runner, file, exists, this::showTab);
+        FileDrop.install(tab.area().text(), files -> files.forEach(this::open));
+        tabs.addTab(tab.title(), tab);
+        tabs.setSelectedComponent(tab);
+        bringToFront();
+        tab.area().text().requestFocusInWindow();
+    }
+
+    private void bringToFront() {
+        setVisible(true);
+        toFront();
+    }
+
+    private List<EditorTab> all() {
+        return IntStream.range(0, tabs.getTabCount())
+                .mapToObj(index -> (EditorTab) tabs.getComponentAt(index))
+                .toList();
+    }
+
+    /** Returns what does something with the selected tab, if there is one. */
+    Runnable onTab(Consumer<EditorTab> action) {
+        return () -> {
+            if (tabs.getSelectedComponent() instanceof EditorTab tab) {
+                action.accept(tab);
+            }
+        };
+    }
+
+    /** Shows titles, and the state of the selected tab. */
+    private void showTab() {
+        all().forEach(tab -> tabs.setTitleAt(tabs.indexOfComponent(tab), tab.title()));
+        onTab(tab -> {
+                    setTitle(tab.file().name() + " – " + TITLE);
+                    actions.update(tab.run());
+                    toolbar.showRobots(tab.robots());
+                    status.setText(tab.status());
+                    place.setText(tab.area().caretPlace());
+                })
+                .run();
+    }
+
+    /** Makes an act of a script, which is saved before if it has changes. */
+    void makeAct(EditorTab tab) {
+        if (tab.file().isModified() || tab.file().path().isEmpty()) {
+            tab.file().save(() -> makeAct(tab));
+        } else {
+            tab.file().path().ifPresent(context.makeAct());
+        }
+    }
+
+    /**
+     * Closes a tab; asks first if its script runs or has unsaved changes.
+     *
+     * @param then called once the tab is closed
+     */
+    void close(EditorTab tab, Runnable then) {
+        tabs.setSelectedComponent(tab);
+        Runnable closed = () -> {
+            remove(tab);
+            then.run();
+        };
+        if (tab.run().isRunning()) {
+            Confirm.ask(this, tab.file().name() + " runs. End it and close it?", "End and close", () -> {
+                tab.run().stop();
+                closeSaved(tab, closed);
+            });
+        } else {
+            closeSaved(tab, closed);
+        }
+    }
+
+    private void closeSaved(EditorTab tab, Runnable closed) {
+        if (tab.file().isModified()) {
+            UnsavedDialog.ask(this, tab.file().name(), () -> tab.file().save(closed), closed);
+        } else {
+            closed.run();
+        }
+    }
+
+    /**
+     * Closes all tabs and hides the window; asks as {@link #close} does, and stays open with the tabs that are kept.
+     *
+     * @param then called once all are closed
+     */
+    public void closeAll(Runnable then) {
+        all().stream().findFirst().ifPresentOrElse(tab -> close(tab, () -> closeAll(then)), () -> {
+            setVisible(false);
+            then.run();
+        });
+    }
+
+    private void remove(EditorTab tab) {
+        tab.close();
+        tabs.remove(tab);
+        if (tabs.getTabCount() == 0) {
+            setTitle(TITLE);
+            setVisible(false);
+        }
+    }
+
+    /** Removes the listeners and releases the window. */
+    @Override
+    public void dispose() {
+        looking.stop();
+        context.session().team().removeListener(team);
+        super.dispose();
+    }
+
+    /** Checks the scripts again when other robots are there. */
+    private final class Rechecking implements TeamListener {
+        @Override
+        public void added(Member member) {
+            all().forEach(EditorTab::checkSoon);
+        }
+
+        @Override
+        public void removed(Member member) {
+            all().forEach(EditorTab::checkSoon);
+        }
+    }
+}

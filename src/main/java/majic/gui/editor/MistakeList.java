@@ -1,0 +1,97 @@
+package majic.gui.editor;
+
+import java.awt.Component;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.Consumer;
+import javax.swing.BorderFactory;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.DefaultListModel;
+import javax.swing.JComponent;
+import javax.swing.JList;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+import javax.swing.ListSelectionModel;
+import majic.gui.kit.Palette;
+import majic.script.syntax.Mistake;
+
+/** The list of a script's mistakes. Hidden while there is none. */
+final class MistakeList extends JScrollPane {
+    private static final long serialVersionUID = 1L;
+    private static final int MOST_ROWS = 5;
+
+    private final DefaultListModel<Mistake> model = new DefaultListModel<>();
+    private final JList<Mistake> list = new JList<>(model);
+
+    /**
+     * Creates an empty list.
+     *
+     * @param chosen receives a mistake that was double-clicked, or chosen with the Enter key
+     */
+    MistakeList(Consumer<Mistake> chosen) {
+        setViewportView(list);
+        setBorder(BorderFactory.createEmptyBorder());
+        list.setName("mistakes");
+        list.getAccessibleContext().setAccessibleName("Mistakes");
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.setCellRenderer(new Cell());
+        list.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                choose(chosen);
+            }
+        });
+        list.registerKeyboardAction(
+                event -> choose(chosen), KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), JComponent.WHEN_FOCUSED);
+        setVisible(false);
+    }
+
+    private void choose(Consumer<Mistake> chosen) {
+        Mistake mistake = list.getSelectedValue();
+        if (mistake != null) {
+            chosen.accept(mistake);
+        }
+    }
+
+    /** Shows mistakes in place of those shown before. */
+    void show(List<Mistake> mistakes) {
+        if (mistakes.equals(shown())) {
+            return;
+        }
+        model.clear();
+        model.addAll(mistakes);
+        list.setVisibleRowCount(Math.min(MOST_ROWS, Math.max(1, mistakes.size())));
+        setVisible(!mistakes.isEmpty());
+        revalidate();
+    }
+
+    private List<Mistake> shown() {
+        return Collections.list(model.elements());
+    }
+
+    /** A mistake with its place. */
+    private static final class Cell extends DefaultListCellRenderer {
+        private static final long serialVersionUID = 1L;
+
+        Cell() {
+            putClientProperty("html.disable", true);
+        }
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<?> list, Object value, int index, boolean selected, boolean focused) {
+            super.getListCellRendererComponent(list, value, index, selected, focused);
+            Mistake mistake = (Mistake) value;
+            setText("\u26A0  Line " + mistake.line() + ":  " + mistake.message());
+            setToolTipText(mistake.message());
+            if (!selected) {
+                setForeground(Palette.error());
+            }
+            setBorder(BorderFactory.createEmptyBorder(2, 8, 2, 8));
+            return this;
+        }
+    }
+}
