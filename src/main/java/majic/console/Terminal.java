@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.util.List;
 import majic.program.Program;
 import majic.script.MajicParser;
+import majic.script.help.Completion;
+import majic.script.help.Completions;
 import org.jline.reader.Candidate;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
@@ -44,7 +46,24 @@ final class Terminal implements Console.Source {
     }
 
     private static void complete(MajicParser completions, ParsedLine typed, List<Candidate> found) {
-        completions.complete(typed.line(), typed.cursor()).forEach(word -> found.add(new Candidate(word)));
+        Completions completed = completions.complete(typed.line(), typed.cursor());
+        int word = typed.cursor() - typed.wordCursor();
+        for (Completion entry : completed.entries()) {
+            if (!entry.isHint()) {
+                found.add(candidate(entry, typed.line(), word, completed.start()));
+            }
+        }
+    }
+
+    /**
+     * Makes a candidate for the terminal, which replaces all that stands together, while a completion may replace only
+     * the end of that, or begin before it.
+     */
+    private static Candidate candidate(Completion entry, String line, int word, int start) {
+        String text = entry.text();
+        String value = start >= word ? line.substring(word, start) + text : text.substring(word - start);
+        String note = (entry.values() + "  " + entry.explanation()).strip();
+        return new Candidate(value, text, null, note.isEmpty() ? null : note, null, null, !text.endsWith(":"));
     }
 
     @Override

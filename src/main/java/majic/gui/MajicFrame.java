@@ -87,7 +87,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         map = new TeamMap();
         map.select(session.team(), selection);
         mapFeed = new MapFeed(session.team(), session.factory(), map::show);
-        stopKeys = new StopKeys(this::stopAll, commands.line()::isMarked);
+        stopKeys = new StopKeys(this::stopAll);
         place();
         listen();
     }

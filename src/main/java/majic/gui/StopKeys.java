@@ -4,30 +4,27 @@ import java.awt.Component;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
-import java.util.function.BooleanSupplier;
 import javax.swing.JComboBox;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
+import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.MajicDialog;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Makes F12 and Esc stop all robots in every window and dialog, whatever component has the focus. F12 always stops. Esc
- * does not stop while it has something to close: a menu, an open list, a dialog, or the mark of a wrong line.
+ * does not stop while it has something to close: a menu, an open list, a dialog, or what a {@link ClosesByEsc} has open.
  */
 final class StopKeys implements KeyEventDispatcher, AutoCloseable {
     private final Runnable stopAll;
-    private final BooleanSupplier lineIsMarked;
 
     /**
      * Creates the keys; {@link #install()} makes them work.
      *
      * @param stopAll stops all robots
-     * @param lineIsMarked whether the command line has the focus and is marked as wrong
      */
-    StopKeys(Runnable stopAll, BooleanSupplier lineIsMarked) {
+    StopKeys(Runnable stopAll) {
         this.stopAll = stopAll;
-        this.lineIsMarked = lineIsMarked;
     }
 
     void install() {
@@ -50,7 +47,16 @@ final class StopKeys implements KeyEventDispatcher, AutoCloseable {
         return MenuSelectionManager.defaultManager().getSelectedPath().length > 0
                 || isInOpenList(focus.getFocusOwner())
                 || focus.getFocusedWindow() instanceof MajicDialog
-                || lineIsMarked.getAsBoolean();
+                || isInOpen(focus.getFocusOwner());
+    }
+
+    private static boolean isInOpen(@Nullable Component focused) {
+        for (Component component = focused; component != null; component = component.getParent()) {
+            if (component instanceof ClosesByEsc closing && closing.hasToClose()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     private static boolean isInOpenList(@Nullable Component focused) {

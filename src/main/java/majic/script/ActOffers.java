@@ -10,6 +10,7 @@ import majic.act.file.ActFile;
 import majic.bot.BotException;
 import majic.log.Line;
 import majic.log.SessionOutput;
+import majic.script.help.Completer;
 import majic.script.help.Completion;
 import majic.script.record.SessionRecord;
 import majic.team.Member;
@@ -18,7 +19,7 @@ import majic.team.Member;
  * The behaviours a person can choose from, and the consent to their code. Everything here reads files and may wait;
  * nothing here loads any of an act's code.
  */
-public final class ActOffers implements Completion.ActNames {
+public final class ActOffers implements Completer.Acts {
     private final SessionOutput output;
     private final ActCatalog acts;
 
@@ -33,7 +34,6 @@ public final class ActOffers implements Completion.ActNames {
      * @return their names, sorted
      * @throws BotException if the user's folder cannot be read
      */
-    @Override
     public List<String> names() {
         return acts.names();
     }
@@ -98,25 +98,36 @@ public final class ActOffers implements Completion.ActNames {
         return acts.locate(name).filter(path -> ActCatalog.isScript(path.toString()));
     }
 
+    @Override
+    public List<Completion> completions() {
+        return completionsFor(List.of());
+    }
+
     /**
      * The behaviours that need no path and can be loaded onto each of some robots, as far as one robot shows.
      *
-     * @return their names, sorted
+     * @return their names and descriptions, sorted
      */
     @Override
-    public List<String> namesFor(List<Member> members) {
+    public List<Completion> completionsFor(List<Member> members) {
         return acts.names().stream()
-                .filter(name -> fits(name, members))
-                .map(SessionRecord::quoted)
+                .flatMap(name -> completion(name, members).stream())
                 .toList();
     }
 
-    private boolean fits(String name, List<Member> members) {
+    /** Empty if the act cannot be read, or does not fit one of the robots. */
+    private Optional<Completion> completion(String name, List<Member> members) {
         try {
-            Role first = find(name).roles().get(0);
-            return members.stream().allMatch(member -> first.unfit(member.bot()).isEmpty());
+            ActOffer offer = find(name);
+            Role first = offer.roles().get(0);
+            boolean fits = members.stream()
+                    .allMatch(member -> first.unfit(member.bot()).isEmpty());
+            return fits
+                    ? Optional.of(new Completion(
+                            SessionRecord.quoted(name), "", offer.details().description()))
+                    : Optional.empty();
         } catch (BotException e) {
-            return false;
+            return Optional.empty();
         }
     }
 }

@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.log.Line;
 import majic.log.SessionOutput;
+import majic.script.help.Completions;
 import majic.script.lines.DefaultRobots;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.LineSource;
@@ -100,18 +101,18 @@ public final class MajicParser {
      *     wrong with a file goes to the listeners only
      */
     public Optional<String> parseText(String text) {
-        return parse(text, "", refusal -> {});
+        return parse(text, "", refusal -> {}).map(Refusal::message);
     }
 
     /**
-     * Takes one line as {@link #parseText(String)} does, and reports a later refusal as well.
+     * Takes one line as {@link #parseText(String)} does; a refusal has the place of the wrong word.
      *
      * @param text the line
-     * @param refusedLater gets the same kind of sentence when the line was accepted, but a file that it names does not
-     *     let it be done; called on another thread
-     * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence
+     * @param refusedLater receives the refusal if the line was accepted, but a file that it names does not let it be
+     *     done; called on another thread
+     * @return empty if it was accepted
      */
-    public Optional<String> parseText(String text, Consumer<String> refusedLater) {
+    public Optional<Refusal> submit(String text, Consumer<Refusal> refusedLater) {
         return parse(text, "", refusedLater);
     }
 
@@ -123,13 +124,12 @@ public final class MajicParser {
      * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence
      */
     public Optional<String> parseLine(int number, String text) {
-        return parse(text, "line " + number + ": ", refusal -> {});
+        return parse(text, "line " + number + ": ", refusal -> {}).map(Refusal::message);
     }
 
-    private Optional<String> parse(String text, String place, Consumer<String> refusedLater) {
+    private Optional<Refusal> parse(String text, String place, Consumer<Refusal> refusedLater) {
         for (String line : text.split("\\R")) {
-            Optional<String> wrong =
-                    line.isBlank() ? Optional.empty() : parseOne(defaultRobots.addTo(line), place, refusedLater);
+            Optional<Refusal> wrong = line.isBlank() ? Optional.empty() : parseWithRobots(line, place, refusedLater);
             if (wrong.isPresent()) {
                 return wrong;
             }
@@ -147,23 +147,30 @@ public final class MajicParser {
         return READING.matcher(line).find();
     }
 
-    private Optional<String> parseOne(String line, String place, Consumer<String> refusedLater) {
+    private Optional<Refusal> parseWithRobots(String line, String place, Consumer<Refusal> refusedLater) {
+        String full = defaultRobots.addTo(line);
+        int added = full.length() - line.length();
+        return parseOne(full, place, refusal -> refusedLater.accept(refusal.without(added)))
+                .map(refusal -> refusal.without(added));
+    }
+
+    private Optional<Refusal> parseOne(String line, String place, Consumer<Refusal> refusedLater) {
         output.send(Line.Kind.COMMAND, line, this);
         try {
             Accepted accepted = accept(line);
             remember(line);
             Consumer<String> failed = why -> refuse(accepted.text(), place, why);
-            submit(accepted, line, why -> refusedLater.accept(refuse(accepted.text(), place, why)), failed);
+            submit(accepted, line, why -> refusedLater.accept(refusal(accepted.text(), place, why)), failed);
             return Optional.empty();
         } catch (ScriptException | BotException e) {
-            return Optional.of(refuse(line, place, String.valueOf(e.getMessage())));
+            return Optional.of(refusal(line, place, e));
         } catch (RuntimeException | Error e) {
-            return Optional.of(refuse(line, place, InternalError.report(line, e)));
+            return Optional.of(refusal(line, place, new BotException(InternalError.report(line, e))));
         }
     }
 
-    private void submit(Accepted accepted, String line, Consumer<String> refused, Consumer<String> failed) {
-        Consumer<String> forgotten = why -> {
+    private void submit(Accepted accepted, String line, Consumer<RuntimeException> refused, Consumer<String> failed) {
+        Consumer<RuntimeException> forgotten = why -> {
             forget(line);
             refused.accept(why);
         };
@@ -173,6 +180,10 @@ public final class MajicParser {
             forget(line);
             throw e;
         }
+    }
+
+    private Refusal refusal(String line, String place, RuntimeException reason) {
+        return Refusal.of(line, refuse(line, place, String.valueOf(reason.getMessage())), reason);
     }
 
     private String refuse(String line, String place, String why) {
@@ -395,13 +406,17 @@ public final class MajicParser {
     }
 
     /**
-     * What could be typed at a place: commands, robots, parameters of the robots on the line, words a parameter takes.
+     * Returns what could be typed at a place: commands, robots, parameters of the robots on the line, words that a
+     * parameter takes. Reads files if {@link #readsFiles} says so.
      *
-     * @param text the line so far
+     * @param text one line
      * @param caret where the word ends that is to be completed, 0 to the length of the text
-     * @return whole words, sorted, each to replace the one before the caret
+     * @return words that replace the one before the caret, and hints
      */
-    public List<String> complete(String text, int caret) {
-        return session.completion().complete(defaultRobots.addTo(text.substring(0, caret)));
+    public Completions complete(String text, int caret) {
+        String full = defaultRobots.addTo(text);
+        int added = full.length() - text.length();
+        Completions found = session.completer().complete(full, caret + added, defaultRobots.members());
+        return new Completions(Math.max(0, found.start() - added), found.entries());
     }
 }

@@ -15,7 +15,7 @@ import majic.script.actions.ActionTable;
 import majic.script.actions.RobotConnector;
 import majic.script.actions.TeamScript;
 import majic.script.conditions.Selection;
-import majic.script.help.Completion;
+import majic.script.help.Completer;
 import majic.script.record.SessionRecord;
 import majic.script.run.ActionLookup;
 import majic.script.run.SessionState;
@@ -205,8 +205,8 @@ public final class Session {
         return robotTypes;
     }
 
-    Completion completion() {
-        return new Completion(team, factory, new Selection(team)::present, offers);
+    Completer completer() {
+        return new Completer(team, factory, new Selection(team)::present, offers);
     }
 
     /** Turns the events of the team into lines of the session. */

@@ -109,7 +109,7 @@ class ActCommandTest {
 
     @Test
     void whatTheRobotCannotRunIsNotOffered() throws Exception {
-        assertThat(fixture.prompt.complete("1 act ", 6))
+        assertThat(fixture.prompt.complete("1 act ", 6).words())
                 .contains("AiboSquare", "off")
                 .doesNotContain("PioneerWander", "WallFollow");
         assertThat(fixture.runPipe("acts"))

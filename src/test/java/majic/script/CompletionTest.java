@@ -2,10 +2,12 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import majic.script.help.Completion;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the Tab key offers. */
 class CompletionTest {
@@ -29,7 +31,15 @@ class CompletionTest {
                 "1 set light o | off on",
                 "1 move 500 u | until",
                 "1 move 500 until near | near",
-                "1 move 500 until distanceFront < n | near no",
+                "1 move 500 until distanceFront < n | near",
+                "1 move 500 until bumped == n | no",
+                "1 move 500 until distanceFront < c | clear",
+                "1 move 500 until any bu | bumped",
+                "1 move 500 until bumped == yes a | and",
+                "1 drive 10 10 u | until",
+                "if 1 bu | bumped",
+                "if any bu | bumped",
+                "1.set(posture, s | sit stand",
                 "1 drive 10 10 f | for",
                 "if 1 bumped == yes o | or",
                 "save s | session",
@@ -38,17 +48,77 @@ class CompletionTest {
                 "help rep | repeat"
             })
     void fitsThePlace(String text, String words) {
-        assertThat(fixture.prompt.complete(text, text.length())).containsExactly(words.split(" "));
+        assertThat(fixture.prompt.complete(text, text.length()).words()).containsExactly(words.split(" "));
     }
 
     @Test
     void looksAtTheWordBeforeTheCaret() {
-        assertThat(fixture.prompt.complete("1 mo 500", 4)).containsExactly("move");
+        assertThat(fixture.prompt.complete("1 mo 500", 4).words()).containsExactly("move");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 move~ | mm, cm, m | a distance",
+                "1 move -5 | mm, cm, m | a distance",
+                "1 drive 10 | mm/s, m/s | a speed",
+                "1 drive 10~ | deg/s, rad/s | a turn rate",
+                "1 drive 10 10 for~ | s, ms | a time",
+                "1 set headPan~ | -91 … 91 deg | headPan: where the head looks, left positive",
+                "1 set headPan 3.5 | -91 … 91 deg | headPan: where the head looks, left positive",
+                "1 set headPan 30~ | 0 … 10 s | time: how long it takes",
+                "1 wag~ | 1 … 10 number | times: how often",
+                "1 log x every~ | s, ms | a time"
+            })
+    void aHintStatesWhatIsExpectedWhereNoWordIs(String text, String values, String explanation) {
+        String typed = text.replace('~', ' ');
+        assertThat(fixture.prompt.complete(typed, typed.length()).entries())
+                .containsExactly(new Completion("", values, explanation));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 mov | move | DISTANCE [until CONDITION] | straight ahead; negative is backward",
+                "1 set headP | headPan | -91 … 91 deg | where the head looks, left positive",
+                "1 get bum | bumped | yes/no | whether it touches something",
+                "1 wa | wag | TIMES | wags the tail",
+                "1 | 1 | | Aibo",
+            })
+    void aWordHasWhatItTakesAndItsExplanation(String text, String word, String values, String explanation) {
+        assertThat(fixture.prompt.complete(text, text.length()).entries())
+                .contains(new Completion(word, values == null ? "" : values, explanation));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"9 get x y", "1 mvoe 5", "1 move x y", "# mo", "1 get x # vo", "bots "})
+    void nothingIsOfferedWhereNothingFits(String text) {
+        assertThat(fixture.prompt.complete(text, text.length()).entries()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 mo | 2",
+                "1 get x,volt | 8",
+                "1.tu | 2",
+                "1 set headPan -3.5 | 14",
+                "add sim:ai | 4",
+                "1 act \"to the | 6",
+                "1 get | 2"
+            })
+    void theBegunWordIsReplaced(String text, int start) {
+        assertThat(fixture.prompt.complete(text, text.length()).start()).isEqualTo(start);
     }
 
     @Test
-    void offersNothingWhereAnyTextIsAllowed() {
-        assertThat(fixture.prompt.complete("1 move ", 7)).isEmpty();
-        assertThat(fixture.prompt.complete("9 get x", 7)).isEmpty();
+    void aNameThatBeginsWithAQuoteIsCompleted() {
+        assertThat(fixture.prompt.complete("1 act \"A", 8).entries()).isEmpty();
+        assertThat(fixture.prompt.complete("1 act AiboSq", 12).entries())
+                .singleElement()
+                .satisfies(entry -> assertThat(entry.explanation()).isNotBlank());
     }
 }

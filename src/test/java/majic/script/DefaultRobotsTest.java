@@ -3,6 +3,7 @@ package majic.script;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import majic.script.help.Completions;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -74,6 +75,17 @@ class DefaultRobotsTest {
     @Test
     void theWordsOfALineWithoutRobotsAreCompletedForThem() {
         selected = List.of(1);
-        assertThat(fixture.prompt.complete("set headP", 9)).containsExactly("headPan");
+        Completions found = fixture.prompt.complete("set headP", 9);
+        assertThat(found.words()).containsExactly("headPan");
+        assertThat(found.start()).isEqualTo(4);
+        assertThat(fixture.prompt.complete("mo", 2).words()).containsExactly("move");
+    }
+
+    @Test
+    void aRefusalHasThePlaceInTheLineAsItWasTyped() {
+        assertThat(fixture.prompt.submit("set headPan far", later -> {})).hasValueSatisfying(refusal -> {
+            assertThat(refusal.from()).isEqualTo(12);
+            assertThat(refusal.to()).isEqualTo(15);
+        });
     }
 }

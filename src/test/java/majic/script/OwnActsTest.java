@@ -65,7 +65,7 @@ class OwnActsTest {
         act("to the door.act", "me move 70");
         fixture.runPipe("2 act \"to the door\"");
         assertThat(fixture.bot(2).sent()).contains("move 70");
-        assertThat(fixture.prompt.complete("2 act ", 6)).contains("\"to the door\"");
+        assertThat(fixture.prompt.complete("2 act ", 6).words()).contains("\"to the door\"");
     }
 
     @ParameterizedTest

@@ -85,8 +85,13 @@ final class ScriptFixture implements AutoCloseable {
 
     /** Submits a line to the prompt and returns why it was refused, at once or once its files were read. */
     Optional<String> refusal(String line) throws InterruptedException {
-        BlockingQueue<String> later = new LinkedBlockingQueue<>();
-        Optional<String> now = prompt.parseText(line, later::add);
+        return refused(line).map(Refusal::message);
+    }
+
+    /** Submits a line to the prompt and returns its refusal, at once or once its files were read. */
+    Optional<Refusal> refused(String line) throws InterruptedException {
+        BlockingQueue<Refusal> later = new LinkedBlockingQueue<>();
+        Optional<Refusal> now = prompt.submit(line, later::add);
         prompt.awaitAll();
         return now.or(() -> Optional.ofNullable(later.poll()));
     }

@@ -101,7 +101,8 @@ class SlowFileTest {
     void aLaterRefusalIsReportedToTheSourceOfTheLine() throws InterruptedException {
         BlockingQueue<String> refusals = new LinkedBlockingQueue<>();
         MajicParser prompt = new MajicParser(session, true);
-        assertThat(prompt.parseText("1 act Slow", refusals::add)).isEmpty();
+        assertThat(prompt.submit("1 act Slow", refusal -> refusals.add(refusal.message())))
+                .isEmpty();
         slow.answer();
         assertThat(refusals.take()).startsWith("Slow: it brings code of its own");
     }

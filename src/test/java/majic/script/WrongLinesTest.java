@@ -65,7 +65,7 @@ class WrongLinesTest {
                 "add pionier://x | pionier: no such type of robot (there are aibo, pioneer); did you mean pioneer?",
                 "add aibo://x as 2 | 2: there is a robot 2 already",
                 "run nowhere.majic | nowhere.majic: there is no such file",
-                "save nothing | nothing: \"session\" or \"log\" is expected here",
+                "save nothing | nothing: \"session\", \"log\" or \"team\" is expected here",
                 "help towels | towels: no help on that",
                 "end | end: no block is open here",
                 "else | else: there is no if in front of it",
@@ -80,6 +80,33 @@ class WrongLinesTest {
             assertThat(fixture.answers()).containsExactly(sentence);
             assertThat(fixture.bot(1).sent()).isEmpty();
             assertThat(fixture.prompt.totalCommands()).isZero();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 mvoe 100 | mvoe",
+                "1,7 move 100 | 7",
+                "bobs | bobs",
+                "1 move fast | fast",
+                "1 set headPan 120 | 120",
+                "1 move 1m until bumpd == yes | bumpd",
+                "add sausage://x | sausage://x",
+                "1 act WandrDog | WandrDog",
+                "run nowhere.majic | nowhere.majic",
+                "1 act \"no such act\" | \"no such act\"",
+                "1 \"move | \"move",
+                "1 move | ''",
+                "1 move 9000 | 9000"
+            })
+    void aRefusalHasThePlaceOfTheWrongWord(String line, String word) throws InterruptedException {
+        try (ScriptFixture fixture = ScriptFixture.withTwo()) {
+            assertThat(fixture.refused(line)).hasValueSatisfying(refusal -> {
+                assertThat(line.substring(refusal.from(), refusal.to())).isEqualTo(word);
+                assertThat(refusal.from()).isEqualTo(word.isEmpty() ? line.length() : line.indexOf(word));
+            });
         }
     }
 

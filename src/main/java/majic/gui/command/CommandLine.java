@@ -11,8 +11,10 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
+import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.EventThread;
 import majic.script.MajicParser;
+import majic.script.Refusal;
 
 /**
  * The field where commands are typed. An accepted line is removed; a wrong one stays, is marked, and its error message
@@ -20,7 +22,7 @@ import majic.script.MajicParser;
  * times: files that a line names are read on another thread, and if the line is refused because of them it is restored,
  * unless another one is being typed.
  */
-public final class CommandLine extends JTextField {
+public final class CommandLine extends JTextField implements ClosesByEsc {
     private static final long serialVersionUID = 1L;
 
     private final transient MajicParser parser;
@@ -79,12 +81,13 @@ public final class CommandLine extends JTextField {
             setText("");
             return;
         }
-        Optional<String> wrong = parser.parseText(line, why -> EventThread.later(() -> refusedLater(line, why)));
+        Optional<Refusal> wrong =
+                parser.submit(line, why -> EventThread.later(() -> refusedLater(line, why.message())));
         if (wrong.isEmpty()) {
             history.add(line);
             setText("");
         } else {
-            mark(wrong.get());
+            mark(wrong.get().message());
         }
     }
 
@@ -98,9 +101,10 @@ public final class CommandLine extends JTextField {
         }
     }
 
-    /** Returns whether the line has the focus and is marked as wrong; Esc removes the mark then. */
-    public boolean isMarked() {
-        return isFocusOwner() && getClientProperty("JComponent.outline") != null;
+    /** Returns whether the line is marked as wrong; Esc removes the mark then. */
+    @Override
+    public boolean hasToClose() {
+        return getClientProperty("JComponent.outline") != null;
     }
 
     /** Removes the mark and its message; the text stays. */
@@ -122,11 +126,13 @@ public final class CommandLine extends JTextField {
         String text = getText();
         int caret = getCaretPosition();
         if (!MajicParser.readsFiles(text)) {
-            complete(CompletedLine.complete(text, caret, parser.complete(text, caret)));
+            complete(CompletedLine.complete(
+                    text, caret, parser.complete(text, caret).words()));
             return;
         }
         EventThread.background("reading for the command line", () -> {
-            CompletedLine done = CompletedLine.complete(text, caret, parser.complete(text, caret));
+            CompletedLine done = CompletedLine.complete(
+                    text, caret, parser.complete(text, caret).words());
             EventThread.later(() -> completeIfSame(text, caret, done));
         });
     }

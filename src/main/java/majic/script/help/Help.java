@@ -95,6 +95,23 @@ public final class Help {
         return lines;
     }
 
+    /** A word of the language or a topic of {@code help}, with what it takes and what it does. */
+    static Completion completion(String word) {
+        String line = switch (word) {
+            case "commands" -> "commands: all commands";
+            case "robots" -> "robots: the types of robots, and the robots of the team";
+            case "else" -> "else: what is done if the condition does not hold";
+            case "end" -> "end: the end of the block";
+            default ->
+                all().stream()
+                        .filter(known -> topicOf(known).equals(word))
+                        .findFirst()
+                        .orElse(word);
+        };
+        String[] parts = line.replaceFirst("^1 ", "").substring(word.length()).split(": ", 2);
+        return new Completion(word, parts[0].strip(), parts.length < 2 ? "" : parts[1]);
+    }
+
     private static String topicOf(String line) {
         String[] words = line.split("[ :]+");
         return words[0].equals("1") ? words[1] : words[0];
@@ -161,7 +178,8 @@ public final class Help {
         return group.name() + " (" + known + "): " + parameter.help();
     }
 
-    private static String values(Parameter parameter) {
+    /** The values that a parameter takes, in a few words: a range with its unit, or the words to choose from. */
+    static String values(Parameter parameter) {
         return switch (parameter.kind()) {
             case NUMBER, LIST -> {
                 boolean bounded = !parameter.range().equals(Range.ANY);

@@ -24,6 +24,14 @@ public final class DefaultRobots {
         numbers = robots;
     }
 
+    /** Returns the robots that are meant by lines without robots and are in the team. */
+    public List<Member> members() {
+        List<Integer> robots = numbers.get();
+        return team.members().stream()
+                .filter(member -> robots.contains(member.number()))
+                .toList();
+    }
+
     /**
      * Puts the numbers of the robots in front of a line that begins with one of their commands.
      *

@@ -122,12 +122,13 @@ public final class Dispatcher {
      * Runs a line at once, or queues it. Never waits. A line that names files is checked, and run, on a thread of this
      * origin.
      *
-     * @param refused receives the reason if a file the line names does not let it be done
+     * @param refused receives a {@link BotException}, or a {@link ScriptException} with the place, if a file that the line
+     *     names does not let it be done
      * @param failed receives the reason if the line is refused when its turn comes
      * @throws BotException if it cannot be done now; nothing happened
      * @throws ScriptException if it cannot be done with the robots that are there; nothing happened
      */
-    public void submit(PreparedLine line, Consumer<String> refused, Consumer<String> failed) {
+    public void submit(PreparedLine line, Consumer<RuntimeException> refused, Consumer<String> failed) {
         line.reportTo(refused, failed);
         if (runsNow(line)) {
             runAtOnce(line);
@@ -223,9 +224,9 @@ public final class Dispatcher {
             }
             return true;
         } catch (BotException | ScriptException e) {
-            line.refuse(String.valueOf(e.getMessage()));
+            line.refuse(e);
         } catch (RuntimeException | Error e) {
-            line.refuse(InternalError.report(line.title(), e));
+            line.refuse(new BotException(InternalError.report(line.title(), e)));
         }
         return false;
     }

@@ -33,7 +33,7 @@ public abstract class PreparedLine {
     private boolean isChecked;
     private boolean stopSent;
     private long stops;
-    private Consumer<String> refused = why -> {};
+    private Consumer<RuntimeException> refused = why -> {};
     private Consumer<String> failed = why -> {};
 
     /**
@@ -118,15 +118,15 @@ public abstract class PreparedLine {
     /**
      * Sets what receives the reason if the line is not run.
      *
-     * @param byFiles called if its files do not let it be done
-     * @param inTurn called if the session or a robot refuses it when its turn comes
+     * @param byFiles receives the exception if its files do not let it be done
+     * @param inTurn receives a sentence if the session or a robot refuses it when its turn comes
      */
-    final void reportTo(Consumer<String> byFiles, Consumer<String> inTurn) {
+    final void reportTo(Consumer<RuntimeException> byFiles, Consumer<String> inTurn) {
         refused = byFiles;
         failed = inTurn;
     }
 
-    final void refuse(String why) {
+    final void refuse(RuntimeException why) {
         refused.accept(why);
     }
 

@@ -98,7 +98,15 @@ public final class Cursor {
             return Quantity.readAny(first);
         }
         String text = alone ? first.text() : all.toString();
-        return new Literal(first, Value.text(text), all.toString());
+        Token at = alone
+                ? first
+                : new Token(
+                        Kind.OTHER,
+                        text,
+                        first.line(),
+                        first.column(),
+                        previous().end());
+        return new Literal(at, Value.text(text), all.toString());
     }
 
     private static boolean endsValue(Token token, boolean inCall) {
@@ -141,10 +149,10 @@ public final class Cursor {
             return new ScriptException(found, found.text() + ": the quote is not closed");
         }
         if (!found.isEnd()) {
-            return new ScriptException(found, found.written() + ": " + expected + " is expected here");
+            return new ScriptException(found, found.written() + ": " + expected + " is expected here", expected);
         }
         String where =
                 next == 0 || previous().isEnd() ? "" : "behind \"" + previous().written() + "\" ";
-        return new ScriptException(found, where + expected + " is missing");
+        return new ScriptException(found, where + expected + " is missing", expected);
     }
 }

@@ -46,7 +46,7 @@ class HelpTablesTest {
         BotFactory factory = new BotFactory(List.of(), Settings.inMemory());
         try (Team team = new Team(TimeSource.system())) {
             Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
-            return new MajicParser(session, true).complete("help ", 5);
+            return new MajicParser(session, true).complete("help ", 5).words();
         }
     }
 

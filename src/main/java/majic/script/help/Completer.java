@@ -1,0 +1,259 @@
+package majic.script.help;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.stream.Stream;
+import majic.bot.BotType;
+import majic.script.syntax.Cursor;
+import majic.script.syntax.LineParser;
+import majic.script.syntax.Robots;
+import majic.script.syntax.Scanner;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.ScriptParser;
+import majic.script.syntax.SessionParser;
+import majic.script.syntax.Token;
+import majic.team.BotFactory;
+import majic.team.Member;
+import majic.team.Team;
+
+/**
+ * Finds what could stand at a place of a line that is being typed: words of the language, robots, their commands and
+ * parameters, the words that a value may be, acts that fit the robots. Where anything may be typed, it states what is
+ * expected.
+ */
+public final class Completer {
+    private static final Completion OFF = Completion.word("off", "ends it");
+    private static final Completion UNTIL =
+            new Completion("until", "CONDITION", "ends the motion as soon as the condition holds");
+
+    private final Team team;
+    private final BotFactory factory;
+    private final Function<Robots, List<Member>> selection;
+    private final Acts acts;
+
+    /** The behaviours that could be named on a line. Both methods read files. */
+    public interface Acts {
+        /** Returns all of them, as a line would name them. */
+        List<Completion> completions();
+
+        /** Returns those that can be loaded onto each of some robots. */
+        List<Completion> completionsFor(List<Member> robots);
+    }
+
+    public Completer(Team team, BotFactory factory, Function<Robots, List<Member>> selection, Acts acts) {
+        this.team = team;
+        this.factory = factory;
+        this.selection = selection;
+        this.acts = acts;
+    }
+
+    /**
+     * Completes the word before the caret.
+     *
+     * @param line one line
+     * @param caret 0 to the length of the line
+     * @param unnamed the robots that a line without robots is for; empty for none
+     */
+    public Completions complete(String line, int caret, List<Member> unnamed) {
+        String typed = line.substring(0, caret);
+        List<Token> tokens = new ArrayList<>(Scanner.scan(typed));
+        int commentFrom = tokens.get(tokens.size() - 2).column() - 1;
+        tokens.removeIf(Token::isEnd);
+        if (commentFrom < typed.length()) {
+            return new Completions(caret, List.of());
+        }
+        int start = start(tokens, caret);
+        tokens.removeIf(token -> token.column() > start);
+        String begun = typed.substring(start).toLowerCase(Locale.ROOT);
+        List<Completion> candidates = candidates(tokens, unnamed);
+        return new Completions(
+                start, matching(candidates.isEmpty() ? expected(typed.substring(0, start)) : candidates, begun));
+    }
+
+    /** Where the tokens begin that stand together at the end of the line; signs that separate words do not belong to them. */
+    private static int start(List<Token> tokens, int caret) {
+        int start = caret;
+        for (int index = tokens.size() - 1; index >= 0; index--) {
+            Token token = tokens.get(index);
+            if (token.end() - 1 != start || separates(token.kind())) {
+                break;
+            }
+            start = token.column() - 1;
+        }
+        return start;
+    }
+
+    private static boolean separates(Token.Kind kind) {
+        return switch (kind) {
+            case COMMA, DOT, LEFT, RIGHT, OPERATOR, NEWLINE, END -> true;
+            case NUMBER, SPAN, WORD, QUOTED, OPEN_QUOTE, OTHER -> false;
+        };
+    }
+
+    private static List<Completion> matching(List<Completion> candidates, String begun) {
+        TreeMap<String, Completion> words = new TreeMap<>(String.CASE_INSENSITIVE_ORDER);
+        candidates.stream()
+                .filter(entry -> entry.text().toLowerCase(Locale.ROOT).startsWith(begun) && !entry.isHint())
+                .forEach(entry -> words.putIfAbsent(entry.text(), entry));
+        Stream<Completion> hints =
+                candidates.stream().filter(Completion::isHint).distinct();
+        return Stream.concat(words.values().stream(), hints).toList();
+    }
+
+    /** What the parser expects behind a text, if the text is right so far. */
+    private List<Completion> expected(String text) {
+        try {
+            new LineParser(text, factory.types().stream().map(BotType::name).toList()).line();
+            return List.of();
+        } catch (ScriptException e) {
+            return e.at().isEnd() && !e.expected().isEmpty() ? List.of(Explained.expected(e.expected())) : List.of();
+        }
+    }
+
+    private List<Completion> candidates(List<Token> tokens, List<Member> unnamed) {
+        if (tokens.isEmpty()) {
+            List<Completion> first = joined(Explained.sessionWords(), Explained.robots(team.members()));
+            return unnamed.isEmpty() ? first : joined(first, Explained.commands(unnamed));
+        }
+        Token first = tokens.get(0);
+        if (first.isOneOf(SessionParser.WORDS) || first.isOneOf(ScriptParser.BLOCK_WORDS)) {
+            return afterSession(tokens);
+        }
+        int command = commandAt(tokens);
+        List<Member> members = members(tokens.subList(0, command));
+        return command == tokens.size() ? Explained.commands(members) : afterCommand(tokens, command, members);
+    }
+
+    private List<Completion> afterSession(List<Token> tokens) {
+        boolean next = tokens.size() == 1;
+        return switch (tokens.get(0).text().toLowerCase(Locale.ROOT)) {
+            case "add" -> next ? addresses() : List.of(new Completion("as", "NUMBER", "gives the robot this number"));
+            case "probe" -> next ? addresses() : List.of();
+            case "save" ->
+                next
+                        ? List.of(
+                                new Completion("log", "FILE", "the parameter log, as comma-separated values"),
+                                new Completion("session", "FILE", "what was done, as a script that does it again"),
+                                new Completion("team", "FILE", "the robots, as a script that adds them"))
+                        : List.of();
+            case "remove" -> Explained.robots(team.members());
+            case "trust" -> next ? joined(acts.completions(), List.of(OFF)) : List.of();
+            case "help" -> next ? Help.topics().stream().map(Help::completion).toList() : List.of();
+            case "while", "if" -> conditions(List.of()).after(tokens.subList(1, tokens.size()));
+            default -> List.of();
+        };
+    }
+
+    private List<Completion> addresses() {
+        List<Completion> words = new ArrayList<>();
+        factory.types().forEach(type -> words.addAll(Explained.addresses(type)));
+        factory.lab().ifPresent(lab -> words.addAll(Explained.addresses(lab)));
+        return words;
+    }
+
+    /** Where the robots of a line end: behind the last comma there is one more. */
+    private static int commandAt(List<Token> tokens) {
+        int index = 1;
+        while (index + 1 < tokens.size() && tokens.get(index).kind() == Token.Kind.COMMA) {
+            index += 2;
+        }
+        boolean call = index < tokens.size() && tokens.get(index).kind() == Token.Kind.DOT;
+        return call ? index + 1 : index;
+    }
+
+    private List<Member> members(List<Token> names) {
+        List<Token> tokens = new ArrayList<>(names);
+        Token last = tokens.get(tokens.size() - 1);
+        tokens.add(new Token(Token.Kind.END, "", last.line(), last.end(), last.end()));
+        try {
+            return selection.apply(Robots.parse(new Cursor(tokens)));
+        } catch (ScriptException e) {
+            return List.of();
+        }
+    }
+
+    private List<Completion> afterCommand(List<Token> tokens, int command, List<Member> members) {
+        List<Token> behind = tokens.subList(command + 1, tokens.size());
+        List<Token> values =
+                behind.stream().filter(token -> !separates(token.kind())).toList();
+        Token last = tokens.get(tokens.size() - 1);
+        boolean names = values.isEmpty() || last.kind() == Token.Kind.COMMA || last.is("now");
+        return switch (tokens.get(command).text().toLowerCase(Locale.ROOT)) {
+            case "get", "help" -> names ? parameters(members, false) : List.of();
+            case "log" ->
+                names
+                        ? joined(parameters(members, false), List.of(OFF))
+                        : last.is("every") ? List.of() : List.of(new Completion("every", "TIME", "how often"));
+            case "set" -> values.isEmpty() ? parameters(members, true) : toSet(values, members);
+            case "act" ->
+                values.isEmpty()
+                        ? joined(acts.completionsFor(members), List.of(OFF))
+                        : last.is("with")
+                                ? Explained.robots(team.members())
+                                : List.of(new Completion("with", "ROBOTS", "further robots of the act"));
+            case "move", "turn" -> afterMotion(behind, 1, members);
+            case "drive" -> afterMotion(behind, 2, members);
+            default -> argument(tokens.get(command), values.size(), members);
+        };
+    }
+
+    /** What may follow the numbers of a motion. */
+    private List<Completion> afterMotion(List<Token> behind, int numbers, List<Member> members) {
+        for (int index = 0; index < behind.size(); index++) {
+            if (behind.get(index).is("until")) {
+                return conditions(members).after(behind.subList(index + 1, behind.size()));
+            }
+        }
+        long typed = behind.stream()
+                .filter(token -> token.kind() == Token.Kind.NUMBER)
+                .count();
+        boolean ended = behind.stream().anyMatch(token -> token.is("for"));
+        if (typed < numbers || ended) {
+            return List.of();
+        }
+        return numbers == 2
+                ? List.of(new Completion("for", "TIME", "ends the motion after a time"), UNTIL)
+                : List.of(UNTIL);
+    }
+
+    private Conditions conditions(List<Member> own) {
+        return new Conditions(own, team.members(), this::members);
+    }
+
+    /** The values that {@code set} takes behind the parameter. */
+    private static List<Completion> toSet(List<Token> values, List<Member> members) {
+        Token name = values.get(0);
+        int index = values.size() - 1;
+        return members.stream()
+                .flatMap(member -> member.bot().parameters().stream())
+                .filter(parameter -> name.is(parameter.name()) && parameter.writable())
+                .map(parameter -> joined(List.of(parameter), parameter.extras()))
+                .flatMap(takes -> index < takes.size() ? Explained.values(takes.get(index)).stream() : Stream.empty())
+                .toList();
+    }
+
+    /** The value at a place behind a command that only some robots have. */
+    private static List<Completion> argument(Token name, int index, List<Member> members) {
+        return members.stream()
+                .flatMap(member -> member.bot().commands().stream())
+                .filter(command -> name.is(command.name()))
+                .map(command -> command.argument(index))
+                .flatMap(argument -> argument == null ? Stream.empty() : Explained.values(argument).stream())
+                .toList();
+    }
+
+    private static List<Completion> parameters(List<Member> members, boolean writable) {
+        return members.stream()
+                .flatMap(member -> member.bot().parameters().stream())
+                .filter(parameter -> writable ? parameter.writable() : parameter.readable())
+                .map(Explained::parameter)
+                .toList();
+    }
+
+    private static <T> List<T> joined(List<T> some, List<T> others) {
+        return Stream.concat(some.stream(), others.stream()).toList();
+    }
+}

@@ -1,0 +1,97 @@
+package majic.script.help;
+
+import java.util.ArrayList;
+import java.util.List;
+import majic.bot.BotAddress;
+import majic.bot.BotCommand;
+import majic.bot.BotType;
+import majic.bot.Parameter;
+import majic.lab.LabAccess;
+import majic.script.syntax.LineParser;
+import majic.script.syntax.ScriptParser;
+import majic.script.syntax.SessionParser;
+import majic.team.Member;
+
+/** Words of the language and names of robots, parameters and addresses, each with its explanation. */
+final class Explained {
+    private Explained() {}
+
+    /** The words that begin a command for the session or a block. */
+    static List<Completion> sessionWords() {
+        List<Completion> words = new ArrayList<>();
+        SessionParser.WORDS.forEach(word -> words.add(Help.completion(word)));
+        ScriptParser.BLOCK_WORDS.forEach(word -> words.add(Help.completion(word)));
+        return words;
+    }
+
+    /** The commands that every robot has, and those that some of the given robots have. */
+    static List<Completion> commands(List<Member> members) {
+        List<Completion> words = new ArrayList<>();
+        LineParser.COMMAND_WORDS.forEach(word -> words.add(Help.completion(word)));
+        members.forEach(member ->
+                member.bot().commands().stream().map(Explained::command).forEach(words::add));
+        return words;
+    }
+
+    private static Completion command(BotCommand command) {
+        return new Completion(
+                command.name(),
+                command.usage().substring(command.name().length()).strip(),
+                command.help());
+    }
+
+    /** The numbers and types of robots, and {@code all}. */
+    static List<Completion> robots(List<Member> members) {
+        List<Completion> words = new ArrayList<>();
+        words.add(Completion.word("all", "every robot"));
+        for (Member member : members) {
+            BotType type = member.bot().type();
+            words.add(Completion.word(String.valueOf(member.number()), type.label()));
+            words.add(Completion.word(type.name(), "every " + type.label()));
+        }
+        return words;
+    }
+
+    /** The beginnings of the addresses of a type. */
+    static List<Completion> addresses(BotType type) {
+        List<Completion> words = new ArrayList<>();
+        String rest = type.defaultPort() > 0 ? "//HOST:" + type.defaultPort() : "PORT";
+        words.add(new Completion(type.name() + ":", rest, type.make()));
+        for (String library : type.libraries()) {
+            words.add(new Completion(type.name() + "+" + library + ":", rest, type.make() + ", by " + library));
+        }
+        return words;
+    }
+
+    static List<Completion> addresses(LabAccess lab) {
+        return lab.robots().stream()
+                .map(robot -> Completion.word(BotAddress.SIMULATED + ":" + robot, "in the simulated lab"))
+                .toList();
+    }
+
+    static Completion parameter(Parameter parameter) {
+        return new Completion(parameter.name(), Help.values(parameter), parameter.help());
+    }
+
+    /** The words that a value may be; a hint if there are none. */
+    static List<Completion> values(Parameter parameter) {
+        List<String> words = switch (parameter.kind()) {
+            case ON_OFF -> List.of("on", "off");
+            case YES_NO -> List.of("yes", "no");
+            case CHOICE -> parameter.choices();
+            case NUMBER, TEXT, LIST -> List.of();
+        };
+        String explanation = parameter.name() + ": " + parameter.help();
+        return words.isEmpty()
+                ? List.of(new Completion("", Help.values(parameter), explanation))
+                : words.stream().map(word -> Completion.word(word, explanation)).toList();
+    }
+
+    /** What the parser expects, as in "a distance (mm, cm, m)". */
+    static Completion expected(String what) {
+        int units = what.endsWith(")") ? what.lastIndexOf(" (") : -1;
+        return units < 0
+                ? new Completion("", "", what)
+                : new Completion("", what.substring(units + 2, what.length() - 1), what.substring(0, units));
+    }
+}
