@@ -21,7 +21,17 @@ public record DrawingColors(Color line, Color paper, Color accent, Color alarm) 
     /** Alarm colour for a light background, where the look and feel's own red has too little contrast. */
     private static final Color ALARM_ON_LIGHT = new Color(0xB3261E);
 
-    private static final Color ALARM_ON_DARK = new Color(0xFF8A80);
+    private static final Color ALARM_ON_DARK = new Color(0xFF9E95);
+
+    private static final Color GOOD_ON_LIGHT = new Color(0x2E7D32);
+    private static final Color GOOD_ON_DARK = new Color(0x7BCB80);
+
+    /** Shares of the line's colour in secondary text and in shapes; on dark surfaces less has too little contrast. */
+    private static final double FAINT_ON_LIGHT = 0.7;
+
+    private static final double FAINT_ON_DARK = 0.95;
+    private static final double SHAPE_ON_LIGHT = 0.5;
+    private static final double SHAPE_ON_DARK = 0.7;
 
     /**
      * Returns the colours of the present look and feel; default ones without a look and feel.
@@ -39,6 +49,33 @@ public record DrawingColors(Color line, Color paper, Color accent, Color alarm) 
 
     private static boolean isDark(Color paper) {
         return paper.getRed() + paper.getGreen() + paper.getBlue() < 3 * 128;
+    }
+
+    /**
+     * Returns the colour of secondary text.
+     *
+     * @return with a contrast of at least 4.5 on panels, maps and text areas
+     */
+    public Color faint() {
+        return grey(isDark(paper) ? FAINT_ON_DARK : FAINT_ON_LIGHT);
+    }
+
+    /**
+     * Returns the colour of secondary shapes that carry a meaning.
+     *
+     * @return with a contrast of at least 3 on panels, maps and text areas
+     */
+    public Color shape() {
+        return grey(isDark(paper) ? SHAPE_ON_DARK : SHAPE_ON_LIGHT);
+    }
+
+    /**
+     * Returns the colour of a part in working order.
+     *
+     * @return with a contrast of at least 3 on panels, maps and text areas
+     */
+    public Color good() {
+        return isDark(paper) ? GOOD_ON_DARK : GOOD_ON_LIGHT;
     }
 
     /**

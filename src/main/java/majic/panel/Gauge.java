@@ -118,7 +118,7 @@ public final class Gauge extends JPanel {
         String right = signed(positiveLeft ? limits.min() : limits.max());
         double middle = textHeight() + (textHeight() - 2) / 2.0;
         float base = (float) (middle + metrics.getAscent() / 2.0 - 1);
-        pen.setColor(DrawingColors.current().grey(0.8));
+        pen.setColor(DrawingColors.current().faint());
         pen.drawString(left, 0, base);
         pen.drawString(right, getWidth() - metrics.stringWidth(right), base);
         int ends = Math.max(metrics.stringWidth(LONGEST_LIMIT), metrics.stringWidth(left + right) / 2) + GAP;

@@ -9,7 +9,6 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import javax.swing.Icon;
-import javax.swing.UIManager;
 
 /**
  * The shape of a status light.
@@ -18,6 +17,7 @@ import javax.swing.UIManager;
  */
 record StatusLightIcon(StatusLight.Kind kind) implements Icon {
     private static final int SIZE = 12;
+    private static final Color YELLOW = new Color(0xF0A732);
 
     static StatusLightIcon of(StatusLight.Kind kind) {
         return new StatusLightIcon(kind);
@@ -30,7 +30,7 @@ record StatusLightIcon(StatusLight.Kind kind) implements Icon {
         pen.translate(x, y);
         switch (kind) {
             case QUIET -> ring(pen);
-            case GOOD -> fill(pen, "Actions.Green", new Ellipse2D.Double(1, 1, 10, 10));
+            case GOOD -> fill(pen, DrawingColors.current().good(), new Ellipse2D.Double(1, 1, 10, 10));
             case WARNING -> warning(pen);
             case ALARM -> alarm(pen);
         }
@@ -38,7 +38,7 @@ record StatusLightIcon(StatusLight.Kind kind) implements Icon {
     }
 
     private static void ring(Graphics2D pen) {
-        pen.setColor(DrawingColors.current().grey(0.6));
+        pen.setColor(DrawingColors.current().shape());
         pen.setStroke(DrawingColors.stroke(1.6));
         pen.draw(new Ellipse2D.Double(2, 2, 8, 8));
     }
@@ -49,7 +49,7 @@ record StatusLightIcon(StatusLight.Kind kind) implements Icon {
         triangle.lineTo(12, 11.5);
         triangle.lineTo(0, 11.5);
         triangle.closePath();
-        fill(pen, "Actions.Yellow", triangle);
+        fill(pen, YELLOW, triangle);
         pen.setColor(Color.BLACK);
         pen.setStroke(DrawingColors.stroke(0.8));
         pen.draw(triangle);
@@ -80,9 +80,8 @@ record StatusLightIcon(StatusLight.Kind kind) implements Icon {
         pen.draw(new Line2D.Double(3.8, 8.2, 8.2, 3.8));
     }
 
-    private static void fill(Graphics2D pen, String key, Shape shape) {
-        Color color = UIManager.getColor(key);
-        pen.setColor(color == null ? DrawingColors.current().line() : color);
+    private static void fill(Graphics2D pen, Color color, Shape shape) {
+        pen.setColor(color);
         pen.fill(shape);
     }
 

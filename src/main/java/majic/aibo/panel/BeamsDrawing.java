@@ -82,7 +82,7 @@ final class BeamsDrawing {
         if (left + width > free) {
             return free;
         }
-        pen.setColor(colors.grey(0.75));
+        pen.setColor(colors.faint());
         pen.drawString(text, (float) left, metrics.getAscent() + 2f);
         return left - metrics.charWidth(' ');
     }

@@ -6,7 +6,7 @@ import javax.swing.JList;
 import majic.gui.kit.Palette;
 import majic.team.Member;
 
-/** Shows an act in a list; pale if the robot cannot run it. Its name is never interpreted as HTML. */
+/** Shows an act in a list; paler, and in words, if the robot cannot run it. Its name is never interpreted as HTML. */
 final class ActCell extends DefaultListCellRenderer {
     private static final long serialVersionUID = 1L;
 
@@ -21,8 +21,9 @@ final class ActCell extends DefaultListCellRenderer {
     public Component getListCellRendererComponent(
             JList<?> list, Object value, int index, boolean selected, boolean focused) {
         super.getListCellRendererComponent(list, value, index, selected, focused);
-        if (!selected && ((ActEntry) value).unfit(member).isPresent()) {
-            setForeground(Palette.mixed(0.5));
+        if (((ActEntry) value).unfit(member).isPresent()) {
+            setText(value + " \u2013 not for this robot");
+            setForeground(selected ? getForeground() : Palette.faint());
         }
         return this;
     }

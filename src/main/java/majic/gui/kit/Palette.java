@@ -15,11 +15,16 @@ public final class Palette {
 
     /** Returns the colour of secondary text. */
     public static Color faint() {
-        return mixed(0.68);
+        return DrawingColors.current().faint();
     }
 
     public static Color command() {
-        return FlatLaf.isLafDark() ? new Color(0x6CB2F5) : new Color(0x1560A8);
+        return FlatLaf.isLafDark() ? new Color(0x7FBEFA) : new Color(0x1560A8);
+    }
+
+    /** Returns the colour of secondary shapes that carry a meaning. */
+    public static Color shape() {
+        return DrawingColors.current().shape();
     }
 
     public static Color error() {

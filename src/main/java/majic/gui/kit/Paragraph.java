@@ -1,11 +1,15 @@
 package majic.gui.kit;
 
+import java.awt.Color;
+import java.util.function.Supplier;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 
 /** A text that is wrapped to the available width, and that can be copied but not edited. */
 public final class Paragraph extends JTextArea {
     private static final long serialVersionUID = 1L;
+
+    private transient Supplier<Color> color = Palette::text;
 
     /**
      * Creates an empty one.
@@ -15,6 +19,7 @@ public final class Paragraph extends JTextArea {
     public Paragraph(String name, int rows, int columns) {
         super(rows, columns);
         setName(name);
+        getAccessibleContext().setAccessibleName("Message");
         setEditable(false);
         setLineWrap(true);
         setWrapStyleWord(true);
@@ -26,7 +31,26 @@ public final class Paragraph extends JTextArea {
 
     /** Shows a text, in the error colour if it is an error. */
     public void show(String words, boolean wrong) {
-        setForeground(wrong ? Palette.error() : Palette.text());
+        show(words, wrong ? Palette::error : Palette::text);
+    }
+
+    /** Shows a secondary text. */
+    public void showFaint(String words) {
+        show(words, Palette::faint);
+    }
+
+    private void show(String words, Supplier<Color> newColor) {
+        color = newColor;
+        setForeground(newColor.get());
         setText(words);
+    }
+
+    /** Updates the colour for the look and feel. */
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (color != null) {
+            setForeground(color.get());
+        }
     }
 }

@@ -1,7 +1,6 @@
 package majic.gui.kit;
 
 import java.awt.BasicStroke;
-import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -12,6 +11,7 @@ import java.awt.geom.Path2D;
 import javax.swing.Icon;
 import javax.swing.UIManager;
 import majic.bot.MajicBot;
+import majic.panel.DrawingColors;
 import majic.team.Member;
 import majic.team.StopStatus;
 
@@ -55,19 +55,19 @@ public enum StateIcon implements Icon {
     private void paint(Graphics2D g) {
         switch (this) {
             case STANDING -> {
-                g.setColor(color("Actions.Green"));
+                g.setColor(DrawingColors.current().good());
                 g.fill(new Ellipse2D.Double(1, 1, 10, 10));
             }
             case MOVING -> {
-                g.setColor(color("Actions.Blue"));
+                g.setColor(DrawingColors.current().accent());
                 g.fill(triangle());
             }
             case WAITING -> {
-                g.setColor(color("Actions.Grey"));
+                g.setColor(Palette.shape());
                 g.draw(new Ellipse2D.Double(2, 2, 8, 8));
             }
             case LOST -> {
-                g.setColor(color("Actions.Red"));
+                g.setColor(Palette.error());
                 g.draw(new Line2D.Double(2, 2, 10, 10));
                 g.draw(new Line2D.Double(2, 10, 10, 2));
             }
@@ -98,11 +98,6 @@ public enum StateIcon implements Icon {
         path.lineTo(0, 11);
         path.closePath();
         return path;
-    }
-
-    private static Color color(String key) {
-        Color color = UIManager.getColor(key);
-        return color == null ? UIManager.getColor("Label.foreground") : color;
     }
 
     @Override

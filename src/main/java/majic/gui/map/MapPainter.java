@@ -72,7 +72,7 @@ public final class MapPainter {
     private void paintTape(Tape tape) {
         double width = Math.max(LEAST_TAPE_PX, TAPE_MM * view.pxPerMm());
         g.setStroke(new BasicStroke((float) width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        g.setColor(Palette.mixed(0.4));
+        g.setColor(Palette.shape());
         g.draw(line(tape.x1(), tape.y1(), tape.x2(), tape.y2()));
     }
 
@@ -104,7 +104,7 @@ public final class MapPainter {
         double y = at.getY();
         double radius = BYSTANDER_MM * view.pxPerMm();
         g.setStroke(THIN);
-        g.setColor(Palette.mixed(0.5));
+        g.setColor(Palette.faint());
         g.draw(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
         g.drawString(bystander.name(), (float) (x + radius + 3), (float) y);
     }
@@ -112,7 +112,7 @@ public final class MapPainter {
     private void paintKey(MapScene scene) {
         String key = keys(scene).stream().filter(this::fits).findFirst().orElse("");
         int textWidth = g.getFontMetrics().stringWidth(key);
-        g.setColor(Palette.mixed(0.6));
+        g.setColor(Palette.faint());
         g.drawString(key, view.width() - INSET - textWidth, view.height() - INSET + 3);
     }
 

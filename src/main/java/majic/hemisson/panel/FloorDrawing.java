@@ -57,7 +57,7 @@ final class FloorDrawing extends TrailContent {
     private static void paintMark(Graphics2D pen, MapView view) {
         FontMetrics metrics = pen.getFontMetrics();
         int foot = view.width() < NARROW_PX ? SCALE_PX : 0;
-        pen.setColor(DrawingColors.current().grey(0.8));
+        pen.setColor(DrawingColors.current().faint());
         pen.drawString(
                 MARK,
                 view.width() - metrics.stringWidth(MARK) - INSET,

@@ -69,7 +69,7 @@ final class HemissonLights {
         } else if (now.missesAnswers()) {
             line.show(Kind.WARNING, "answers missing");
         } else {
-            line.show(Kind.GOOD, HemissonReadings.milliseconds("line", now.quality()));
+            line.show(Kind.GOOD, HemissonReadings.milliseconds("link", now.quality()));
         }
     }
 

@@ -69,7 +69,7 @@ final class MapGrid {
         double height = metrics.getAscent() + 3 * TICK;
         pen.setColor(DrawingColors.translucent(floor, 0.75));
         pen.fill(new RoundRectangle2D.Double(INSET - TICK, y + TICK + 1 - height, width, height, 6, 6));
-        pen.setColor(colors.grey(0.85));
+        pen.setColor(colors.faint());
         pen.setStroke(DrawingColors.stroke(1.5));
         pen.draw(new Line2D.Double(INSET, y, INSET + length, y));
         pen.draw(new Line2D.Double(INSET, y - TICK, INSET, y + TICK));

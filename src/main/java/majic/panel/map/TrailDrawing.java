@@ -73,7 +73,7 @@ public final class TrailDrawing {
      */
     public static void paintStart(Graphics2D pen, MapView view, DrawingColors colors) {
         Point2D start = view.pixel(0, 0);
-        pen.setColor(colors.grey(0.85));
+        pen.setColor(colors.faint());
         pen.setStroke(DrawingColors.stroke(1.5));
         pen.draw(new Ellipse2D.Double(start.getX() - START_PX, start.getY() - START_PX, 2 * START_PX, 2 * START_PX));
         pen.fill(new Ellipse2D.Double(start.getX() - 1.5, start.getY() - 1.5, 3, 3));

@@ -99,7 +99,7 @@ final class PioneerDrawing extends TrailContent {
     private static void paintNothing(Graphics2D pen, MapView view) {
         String text = "no reading yet";
         FontMetrics metrics = pen.getFontMetrics();
-        pen.setColor(DrawingColors.current().grey(0.7));
+        pen.setColor(DrawingColors.current().faint());
         pen.drawString(text, (view.width() - metrics.stringWidth(text)) / 2, view.height() / 2);
     }
 
