@@ -31,8 +31,8 @@ public final class Dashboard implements LayoutManager {
      * Creates a layout of these children; all have the same parent.
      *
      * @param view gets the space that the others leave; the larger its shorter side, the better it is seen
-     * @param share of the width, 0 to 1, which the side panes get at most where a square view does not need it: 0 for a
-     *     view that can use all the space that they can spare, 1 for one that is square
+     * @param share of the width, 0 to 1, for the side panes, which never get less than they need: 0 for a view that can
+     *     use all the space that they can spare; 1 for a square view, which leaves them what it cannot use
      * @param sidePanes in the order of reading
      * @param numbers as many of them as fit
      */
@@ -110,7 +110,7 @@ public final class Dashboard implements LayoutManager {
 
     private void placeBeside(Rectangle room, int least) {
         int unused = room.width - Math.min(room.width, room.height) - gap();
-        int width = Math.max(least, (int) Math.min(share * room.width, unused));
+        int width = Math.max(least, share < 1 ? (int) (share * room.width) : unused);
         int left = Math.max(0, room.width - width - gap());
         view.setBounds(room.x, room.y, left, room.height);
         column.place(new Rectangle(room.x + room.width - width, room.y, width, room.height));

@@ -1,6 +1,7 @@
 package majic.panel;
 
 import java.awt.Dimension;
+import java.awt.event.MouseWheelEvent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
@@ -12,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A slider for a value that is set and measured: its name, the knob, the reading. The knob follows the measured value,
- * except while it is dragged, and until the chosen value is reached. Must be used on the event dispatch thread.
+ * except while it is dragged, and until the chosen value is reached. The arrow keys and the wheel move it by one unit. Must be used on the event dispatch thread.
  */
 public final class SetpointSlider extends JPanel {
     private static final long serialVersionUID = 1;
@@ -61,6 +62,7 @@ public final class SetpointSlider extends JPanel {
         slider.setMinimumSize(new Dimension(KNOB_ROOM, slider.getPreferredSize().height));
         name.setLabelFor(slider);
         slider.addChangeListener(change -> changed());
+        slider.addMouseWheelListener(this::turned);
         reading.setName(parameter.name());
         add(name);
         add(slider);
@@ -88,6 +90,13 @@ public final class SetpointSlider extends JPanel {
     private int widestReading() {
         String widest = ReadingText.degrees("-888 " + unit);
         return reading.getFontMetrics(reading.getFont()).stringWidth(widest) + 4;
+    }
+
+    /** Moves the knob by one unit for each notch of the wheel, which is finer than a pixel of a short slider. */
+    private void turned(MouseWheelEvent event) {
+        if (slider.isEnabled()) {
+            slider.setValue(slider.getValue() - event.getWheelRotation());
+        }
     }
 
     private void changed() {

@@ -2,6 +2,8 @@ package majic.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.event.MouseEvent;
+import java.awt.event.MouseWheelEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
@@ -39,6 +41,14 @@ class SetpointSliderTest {
         knob.setValueIsAdjusting(false);
 
         assertThat(chosen).containsExactly("0.0", "-10.0", "-30.0", "-30.0 at last");
+    }
+
+    @Test
+    void aNotchOfTheWheelMovesTheKnobByOneUnit() {
+        knob.dispatchEvent(new MouseWheelEvent(
+                knob, MouseEvent.MOUSE_WHEEL, 0, 0, 1, 1, 0, false, MouseWheelEvent.WHEEL_UNIT_SCROLL, 1, 1));
+
+        assertThat(chosen).containsExactly("-1.0 at last");
     }
 
     @Test
