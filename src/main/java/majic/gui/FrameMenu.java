@@ -8,6 +8,7 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
+import majic.gui.kit.Mnemonics;
 import org.jspecify.annotations.Nullable;
 
 /** The menu bar. */
@@ -16,17 +17,17 @@ final class FrameMenu extends JMenuBar {
 
     FrameMenu(MajicFrame frame, FrameActions actions, FrameEditor editor) {
         add(file(actions, editor));
-        add(menu("Robot", 'R', actions.addBot, actions.killBot));
-        add(menu("Act", 'A', actions.loadAct, actions.endAct, null, actions.makeAct));
+        add(menu("Robot", actions.addBot, actions.killBot));
+        add(menu("Act", actions.loadAct, actions.endAct, null, actions.makeAct));
         add(lab(frame));
         add(view(frame));
-        add(menu("Help", 'H', actions.help, actions.guide, null, actions.about));
+        add(menu("Help", actions.help, actions.guide, null, actions.about));
+        Mnemonics.assign(this);
     }
 
     /** Creates a menu of the given actions; null stands for a separator. */
-    private static JMenu menu(String name, char mnemonic, @Nullable Action... actions) {
+    private static JMenu menu(String name, @Nullable Action... actions) {
         JMenu menu = new JMenu(name);
-        menu.setMnemonic(mnemonic);
         for (Action action : actions) {
             if (action == null) {
                 menu.addSeparator();
@@ -38,12 +39,12 @@ final class FrameMenu extends JMenuBar {
     }
 
     private static JMenu file(FrameActions actions, FrameEditor editor) {
-        JMenu file = menu("File", 'F', actions.newScript, actions.openScript);
+        JMenu file = menu("File", actions.newScript, actions.openScript);
         JMenu recent = new JMenu("Open recent");
-        recent.setMnemonic('R');
         recent.addChangeListener(change -> {
             if (recent.isSelected()) {
                 editor.fillRecent(recent);
+                Mnemonics.assign(recent);
             }
         });
         file.add(recent);
@@ -58,10 +59,9 @@ final class FrameMenu extends JMenuBar {
 
     private static JMenu lab(MajicFrame frame) {
         JMenu lab = new JMenu("Lab");
-        lab.setMnemonic('L');
         JMenuItem start = new JMenuItem("Start the simulated lab");
         start.addActionListener(event -> frame.startLab());
-        JMenuItem poses = new JMenuItem("Say where the robots really are");
+        JMenuItem poses = new JMenuItem("Show the true positions");
         poses.addActionListener(event -> frame.submit("lab"));
         lab.add(start);
         lab.add(poses);
@@ -74,7 +74,6 @@ final class FrameMenu extends JMenuBar {
 
     private static JMenu view(MajicFrame frame) {
         JMenu view = new JMenu("View");
-        view.setMnemonic('V');
         JMenuItem all = new JMenuItem("Show the whole map");
         all.addActionListener(event -> frame.showWholeMap());
         view.add(all);

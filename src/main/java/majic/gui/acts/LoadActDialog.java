@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.BotStatus;
 import majic.gui.kit.Confirm;
@@ -28,7 +27,7 @@ public final class LoadActDialog extends MajicDialog {
         this.load = load;
         choice = new MemberChoice(members, current);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
-        content.add(new JLabel("Robot"));
+        content.add(label("Robot", choice));
         content.add(choice, "wmin 260");
         JButton ok = button("OK", this::chosen);
         fill(content, ok, closing("Cancel"));

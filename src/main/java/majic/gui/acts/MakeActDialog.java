@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
 import majic.act.ActDetails;
@@ -73,9 +72,7 @@ public final class MakeActDialog extends MajicDialog {
     }
 
     private static void row(JPanel panel, String label, JComponent field, @Nullable JButton choose) {
-        JLabel words = new JLabel(label);
-        words.setLabelFor(field);
-        panel.add(words);
+        panel.add(label(label, field));
         panel.add(field, choose == null ? "spanx 2, growx, wmin 0, wrap" : "wmin 0");
         if (choose != null) {
             panel.add(choose, "sizegroup c, wrap");

@@ -13,6 +13,7 @@ import javax.swing.SwingUtilities;
 import majic.act.Role;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
+import majic.gui.kit.Mnemonics;
 import majic.gui.kit.Palette;
 import majic.gui.kit.Paragraph;
 import majic.team.Member;
@@ -72,6 +73,7 @@ final class RoleChoice extends JPanel {
                 fit.stream().filter(member -> !taken.contains(member)).findFirst();
         MemberChoice choice = new MemberChoice(fit, free);
         choice.setName("role " + role.name() + (choices.isEmpty() ? "" : " " + (choices.size() + 1)));
+        choice.getAccessibleContext().setAccessibleName("Robot for " + role.name());
         boolean first = choices.isEmpty();
         choices.add(choice);
         rows.add(choice, first ? "wmin 0" : "wmin 0, wrap");
@@ -92,6 +94,7 @@ final class RoleChoice extends JPanel {
         fewer.setEnabled(choices.size() > 1);
         Window window = SwingUtilities.getWindowAncestor(this);
         if (window != null) {
+            Mnemonics.assign(window);
             window.setMinimumSize(null);
             window.pack();
         }
@@ -104,8 +107,7 @@ final class RoleChoice extends JPanel {
                 .collect(Collectors.joining("\n"));
         String wanted = "Wanted: " + RoleFit.wanted(role) + ".";
         Paragraph why = new Paragraph("why " + role.name(), 1, 40);
-        why.show(others.isEmpty() ? wanted : wanted + "\n" + others, false);
-        why.setForeground(Palette.faint());
+        why.showFaint(others.isEmpty() ? wanted : wanted + "\n" + others);
         return why;
     }
 }

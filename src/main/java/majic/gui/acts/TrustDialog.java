@@ -119,7 +119,7 @@ final class TrustDialog extends MajicDialog {
         area.setEditable(false);
         area.setRows(Math.min(5, Math.max(2, lines.size())));
         area.setCaretPosition(0);
-        facts.add(new JLabel(name), "aligny top");
+        facts.add(label(name, area), "aligny top");
         facts.add(new JScrollPane(area), "wmin 0, wrap");
     }
 }

@@ -7,7 +7,6 @@ import java.util.Objects;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.Timer;
@@ -73,7 +72,7 @@ public final class AddBotDialog extends MajicDialog {
         message.setFocusable(true);
         progress.setVisible(false);
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 10", "[90!, right][grow, fill]", "[][]12[][grow]"));
-        panel.add(new JLabel("Type"));
+        panel.add(label("Type", type));
         panel.add(type, "wrap");
         panel.add(deck, "spanx 2, growx, wrap");
         panel.add(progress, "spanx 2, growx, h 6!, wrap");

@@ -4,6 +4,7 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
+import majic.gui.kit.MajicDialog;
 import majic.lab.LabAccess;
 import majic.team.BotFactory;
 
@@ -19,7 +20,7 @@ final class LabInput extends AddressInput {
         if (robot.getItemCount() == 0) {
             add(new JLabel("No lab runs here yet; the menu Lab starts one."), "spanx 2, alignx left");
         } else {
-            add(new JLabel("Robot"));
+            add(MajicDialog.label("Robot", robot));
             add(robot);
         }
     }

@@ -1,9 +1,9 @@
 package majic.gui.add;
 
-import javax.swing.JLabel;
 import javax.swing.JTextField;
 import majic.bot.BotException;
 import majic.bot.BotType;
+import majic.gui.kit.MajicDialog;
 
 /** Takes host and port of a robot on the network, or of the serial server to which it is connected. */
 final class NetworkInput extends AddressInput {
@@ -19,9 +19,9 @@ final class NetworkInput extends AddressInput {
         port.setName("port");
         host.putClientProperty("JTextField.placeholderText", "name or number, for instance 192.168.1.20");
         port.setText(type.defaultPort() == 0 ? "" : "" + type.defaultPort());
-        add(new JLabel("Host"));
+        add(MajicDialog.label("Host", host));
         add(host, "wrap");
-        add(new JLabel("Port"));
+        add(MajicDialog.label("Port", port));
         add(port, "grow 0");
     }
 

@@ -8,6 +8,7 @@ import javax.swing.JLabel;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.MajicDialog;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
 
 /** Selects one of the serial ports of this computer, or takes one that is typed in. */
@@ -26,7 +27,8 @@ final class SerialInput extends AddressInput {
         port.setEditable(true);
         JButton again = new JButton("Look again");
         again.addActionListener(event -> look());
-        add(new JLabel("Serial port"));
+        add(MajicDialog.label("Serial port", port));
+        port.getEditor().getEditorComponent().getAccessibleContext().setAccessibleName("Serial port");
         add(port, "split 2, pushx, wmin 240");
         add(again, "grow 0, wrap");
         add(found, "skip 1");

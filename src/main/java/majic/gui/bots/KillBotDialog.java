@@ -25,7 +25,7 @@ public final class KillBotDialog extends MajicDialog {
         choice = new MemberChoice(members, current);
         choice.addActionListener(event -> sayWhatEnds());
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
-        content.add(new JLabel("Robot"));
+        content.add(label("Robot", choice));
         content.add(choice, "wmin 220, wrap");
         content.add(consequence, "spanx 2, growx, wmin 340");
         JButton ok = button("Kill Bot", () -> {

@@ -23,14 +23,12 @@ public final class AboutDialog extends MajicDialog {
         content.add(title);
         content.add(new JLabel("Commands a team of robots. MIT licence."));
         content.add(new JLabel("Runs on Java " + Runtime.version() + ", " + System.getProperty("os.name")));
-        JLabel libraries = new JLabel("Libraries in it");
         JTable table = new JTable(HelpTables.file("libraries", "Library", "Licence"));
         table.setName("libraries");
         table.setShowHorizontalLines(true);
-        libraries.setLabelFor(table);
         JScrollPane rows = new JScrollPane(table);
         rows.setPreferredSize(new Dimension(460, 260));
-        content.add(libraries);
+        content.add(label("Libraries in it", table));
         content.add(rows);
         fill(content, closing("Close"));
     }

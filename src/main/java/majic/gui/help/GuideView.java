@@ -25,7 +25,6 @@ final class GuideView extends JScrollPane {
         this.name = name;
         text.setEditable(false);
         text.setName("guide " + name);
-        text.getAccessibleContext().setAccessibleName("Guide");
         text.setBorder(BorderFactory.createEmptyBorder(4, 12, 8, 12));
         setViewportView(text);
     }
@@ -60,6 +59,7 @@ final class GuideView extends JScrollPane {
             HTMLEditorKit kit = new HTMLEditorKit();
             kit.setStyleSheet(styles(kit.getStyleSheet()));
             text.setEditorKit(kit);
+            text.getAccessibleContext().setAccessibleName("Guide");
             text.setText("<html><body>" + known.html(wanted) + "</body></html>");
             text.setCaretPosition(0);
         }
@@ -71,6 +71,7 @@ final class GuideView extends JScrollPane {
         Font font = UIManager.getFont("Label.font");
         styles.addRule("body { font-family: " + font.getFamily() + "; font-size: " + font.getSize() + "px; color: "
                 + hex(Palette.text()) + "; }");
+        styles.addRule("ul, ol { margin-left: 20px; }");
         styles.addRule("h1 { font-size: 1.6em; } h2 { font-size: 1.3em; } h3 { font-size: 1.1em; }");
         styles.addRule("code, pre { font-family: monospaced; color: " + hex(Palette.command()) + "; }");
         return styles;

@@ -3,11 +3,12 @@ package majic.gui.help;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.regex.Pattern;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTabbedPane;
@@ -50,6 +51,12 @@ public final class HelpDialog extends MajicDialog {
         tabs.addChangeListener(change -> search());
         tabs.setPreferredSize(new Dimension(TABLE_WIDTH, 480));
         fill(content(), closing("Close"));
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                search.requestFocusInWindow();
+            }
+        });
     }
 
     /** Selects the first page of the guide. */
@@ -60,10 +67,8 @@ public final class HelpDialog extends MajicDialog {
     private JPanel content() {
         search.setName("helpSearch");
         search.getDocument().addDocumentListener(new Searching());
-        JLabel label = new JLabel("Search");
-        label.setLabelFor(search);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 8", "[][grow, fill]", "[][grow, fill]"));
-        content.add(label);
+        content.add(label("Search", search));
         content.add(search, "wrap");
         content.add(tabs, "spanx 2, grow");
         return content;
@@ -93,10 +98,8 @@ public final class HelpDialog extends MajicDialog {
             show(table, HelpTables.of(choice.chosen()), 130);
             search();
         });
-        JLabel label = new JLabel("Robot");
-        label.setLabelFor(choice);
         JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0", "[][grow, fill]", "[][grow, fill]"));
-        panel.add(label);
+        panel.add(label("Robot", choice));
         panel.add(choice, "grow 0, wmin 220, wrap");
         panel.add(rows, "spanx 2, grow");
         return panel;

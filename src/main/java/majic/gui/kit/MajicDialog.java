@@ -7,6 +7,7 @@ import java.awt.event.WindowEvent;
 import javax.swing.JButton;
 import javax.swing.JComponent;
 import javax.swing.JDialog;
+import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
@@ -51,9 +52,17 @@ public class MajicDialog extends JDialog {
         all.add(row);
         setContentPane(all);
         getRootPane().setDefaultButton(buttons[0]);
+        Mnemonics.assign(all);
         pack();
         setMinimumSize(getSize());
         setLocationRelativeTo(getOwner());
+    }
+
+    /** Creates the label of a field; the field gets its accessible name from it. */
+    public static JLabel label(String text, JComponent field) {
+        JLabel label = new JLabel(text);
+        label.setLabelFor(field);
+        return label;
     }
 
     /** Creates a button that runs an action. */

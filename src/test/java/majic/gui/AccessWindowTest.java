@@ -1,0 +1,148 @@
+package majic.gui;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.Container;
+import java.awt.Window;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.swing.JDialog;
+import javax.swing.JMenu;
+import javax.swing.JMenuItem;
+import javax.swing.JRadioButtonMenuItem;
+import javax.swing.SwingUtilities;
+import majic.gui.kit.Confirm;
+import majic.panel.PictureView;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests that the window and all its dialogs can be used by keyboard and screen reader, and read in both looks. */
+@Timeout(180)
+class AccessWindowTest {
+    /** Entries that open no dialog. */
+    private static final Set<String> EFFECTS =
+            Set.of("Kill Majic", "End Act", "Start the simulated lab", "Show the true positions", "Show the whole map");
+
+    @TempDir
+    private Path folder;
+
+    private TestWindow window;
+
+    @BeforeEach
+    void openEverything() throws Exception {
+        window = TestWindow.open(new OwnActs(folder)
+                .script("Relay", "repeat", "1 move 100", "2 move 200", "end")
+                .spy()
+                .acts());
+        window.add("one");
+        window.add("two");
+    }
+
+    @AfterEach
+    void close() throws Exception {
+        SwingUtilities.invokeAndWait(FlatLightLaf::setup);
+        window.close();
+        System.clearProperty(OwnActs.FLAG);
+    }
+
+    private void openDialogs() {
+        entries()
+                .filter(entry -> !EFFECTS.contains(entry.getText()))
+                .filter(entry -> !(entry instanceof JRadioButtonMenuItem) && entry.isEnabled())
+                .toList()
+                .forEach(entry -> window.run(entry::doClick));
+        load("Spy", "Trust this code?");
+        window.run(window.frame::loadAct);
+        load("Relay", "Assign Roles");
+        window.run(() -> Confirm.ask(window.frame, "Really?", "Yes", () -> {}));
+        window.run(() -> window.frame.enlarge(new PictureView(208, 160)));
+        window.run(window.frame::loadAct);
+    }
+
+    private Stream<JMenuItem> entries() {
+        return IntStream.range(0, window.frame.getJMenuBar().getMenuCount())
+                .mapToObj(window.frame.getJMenuBar()::getMenu)
+                .flatMap(AccessWindowTest::entries);
+    }
+
+    private static Stream<JMenuItem> entries(JMenu menu) {
+        return Stream.of(menu.getMenuComponents())
+                .filter(JMenuItem.class::isInstance)
+                .map(JMenuItem.class::cast)
+                .flatMap(entry -> entry instanceof JMenu inner ? entries(inner) : Stream.of(entry));
+    }
+
+    private void load(String act, String dialog) {
+        confirm("Load Act");
+        window.awaitDialog("Choose Act");
+        window.select("acts", act);
+        confirm("Choose Act");
+        window.awaitDialog(dialog);
+    }
+
+    private void confirm(String title) {
+        JDialog dialog = (JDialog) window.awaitDialog(title);
+        window.run(() -> dialog.getRootPane().getDefaultButton().doClick());
+    }
+
+    @Test
+    void everyWindowCanBeUsedByEverybody() throws Exception {
+        openDialogs();
+        org.assertj.core.api.SoftAssertions soft = new org.assertj.core.api.SoftAssertions();
+        soft.assertThat(found(WindowAudit::nameless))
+                .as("components without an accessible name")
+                .isEmpty();
+        soft.assertThat(found(AccessWindowTest::mnemonicProblems))
+                .as("mnemonics")
+                .isEmpty();
+        soft.assertThat(onEventThread(() -> WindowAudit.mnemonicProblems(window.frame.getJMenuBar())))
+                .as("mnemonics of menus")
+                .isEmpty();
+        soft.assertThat(paleIn(new FlatLightLaf()))
+                .as("pale texts in the light look")
+                .isEmpty();
+        soft.assertThat(paleIn(new FlatDarkLaf()))
+                .as("pale texts in the dark look")
+                .isEmpty();
+        soft.assertAll();
+    }
+
+    private List<String> paleIn(FlatLaf look) throws Exception {
+        SwingUtilities.invokeAndWait(() -> {
+            FlatLaf.setup(look);
+            FlatLaf.updateUI();
+        });
+        return found(root -> WindowAudit.pale(root, Contrast.TEXT));
+    }
+
+    private static List<String> mnemonicProblems(Container root) {
+        return root instanceof JDialog ? WindowAudit.mnemonicProblems(root) : List.of();
+    }
+
+    /** Returns what an audit finds in the windows that are open, with their titles. */
+    private List<String> found(Function<Container, List<String>> audit) throws Exception {
+        return onEventThread(() -> Stream.concat(Stream.of(window.frame), Stream.of(window.frame.getOwnedWindows()))
+                .filter(Window::isShowing)
+                .flatMap(open -> audit.apply(open).stream().map(problem -> title(open) + ": " + problem))
+                .toList());
+    }
+
+    private static String title(Window open) {
+        return open instanceof JDialog dialog ? dialog.getTitle() : "main window";
+    }
+
+    private static List<String> onEventThread(java.util.function.Supplier<List<String>> work) throws Exception {
+        List<String> result = new ArrayList<>();
+        SwingUtilities.invokeAndWait(() -> result.addAll(work.get()));
+        return result;
+    }
+}
