@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JDialog;
@@ -19,6 +20,7 @@ import javax.swing.JRadioButtonMenuItem;
 import javax.swing.SwingUtilities;
 import majic.gui.kit.Confirm;
 import majic.panel.PictureView;
+import org.assertj.core.api.SoftAssertions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -95,9 +97,9 @@ class AccessWindowTest {
     }
 
     @Test
-    void everyWindowCanBeUsedByEverybody() throws Exception {
+    void everyComponentHasANameAMnemonicAndEnoughContrast() throws Exception {
         openDialogs();
-        org.assertj.core.api.SoftAssertions soft = new org.assertj.core.api.SoftAssertions();
+        SoftAssertions soft = new SoftAssertions();
         soft.assertThat(found(WindowAudit::nameless))
                 .as("components without an accessible name")
                 .isEmpty();
@@ -140,7 +142,7 @@ class AccessWindowTest {
         return open instanceof JDialog dialog ? dialog.getTitle() : "main window";
     }
 
-    private static List<String> onEventThread(java.util.function.Supplier<List<String>> work) throws Exception {
+    private static List<String> onEventThread(Supplier<List<String>> work) throws Exception {
         List<String> result = new ArrayList<>();
         SwingUtilities.invokeAndWait(() -> result.addAll(work.get()));
         return result;

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.event.KeyEvent;
+import javax.swing.JSlider;
 import majic.bot.BotException;
 import majic.gui.command.CommandLine;
 import majic.team.Owner;
@@ -63,6 +64,16 @@ class DriveByHandWindowTest {
         window.await("a turn", () -> bot.told.contains("drive 0 40"));
         window.letGoMouse();
         awaitStationary();
+    }
+
+    @Test
+    void pageDownAndPageUpOnThePadChangeTheSpeed() {
+        window.focus("drivePad");
+        window.press(KeyEvent.VK_PAGE_DOWN);
+        window.press(KeyEvent.VK_PAGE_DOWN);
+        window.press(KeyEvent.VK_PAGE_UP);
+        JSlider speed = window.find("driveSpeed", JSlider.class);
+        window.await("the speed", () -> speed.getValue() == 90);
     }
 
     @Test

@@ -31,10 +31,13 @@ import net.miginfocom.swing.MigLayout;
 public final class DrivePad extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final int FULL_SPEED_PERCENT = 100;
+    private static final int LEAST_SPEED_PERCENT = 10;
+    private static final int SPEED_STEP_PERCENT = 10;
 
     private final transient ManualDriver driver;
     private final transient Map<JButton, String> arrows = new LinkedHashMap<>();
     private final JLabel hint = new PlainLabel("", "");
+    private final JSlider speed = new JSlider(LEAST_SPEED_PERCENT, FULL_SPEED_PERCENT, FULL_SPEED_PERCENT);
     private transient List<Member> members = List.of();
     private transient DriveObstacles obstacles = DriveObstacles.of(List.of());
 
@@ -50,6 +53,7 @@ public final class DrivePad extends JPanel {
         setName("drivePad" + suffix);
         setFocusable(true);
         hint.setName("driveHint" + suffix);
+        prepareSpeed();
         placeArrows();
         listen();
         showState(false);
@@ -75,8 +79,10 @@ public final class DrivePad extends JPanel {
         add(arrow(Direction.BACK, "▼", "backward"), "cell 1 1");
         add(arrow(Direction.RIGHT, "▶", "turn right"), "cell 2 1");
         add(hint, "cell 3 0, wmin 0");
-        add(new JLabel("Speed"), "cell 3 1, split 2, grow 0");
-        add(speed(), "cell 3 1, growx, wmin 60, wmax 220");
+        JLabel label = new JLabel("Speed");
+        label.setLabelFor(speed);
+        add(label, "cell 3 1, split 2, grow 0");
+        add(speed, "cell 3 1, growx, wmin 60, wmax 220");
     }
 
     private JButton arrow(Direction direction, String sign, String name) {
@@ -103,12 +109,12 @@ public final class DrivePad extends JPanel {
         return button;
     }
 
-    private JSlider speed() {
-        JSlider slider = new JSlider(10, FULL_SPEED_PERCENT, FULL_SPEED_PERCENT);
-        slider.setFocusable(false);
-        slider.setToolTipText("A share of the robot's cruising speed");
-        slider.addChangeListener(change -> driver.share(slider.getValue() / (double) FULL_SPEED_PERCENT));
-        return slider;
+    /** Prepares the slider, which takes no focus: it would take the arrow keys from the pad. */
+    private void prepareSpeed() {
+        speed.setName("driveSpeed");
+        speed.setFocusable(false);
+        speed.setToolTipText("A share of the robot's cruising speed; also Page Up and Page Down on the pad");
+        speed.addChangeListener(change -> driver.share(speed.getValue() / (double) FULL_SPEED_PERCENT));
     }
 
     private void listen() {
@@ -163,12 +169,21 @@ public final class DrivePad extends JPanel {
                 focused ? 2 : 1));
     }
 
-    /** Passes the arrow keys on. */
+    /** Passes the arrow keys on; Page Up and Page Down change the speed. */
     private final class Arrows extends KeyAdapter {
         @Override
         public void keyPressed(KeyEvent event) {
             if (event.getModifiersEx() == 0) {
                 Direction.of(event.getKeyCode()).ifPresent(driver::keyPressed);
+                changeSpeed(event.getKeyCode());
+            }
+        }
+
+        private void changeSpeed(int keyCode) {
+            if (keyCode == KeyEvent.VK_PAGE_UP) {
+                speed.setValue(speed.getValue() + SPEED_STEP_PERCENT);
+            } else if (keyCode == KeyEvent.VK_PAGE_DOWN) {
+                speed.setValue(speed.getValue() - SPEED_STEP_PERCENT);
             }
         }
 
