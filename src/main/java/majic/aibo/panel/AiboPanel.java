@@ -21,7 +21,7 @@ public final class AiboPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
 
     /** The share of the width for the camera and the controls. */
-    private static final double ASIDES = 0.4;
+    private static final double ASIDES = 0.38;
 
     private static final String LONGEST_READING = "-88888 mm";
 
