@@ -1,10 +1,12 @@
 package majic.aibo;
 
 import java.util.List;
+import majic.aibo.panel.AiboReplay;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
+import majic.bot.ReplayDisplay;
 
 /** The Sony Aibo ERS-7 with URBI on its stick. */
 public final class AiboType implements BotType {
@@ -58,5 +60,10 @@ public final class AiboType implements BotType {
     public String advice() {
         return "Is the dog switched on, with the URBI stick in it and its wireless light on? From this computer "
                 + "\"telnet HOST 54000\" should show lines that start with a number in brackets.";
+    }
+
+    @Override
+    public ReplayDisplay replay(MajicBot recorded) {
+        return new AiboReplay(recorded);
     }
 }

@@ -2,6 +2,7 @@ package majic.aibo;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.aibo.body.Calibration;
@@ -11,6 +12,7 @@ import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Paces;
 import majic.aibo.body.Stride;
 import majic.aibo.panel.AiboPanel;
+import majic.aibo.panel.CameraPicture;
 import majic.aibo.panel.PanelPoller;
 import majic.aibo.parameters.AiboAccess;
 import majic.aibo.parameters.AiboParameters;
@@ -25,6 +27,7 @@ import majic.aibo.sound.Speaker;
 import majic.aibo.sound.Volume;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiTransport;
+import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
@@ -182,7 +185,12 @@ public final class MajicAibo extends MajicBot {
 
     @Override
     public @Nullable JComponent display() {
-        return AiboPanel.create(this, dog, this::poller);
+        return AiboPanel.create(this, dog, shown -> poller(new PublishedPictures(shown))::look);
+    }
+
+    @Override
+    public Map<String, String> displayState() {
+        return dog.texts();
     }
 
     /** The readings and the estimated state of the dog. */
@@ -214,6 +222,26 @@ public final class MajicAibo extends MajicBot {
                     : new LinkLost(String.valueOf(cause.getMessage()), cause);
         }
         return open;
+    }
+
+    /** Publishes the pictures that the panel receives. */
+    private final class PublishedPictures implements PanelPoller.PictureReceiver {
+        private final PanelPoller.PictureReceiver shown;
+
+        PublishedPictures(PanelPoller.PictureReceiver shown) {
+            this.shown = shown;
+        }
+
+        @Override
+        public void see(UrbiValue picture, double perSecond) {
+            shown.see(picture, perSecond);
+            publishPicture(() -> CameraPicture.jpegFile(picture));
+        }
+
+        @Override
+        public void miss(String why) {
+            shown.miss(why);
+        }
     }
 
     /** Passes the session's events on to the listeners, on the session's threads. */

@@ -5,6 +5,8 @@ import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
+import majic.bot.ReplayDisplay;
+import majic.hemisson.panel.HemissonReplay;
 
 /** K-Team's Hemisson, on a serial port or behind a serial server. */
 public final class HemissonType implements BotType {
@@ -46,5 +48,10 @@ public final class HemissonType implements BotType {
     public String advice() {
         return "Is the robot on, in the Exec position, with all four top switches to the same side, and is it this port? "
                 + "A Hemisson that was talked to too fast hears nothing any more: switch it off, wait 5 s and switch it on.";
+    }
+
+    @Override
+    public ReplayDisplay replay(MajicBot recorded) {
+        return new HemissonReplay(recorded);
     }
 }

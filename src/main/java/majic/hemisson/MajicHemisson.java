@@ -1,6 +1,7 @@
 package majic.hemisson;
 
 import java.util.List;
+import java.util.Map;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
@@ -29,6 +30,7 @@ import majic.hemisson.motion.SpeedCalibrationRun;
 import majic.hemisson.motion.SpeedTable;
 import majic.hemisson.motion.TimedMotion;
 import majic.hemisson.panel.HemissonPanel;
+import majic.hemisson.panel.HemissonReplay;
 import majic.hemisson.parameters.HemissonParameters;
 import majic.hemisson.parameters.LedsAndBuzzer;
 import majic.hemisson.parameters.Pins;
@@ -185,6 +187,11 @@ public final class MajicHemisson extends MajicBot {
     public JComponent display() {
         return HemissonPanel.create(
                 this, views::now, task -> time().thread(name() + ": leds", task).start());
+    }
+
+    @Override
+    public Map<String, String> displayState() {
+        return HemissonReplay.texts(views.now());
     }
 
     private boolean isLost() {

@@ -1,5 +1,6 @@
 package majic.pioneer;
 
+import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
@@ -22,6 +23,7 @@ import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.line.ArcosHandshake;
 import majic.pioneer.panel.PioneerPanel;
+import majic.pioneer.panel.PioneerReplay;
 import majic.pioneer.panel.PioneerScene;
 import majic.pioneer.parameters.PioneerAccess;
 import majic.pioneer.parameters.PioneerCommands;
@@ -220,6 +222,11 @@ public final class MajicPioneer extends MajicBot {
     @Override
     public JComponent display() {
         return PioneerPanel.create(this, this::scene);
+    }
+
+    @Override
+    public Map<String, String> displayState() {
+        return scene().map(PioneerReplay::texts).orElse(Map.of());
     }
 
     private Optional<PioneerScene> scene() {

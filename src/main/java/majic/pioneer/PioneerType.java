@@ -5,6 +5,8 @@ import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
+import majic.bot.ReplayDisplay;
+import majic.pioneer.panel.PioneerReplay;
 
 /** The Pioneer among the types of robots. */
 public final class PioneerType implements BotType {
@@ -58,5 +60,10 @@ public final class PioneerType implements BotType {
     public String advice() {
         return "Is the robot switched on, its serial cable or network bridge plugged in, and no other program connected"
                 + " to it? A Pioneer talks to one program at a time; its network port is usually 8101.";
+    }
+
+    @Override
+    public ReplayDisplay replay(MajicBot recorded) {
+        return new PioneerReplay(recorded);
     }
 }

@@ -1,5 +1,7 @@
 package majic.aibo.body;
 
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotState;
@@ -9,6 +11,8 @@ import org.jspecify.annotations.Nullable;
 
 /** Holds the dog's readings, the obstacles around it and its estimated position. Outlives a connection. Thread-safe. */
 public final class DogState {
+    private static final String FLOOR = "floor";
+
     private final Calibration calibration;
     private final SensorReadings senses = new SensorReadings();
     private final LedReadings leds = new LedReadings();
@@ -97,5 +101,29 @@ public final class DogState {
         double pace = piece == null ? 0 : piece.unitsPerSecond();
         boolean walks = piece != null && piece.gait().isWalk();
         return new BotState(reckoning.at(serverMs), walks ? pace : 0, walks ? 0 : pace, moving, nowNanos);
+    }
+
+    /** The readings of sensors and LEDs as texts, for recordings. */
+    public Map<String, String> texts() {
+        Map<String, String> texts = new LinkedHashMap<>();
+        senses.addTexts(texts);
+        leds.addTexts(texts);
+        texts.put(FLOOR, String.valueOf(infraRed.floorCm()));
+        return texts;
+    }
+
+    /**
+     * Takes the readings of a recorded dog.
+     *
+     * @param texts what {@link #texts()} has returned
+     * @param pose where it was
+     * @param atMs when that was
+     */
+    public void restore(Map<String, String> texts, Pose pose, long atMs) {
+        senses.restore(texts);
+        leds.restore(texts);
+        infraRed.setFloorCm(Double.parseDouble(texts.getOrDefault(FLOOR, "NaN")));
+        reckoning.begin((start, time) -> pose, atMs);
+        sensed(atMs);
     }
 }

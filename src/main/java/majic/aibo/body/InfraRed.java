@@ -57,4 +57,13 @@ public final class InfraRed {
         return senses.number(Sensor.NEAR).isPresent()
                 || senses.number(Sensor.FAR).isPresent();
     }
+
+    /** What the chest saw when the dog came to its feet, cm; NaN before. */
+    double floorCm() {
+        return floorCm;
+    }
+
+    void setFloorCm(double cm) {
+        floorCm = cm;
+    }
 }

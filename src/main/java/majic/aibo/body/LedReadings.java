@@ -58,4 +58,19 @@ public final class LedReadings {
     public Optional<Double> amount(String device) {
         return Optional.ofNullable(amounts.get(device));
     }
+
+    /** Adds each amount by the name of its device. */
+    void addTexts(Map<String, String> texts) {
+        amounts.forEach((device, amount) -> texts.put(device, String.valueOf(Math.round(amount * 100) / 100.0)));
+    }
+
+    /** Takes the amounts that {@link #addTexts} has written. */
+    void restore(Map<String, String> texts) {
+        for (String device : DEVICES) {
+            String text = texts.get(device);
+            if (text != null) {
+                amounts.put(device, Double.parseDouble(text));
+            }
+        }
+    }
 }

@@ -99,4 +99,29 @@ public final class SensorReadings {
         }
         return motorsOn().orElse(true) ? null : "the dog's motors were switched off";
     }
+
+    /** Adds each reading by the expression that reads it, with two decimal places. */
+    void addTexts(Map<String, String> texts) {
+        readings.forEach((sensor, value) -> {
+            if (value instanceof UrbiValue.Num number) {
+                texts.put(sensor.expression(), String.valueOf(Math.round(number.amount() * 100) / 100.0));
+            } else if (value instanceof UrbiValue.Str word) {
+                texts.put(sensor.expression(), word.text());
+            }
+        });
+    }
+
+    /** Takes the readings that {@link #addTexts} has written. */
+    void restore(Map<String, String> texts) {
+        for (Sensor sensor : Sensor.values()) {
+            String text = texts.get(sensor.expression());
+            if (text != null) {
+                readings.put(
+                        sensor,
+                        sensor == Sensor.POSTURE
+                                ? new UrbiValue.Str(text)
+                                : new UrbiValue.Num(Double.parseDouble(text)));
+            }
+        }
+    }
 }

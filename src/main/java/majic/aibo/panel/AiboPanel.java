@@ -1,6 +1,7 @@
 package majic.aibo.panel;
 
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -56,15 +57,14 @@ public final class AiboPanel extends RefreshingPanel {
 
     private final Banner banner = new Banner();
 
-    private AiboPanel(MajicBot bot, DogState dog, Function<PanelPoller.PictureReceiver, PanelPoller> pollers) {
+    private AiboPanel(MajicBot bot, DogState dog, Function<PanelPoller.PictureReceiver, Consumer<Boolean>> pictures) {
         super(bot);
         this.bot = bot;
         this.dog = dog;
         this.drawing = new DogDrawing(dog);
         this.camera = new CameraPanel(bot);
         this.head = new HeadPanel(bot, dog.senses());
-        PanelPoller poller = pollers.apply(camera);
-        camera.view().whenWatched(poller::look);
+        camera.view().whenWatched(pictures.apply(camera));
         JPanel controls = controls();
         add(drawing);
         add(camera.view());
@@ -88,11 +88,11 @@ public final class AiboPanel extends RefreshingPanel {
      * Makes the panel; on the event dispatch thread.
      *
      * @param dog what is drawn
-     * @param pollers makes what asks for the pictures that the panel shows
+     * @param pictures takes what the panel shows pictures with, and returns what is called when they begin or cease to be visible
      */
     public static JComponent create(
-            MajicBot bot, DogState dog, Function<PanelPoller.PictureReceiver, PanelPoller> pollers) {
-        AiboPanel panel = new AiboPanel(bot, dog, pollers);
+            MajicBot bot, DogState dog, Function<PanelPoller.PictureReceiver, Consumer<Boolean>> pictures) {
+        AiboPanel panel = new AiboPanel(bot, dog, pictures);
         panel.refreshIfChanged();
         return panel;
     }

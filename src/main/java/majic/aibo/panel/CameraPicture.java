@@ -2,7 +2,9 @@ package majic.aibo.panel;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.Iterator;
 import java.util.List;
 import javax.imageio.ImageIO;
@@ -13,7 +15,7 @@ import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 
 /** Turns what the dog's camera sends into pictures: a JFIF file, or three bytes for each pixel (URBI sheet 12). */
-final class CameraPicture {
+public final class CameraPicture {
     /** Many times what the camera has; more is damage. */
     private static final int MOST_PIXELS = 2_000_000;
 
@@ -37,6 +39,24 @@ final class CameraPicture {
                 throw new UrbiRefusal("the picture is of a kind not known here: "
                         + binary.words().get(0));
         };
+    }
+
+    /**
+     * A picture as a file in the JPEG format: the one that the dog sent, or one made of its pixels.
+     *
+     * @throws UrbiRefusal if it is none, or a damaged one; the message names which
+     */
+    public static byte[] jpegFile(UrbiValue value) {
+        if (value instanceof UrbiValue.Binary binary && binary.words().contains("jpeg")) {
+            return binary.bytes();
+        }
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        try {
+            ImageIO.write(of(value), "jpeg", file);
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        return file.toByteArray();
     }
 
     private static BufferedImage jpeg(byte[] bytes) {

@@ -144,7 +144,8 @@ public class ZoomableMap extends JPanel {
         become(Mode.FOLLOW);
     }
 
-    void clear() {
+    /** Removes the trails and echoes shown so far. */
+    public final void clear() {
         content.clear();
         repaint();
     }

@@ -68,6 +68,25 @@ public record Sip(
                 SipTail.read(fields));
     }
 
+    /** This SIP with other sonar readings. */
+    Sip with(SonarReadings readings) {
+        return new Sip(
+                type,
+                xPos,
+                yPos,
+                thPos,
+                lVel,
+                rVel,
+                battery,
+                stallRear,
+                stallFront,
+                control,
+                flags,
+                compass,
+                readings,
+                tail);
+    }
+
     /**
      * A count that the packet cannot hold is ignored: the vendor's simulator sends one such SIP after SONAR 1
      * (ARCOS sheet 8.2), with its tail right behind the count.

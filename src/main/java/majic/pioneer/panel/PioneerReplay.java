@@ -1,0 +1,123 @@
+package majic.pioneer.panel;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import javax.swing.JComponent;
+import majic.bot.MajicBot;
+import majic.bot.Range;
+import majic.bot.ReplayDisplay;
+import majic.pioneer.arcos.PacketCounts;
+import majic.pioneer.arcos.SipText;
+import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Model;
+import majic.pioneer.state.Models;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.StateTracker;
+import org.jspecify.annotations.Nullable;
+
+/** The panel of a recorded Pioneer, and the texts that it is recorded as: above all its SIPs. */
+public final class PioneerReplay implements ReplayDisplay {
+    private static final String MODEL = "model";
+    private static final String SIP = "sip";
+    private static final String BUMPERS = "bumpers";
+    private static final String PACKETS = "packets";
+    private static final String LIMITS = "limits";
+    private static final long NANOS_PER_MS = 1_000_000;
+
+    private final MajicBot bot;
+    private final JComponent panel;
+    private @Nullable StateTracker tracker;
+    private String lastSip = "";
+    private volatile @Nullable PioneerScene scene;
+
+    /** Creates the panel of a robot that is replayed. */
+    public PioneerReplay(MajicBot bot) {
+        this.bot = bot;
+        this.panel = PioneerPanel.create(bot, () -> Optional.ofNullable(scene));
+    }
+
+    /** What is recorded of a scene beside the parameters; the time makes a difference between equal SIPs. */
+    public static Map<String, String> texts(PioneerScene scene) {
+        PioneerState state = scene.state();
+        PacketCounts packets = scene.packets();
+        Map<String, String> texts = new LinkedHashMap<>();
+        texts.put(MODEL, scene.model().subclass());
+        texts.put(SIP, state.atNanos() / NANOS_PER_MS + " " + SipText.of(state.sip()));
+        texts.put(
+                BUMPERS, words(scene.bumpers().frontSegments(), scene.bumpers().rearSegments()));
+        texts.put(PACKETS, words(packets.packets(), packets.damagedPackets(), packets.skippedBytes()));
+        texts.put(
+                LIMITS,
+                words(
+                        scene.speedLimits().min(),
+                        scene.speedLimits().max(),
+                        scene.turnLimits().min(),
+                        scene.turnLimits().max()));
+        return texts;
+    }
+
+    private static String words(Number... numbers) {
+        return Stream.of(numbers).map(String::valueOf).collect(Collectors.joining(" "));
+    }
+
+    @Override
+    public JComponent component() {
+        return panel;
+    }
+
+    @Override
+    public void reset() {
+        tracker = null;
+        scene = null;
+        lastSip = "";
+    }
+
+    @Override
+    public void show(Map<String, String> texts, long nanos) {
+        String sip = texts.get(SIP);
+        PioneerScene before = scene;
+        if (sip == null) {
+            return;
+        }
+        Model model = Models.of(texts.getOrDefault(MODEL, ""));
+        PioneerState state = before == null || !sip.equals(lastSip) ? track(model, sip, nanos) : before.state();
+        lastSip = sip;
+        scene = scene(model, state, texts);
+    }
+
+    private PioneerState track(Model model, String sip, long nanos) {
+        StateTracker following = tracker;
+        if (following == null) {
+            following = new StateTracker(model, bot.state().pose());
+            tracker = following;
+        }
+        return following.track(SipText.parse(sip.substring(sip.indexOf(' ') + 1)), nanos);
+    }
+
+    private PioneerScene scene(Model model, PioneerState state, Map<String, String> texts) {
+        double[] bumpers = numbers(texts, BUMPERS, 2);
+        double[] packets = numbers(texts, PACKETS, 3);
+        double[] limits = numbers(texts, LIMITS, 4);
+        return new PioneerScene(
+                model,
+                state,
+                new Bumpers((int) bumpers[0], (int) bumpers[1]),
+                bot.connection(),
+                bot.get("age").number(),
+                new PacketCounts((long) packets[0], (long) packets[1], (long) packets[2]),
+                new Range(limits[0], limits[1]),
+                new Range(limits[2], limits[3]));
+    }
+
+    private static double[] numbers(Map<String, String> texts, String name, int count) {
+        double[] numbers = new double[count];
+        String[] words = texts.getOrDefault(name, "").split(" ");
+        for (int index = 0; index < Math.min(count, words.length) && !words[index].isEmpty(); index++) {
+            numbers[index] = Double.parseDouble(words[index]);
+        }
+        return numbers;
+    }
+}
