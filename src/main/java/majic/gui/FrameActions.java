@@ -19,6 +19,7 @@ final class FrameActions {
     final IconAction openScript;
     final IconAction saveSession;
     final IconAction saveLog;
+    final IconAction openRecording;
     final IconAction killMajic;
 
     FrameActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
@@ -40,6 +41,8 @@ final class FrameActions {
         saveSession = new IconAction("Save Session", "session", "Save the session as a script", dialogs::saveSession)
                 .withKey(KeyEvent.VK_S);
         saveLog = new IconAction("Save Log", "log", "Save the parameter log", dialogs::saveLog);
+        openRecording =
+                new IconAction("Open Recording…", "log", "Replay what robots reported earlier", dialogs::openRecording);
         killMajic = new IconAction("Kill Majic", "quit", "Stop and close all robots and quit", frame::quit)
                 .withKey(KeyEvent.VK_Q);
     }

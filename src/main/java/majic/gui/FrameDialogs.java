@@ -20,6 +20,7 @@ import majic.gui.kit.MajicDialog;
 import majic.gui.kit.PictureDialog;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
+import majic.gui.replay.RecordingsDialog;
 import majic.panel.PictureView;
 import majic.script.Session;
 import majic.team.Member;
@@ -116,6 +117,12 @@ final class FrameDialogs {
 
     void saveLog() {
         save("Save Log", "log.csv", "save log ");
+    }
+
+    void openRecording() {
+        open(
+                "Open Recording",
+                () -> new RecordingsDialog(frame, services, session.factory().types()));
     }
 
     private void save(String title, String suggestion, String command) {

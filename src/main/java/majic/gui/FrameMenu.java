@@ -53,6 +53,8 @@ final class FrameMenu extends JMenuBar {
             file.add(new JMenuItem(action)).setToolTipText(null);
         }
         file.addSeparator();
+        file.add(new JMenuItem(actions.openRecording)).setToolTipText(null);
+        file.addSeparator();
         file.add(new JMenuItem(actions.killMajic)).setToolTipText(null);
         return file;
     }

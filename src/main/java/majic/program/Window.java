@@ -91,8 +91,13 @@ public final class Window {
 
     private MajicFrame build() {
         MajicFrame.installLook(program.settings());
-        ProgramServices services =
-                new ProgramServices(Window::serialPorts, program::startLab, program::quit, program.settings());
+        ProgramServices services = new ProgramServices(
+                Window::serialPorts,
+                program::startLab,
+                program::quit,
+                program.settings(),
+                program.recordings(),
+                program.recorder().orElse(null));
         return new MajicFrame(program.session(), parser, services);
     }
 

@@ -1,6 +1,7 @@
 package majic.recorder;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.time.Instant;
 import java.time.format.DateTimeParseException;
 import org.jspecify.annotations.Nullable;
@@ -14,6 +15,17 @@ import org.jspecify.annotations.Nullable;
  */
 public record RecordingHead(Instant begin, int part, double beginS) {
     private static final int COLUMNS = 5;
+
+    /**
+     * Reads the first line of a file. Blocks.
+     *
+     * @param file a file of a recording
+     * @return what it says about itself
+     * @throws IOException if it cannot be read, or is no recording; the message says why
+     */
+    public static RecordingHead read(Path file) throws IOException {
+        return RecordingReader.readHead(file);
+    }
 
     String text() {
         return String.join(

@@ -43,22 +43,29 @@ final class RecordingReader {
      * Passes the content of a file to a sink. Blocks.
      *
      * @return the first line: what the file says about itself
-     * @throws IOException if it cannot be read, or is no recording; the message is a whole sentence without the file
+     * @throws IOException if it cannot be read, or is no recording; the message says why, as half a sentence
      */
     static RecordingHead read(Path file, RecordingSink sink) throws IOException {
-        return new RecordingReader(file, sink).read();
+        return new RecordingReader(file, sink).read(true);
     }
 
-    private RecordingHead read() throws IOException {
+    /** Reads only the first line of a file. */
+    static RecordingHead readHead(Path file) throws IOException {
+        return new RecordingReader(file, new RecordingSink() {}).read(false);
+    }
+
+    private RecordingHead read(boolean whole) throws IOException {
         try (BufferedReader lines = open()) {
             RecordingHead head = RecordingHead.parse(lines.readLine());
-            seconds = head.beginS();
-            readLines(lines);
+            if (whole) {
+                seconds = head.beginS();
+                readLines(lines);
+            }
             return head;
         } catch (ZipException e) {
-            throw new IOException(file.getFileName() + " is no recording, or it is damaged", e);
+            throw new IOException("it is no recording of MAJIC, or it is damaged", e);
         } catch (EOFException e) {
-            throw new IOException(file.getFileName() + " is empty", e);
+            throw new IOException("it is empty", e);
         }
     }
 
@@ -120,7 +127,7 @@ final class RecordingReader {
             sink.time(seconds);
             take(columns);
         } catch (IllegalArgumentException e) {
-            throw new IOException(file.getFileName() + " is damaged in line " + number + ": " + e.getMessage(), e);
+            throw new IOException("it is damaged in line " + number + ": " + e.getMessage(), e);
         }
     }
 

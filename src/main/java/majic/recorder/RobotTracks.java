@@ -1,7 +1,5 @@
 package majic.recorder;
 
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Base64;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -22,6 +20,7 @@ public final class RobotTracks {
     private final Map<String, Track> status = new TreeMap<>();
     private final Map<String, Track> reports = new TreeMap<>();
     private final Track pictures = new Track();
+    private final Track changes = new Track();
     private double removedS = Double.POSITIVE_INFINITY;
 
     RobotTracks(RecordedRobot robot) {
@@ -37,6 +36,9 @@ public final class RobotTracks {
         Map<String, Track> tracks = kind == Kind.VALUE ? values : kind == Kind.STATUS ? status : reports;
         String key = kind == Kind.VALUE ? key(name) : name;
         tracks.computeIfAbsent(key, missing -> new Track()).add(seconds, text);
+        if (changes.size() == 0 || changes.seconds(changes.size() - 1) < seconds) {
+            changes.add(seconds, "0");
+        }
     }
 
     void addPicture(double seconds, String jpeg) {
@@ -134,20 +136,25 @@ public final class RobotTracks {
     }
 
     /**
-     * Returns the times at which something of {@link #reports} changed.
+     * Returns the times at which something of the robot changed.
      *
      * @param fromS excluded
      * @param toS included
      * @return ascending
      */
-    public double[] reportTimes(double fromS, double toS) {
-        List<double[]> times = new ArrayList<>();
-        reports.values().forEach(track -> times.add(track.times(fromS, toS)));
-        return times.stream()
-                .flatMapToDouble(Arrays::stream)
-                .sorted()
-                .distinct()
-                .toArray();
+    public double[] changes(double fromS, double toS) {
+        return changes.times(fromS, toS);
+    }
+
+    /**
+     * Returns when something of the robot had changed last.
+     *
+     * @param seconds time of the recording
+     * @return not after that time
+     */
+    public double lastChangeS(double seconds) {
+        int index = changes.indexAt(seconds);
+        return index < 0 ? seconds : changes.seconds(index);
     }
 
     /**

@@ -12,6 +12,9 @@ import org.jspecify.annotations.Nullable;
 final class Track {
     private static final int FIRST_CAPACITY = 4;
 
+    /** Over three weeks. */
+    private static final int LONGEST_MS = 2_000_000_000;
+
     private int[] atMs = new int[FIRST_CAPACITY];
     private double[] numbers = new double[FIRST_CAPACITY];
     private final Map<Integer, String> texts = new HashMap<>();
@@ -34,7 +37,7 @@ final class Track {
     }
 
     private static int ms(double seconds) {
-        return (int) Math.round(seconds * 1000);
+        return (int) Math.max(-LONGEST_MS, Math.min(LONGEST_MS, seconds * 1000 + Math.signum(seconds) * 0.5));
     }
 
     int size() {

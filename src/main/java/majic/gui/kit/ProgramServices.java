@@ -1,8 +1,11 @@
 package majic.gui.kit;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
 import majic.bot.Settings;
+import majic.recorder.Recorder;
+import majic.recorder.RecordingFolder;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,12 +16,25 @@ import org.jspecify.annotations.Nullable;
  *     {@link majic.bot.BotException}; null if there is none to start
  * @param quit stops and closes everything and ends the program; may block, is called once, in the background
  * @param settings the stored settings
+ * @param recordings the recordings of this and earlier sessions
+ * @param recorder what records this session; null if it is not recorded
  */
 public record ProgramServices(
         Supplier<List<SerialPortChoice>> serialPorts,
         @Nullable Runnable startLab,
         Runnable quit,
-        Settings settings) {
+        Settings settings,
+        RecordingFolder recordings,
+        @Nullable Recorder recorder) {
+
+    /** Creates services without a recorder, for tests. */
+    public ProgramServices(
+            Supplier<List<SerialPortChoice>> serialPorts,
+            @Nullable Runnable startLab,
+            Runnable quit,
+            Settings settings) {
+        this(serialPorts, startLab, quit, settings, new RecordingFolder(Path.of("no recordings")), null);
+    }
 
     /**
      * A serial port to choose.

@@ -59,5 +59,5 @@ public record MapScene(
      * @param name of its type
      * @param truth its true pose
      */
-    record Bystander(String name, Pose truth) {}
+    public record Bystander(String name, Pose truth) {}
 }

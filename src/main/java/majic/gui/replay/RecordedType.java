@@ -1,0 +1,35 @@
+package majic.gui.replay;
+
+import java.util.List;
+import majic.bot.BotEnvironment;
+import majic.bot.BotException;
+import majic.bot.BotType;
+import majic.bot.MajicBot;
+import majic.recorder.RecordedRobot;
+
+/** The type of a recorded robot of which no driver is installed. */
+record RecordedType(String name, String label, String make) implements BotType {
+    RecordedType(RecordedRobot robot) {
+        this(robot.type(), robot.label(), robot.make());
+    }
+
+    @Override
+    public List<Reach> reaches() {
+        return List.of(Reach.TCP);
+    }
+
+    @Override
+    public int defaultPort() {
+        return 0;
+    }
+
+    @Override
+    public MajicBot create(String address, BotEnvironment environment) {
+        throw new BotException("no driver for the type " + name + " is installed");
+    }
+
+    @Override
+    public String advice() {
+        return "";
+    }
+}

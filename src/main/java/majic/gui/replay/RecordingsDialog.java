@@ -1,0 +1,154 @@
+package majic.gui.replay;
+
+import java.awt.Window;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.filechooser.FileNameExtensionFilter;
+import majic.bot.BotType;
+import majic.gui.kit.ChooseFile;
+import majic.gui.kit.EventThread;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.Paragraph;
+import majic.gui.kit.ProgramServices;
+import majic.recorder.RecordingFolder;
+import majic.recorder.RecordingHead;
+import net.miginfocom.swing.MigLayout;
+
+/** Asks which recording is to be replayed: one of the user's folder, the newest first, or another file. */
+public final class RecordingsDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+    private static final Logger LOG = System.getLogger(RecordingsDialog.class.getName());
+    private static final double MEGABYTE = 1e6;
+
+    private final transient ProgramServices services;
+    private final transient List<BotType> types;
+    private final JList<Entry> list = new JList<>();
+    private final Paragraph problem = new Paragraph("recordingProblem", 2, 40);
+    private final JButton open = button("Open", this::openSelected);
+
+    /** A file with the words for it. */
+    private record Entry(Path file, String words) {
+        @Override
+        public String toString() {
+            return words;
+        }
+    }
+
+    /**
+     * Creates the dialog; it lists the recordings as soon as they are found.
+     *
+     * @param owner the window beside which recordings are opened
+     * @param services where the recordings are
+     * @param types the types of robots of which panels can be shown
+     */
+    public RecordingsDialog(Window owner, ProgramServices services, List<BotType> types) {
+        super(owner, "Open Recording");
+        this.services = services;
+        this.types = types;
+        JLabel title = new JLabel("Recordings, the newest first");
+        title.setLabelFor(list);
+        title.setDisplayedMnemonic('R');
+        list.setName("recordings");
+        list.setVisibleRowCount(10);
+        list.getAccessibleContext().setAccessibleName("recordings, the newest first");
+        list.addListSelectionListener(event -> open.setEnabled(list.getSelectedValue() != null));
+        list.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                if (event.getClickCount() == 2) {
+                    openSelected();
+                }
+            }
+        });
+        JPanel content = new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow, fill]", "[][grow, fill][]"));
+        content.add(title);
+        content.add(new JScrollPane(list), "w 420, h 220");
+        content.add(problem);
+        problem.setVisible(false);
+        open.setEnabled(false);
+        fill(content, open, button("Other File…", this::chooseFile), closing("Cancel"));
+        RecordingFolder folder = services.recordings();
+        EventThread.background(
+                "listing recordings",
+                () -> {
+                    List<Entry> entries = entries(folder);
+                    EventThread.later(() -> show(entries));
+                },
+                this::showProblem);
+    }
+
+    private void show(List<Entry> entries) {
+        list.setListData(entries.toArray(new Entry[0]));
+        list.setSelectedIndex(0);
+        if (entries.isEmpty()) {
+            showProblem("There is no recording yet; MAJIC records while robots are connected.");
+        }
+    }
+
+    private static List<Entry> entries(RecordingFolder folder) {
+        List<Entry> entries = new ArrayList<>();
+        try {
+            for (Path file : folder.files()) {
+                entries.add(new Entry(file, words(file)));
+            }
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "the recordings cannot be listed", e);
+        }
+        Collections.reverse(entries);
+        return entries;
+    }
+
+    private static String words(Path file) {
+        try {
+            RecordingHead head = RecordingHead.read(file);
+            String part = head.part() == 1
+                    ? ""
+                    : ", part " + head.part() + " from "
+                            + ReplayTimes.timeOfDay(head.begin().plusMillis(Math.round(head.beginS() * 1000)));
+            return ReplayTimes.day(head.begin())
+                    + part
+                    + String.format(Locale.ROOT, "  \u00b7  %.1f MB", Files.size(file) / MEGABYTE);
+        } catch (IOException e) {
+            return file.getFileName() + "  \u00b7  cannot be read";
+        }
+    }
+
+    private void chooseFile() {
+        FileNameExtensionFilter filter = new FileNameExtensionFilter(
+                "Recordings (" + RecordingFolder.ENDING + ")", RecordingFolder.ENDING.substring(1));
+        ChooseFile.toOpen(this, services.settings(), "Open", filter, this::open);
+    }
+
+    private void openSelected() {
+        Entry entry = list.getSelectedValue();
+        if (entry != null) {
+            open(entry.file());
+        }
+    }
+
+    private void open(Path file) {
+        open.setEnabled(false);
+        ReplayWindow.open(getOwner(), file, types, this::dispose, this::showProblem);
+    }
+
+    private void showProblem(String reason) {
+        open.setEnabled(list.getSelectedValue() != null);
+        problem.show(reason, true);
+        problem.setVisible(true);
+        pack();
+    }
+}

@@ -1,0 +1,76 @@
+package majic.gui.replay;
+
+import com.formdev.flatlaf.FlatLaf;
+import java.awt.Color;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Path2D;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import net.miginfocom.swing.MigLayout;
+
+/** The striped band above a replay, so that it cannot be mistaken for the robots. */
+final class ReplayBand extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final int STRIPE_PX = 14;
+    private static final int STRIPES_WIDTH_PX = 56;
+
+    ReplayBand(String what) {
+        super(new MigLayout("insets 7 70 7 70, fillx", "[grow, fill][]"));
+        JLabel title = new JLabel("REPLAY of " + what);
+        title.setName("replayBand");
+        title.putClientProperty("FlatLaf.styleClass", "h4");
+        title.setForeground(ink());
+        JLabel note = new JLabel("No robot is reached from this window; F12 still stops the team.");
+        note.setForeground(ink());
+        add(title, "wmin 0");
+        add(note, "wmin 0");
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setBackground(paper());
+        for (java.awt.Component part : getComponents()) {
+            part.setForeground(ink());
+        }
+    }
+
+    private static Color paper() {
+        return FlatLaf.isLafDark() ? new Color(0x4A3B00) : new Color(0xFFE9A8);
+    }
+
+    private static Color ink() {
+        return FlatLaf.isLafDark() ? new Color(0xFFE08A) : new Color(0x3D3000);
+    }
+
+    private static Color stripe() {
+        return FlatLaf.isLafDark() ? new Color(0x8A6D00) : new Color(0xE0B000);
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        super.paintComponent(graphics);
+        Graphics2D pen = (Graphics2D) graphics.create();
+        pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        pen.setColor(stripe());
+        paintStripes(pen, 0);
+        paintStripes(pen, getWidth() - STRIPES_WIDTH_PX);
+        pen.dispose();
+    }
+
+    private void paintStripes(Graphics2D pen, int left) {
+        Graphics2D part = (Graphics2D) pen.create(left, 0, STRIPES_WIDTH_PX, getHeight());
+        for (int x = -getHeight(); x < STRIPES_WIDTH_PX; x += 2 * STRIPE_PX) {
+            Path2D stripe = new Path2D.Double();
+            stripe.moveTo(x, getHeight());
+            stripe.lineTo(x + getHeight(), 0);
+            stripe.lineTo(x + getHeight() + STRIPE_PX, 0);
+            stripe.lineTo(x + STRIPE_PX, getHeight());
+            stripe.closePath();
+            part.fill(stripe);
+        }
+        part.dispose();
+    }
+}

@@ -1,0 +1,67 @@
+package majic.gui.replay;
+
+import java.util.List;
+import java.util.stream.Stream;
+import javax.swing.JButton;
+import javax.swing.JComboBox;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import majic.bot.Value;
+import majic.recorder.Recording;
+import net.miginfocom.swing.MigLayout;
+
+/** Play and pause, the time slider and the speed of a replay. */
+final class ReplayControls extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final List<Double> SPEEDS = List.of(0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0);
+
+    private final transient Recording recording;
+    private final JButton play = new JButton("Play");
+    private final JLabel time = new JLabel();
+    private final Timeline timeline;
+
+    ReplayControls(Recording recording, ReplayPlayer player) {
+        super(new MigLayout("insets 6 10 8 10, gap 10", "[][][grow, fill][][]"));
+        this.recording = recording;
+        this.timeline = new Timeline(recording.beginS(), recording.endS(), recording.marks(0), player::jump);
+        play.setName("play");
+        play.setMnemonic('P');
+        play.setToolTipText("Play or pause");
+        play.addActionListener(event -> {
+            if (player.isPlaying()) {
+                player.pause();
+            } else {
+                player.play();
+            }
+        });
+        time.setName("replayTime");
+        JComboBox<String> speed = new JComboBox<>(Stream.of(SPEEDS.toArray(new Double[0]))
+                .map(times -> Value.plain(times) + " \u00d7")
+                .toArray(String[]::new));
+        speed.setName("replaySpeed");
+        speed.getAccessibleContext().setAccessibleName("Speed of the replay");
+        speed.setSelectedIndex(SPEEDS.indexOf(1.0));
+        speed.addActionListener(event -> player.setSpeed(SPEEDS.get(speed.getSelectedIndex())));
+        JLabel speedLabel = new JLabel("Speed");
+        speedLabel.setLabelFor(speed);
+        speedLabel.setDisplayedMnemonic('S');
+        add(play, "w 84!");
+        add(time, "w 230!");
+        add(timeline);
+        add(speedLabel);
+        add(speed);
+    }
+
+    /** The button that has the focus first. */
+    JButton playButton() {
+        return play;
+    }
+
+    /** Shows the position. */
+    void show(double seconds, boolean playing) {
+        play.setText(playing ? "Pause" : "Play");
+        time.setText(ReplayTimes.clock(seconds) + " of " + ReplayTimes.clock(recording.endS()) + "  \u00b7  "
+                + ReplayTimes.timeOfDay(recording.head().begin().plusMillis(Math.round(seconds * 1000))));
+        timeline.follow(seconds);
+    }
+}

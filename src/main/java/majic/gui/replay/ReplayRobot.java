@@ -1,0 +1,152 @@
+package majic.gui.replay;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Arrays;
+import majic.bot.BotType;
+import majic.bot.Pose;
+import majic.bot.ReplayDisplay;
+import majic.gui.map.MapScene;
+import majic.panel.map.Trail;
+import majic.recorder.RecordedRobot;
+import majic.recorder.Recording;
+import majic.recorder.RobotTracks;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One recorded robot with its panel and its trail. Made on the event dispatch thread; all other methods are called on
+ * the thread of the replay.
+ */
+final class ReplayRobot implements AutoCloseable {
+    private static final Logger LOG = System.getLogger(ReplayRobot.class.getName());
+
+    /** A panel needs so much of what came before, to show echoes and all sonar readings. */
+    private static final double RUN_UP_S = 3;
+
+    private static final double NANOS_PER_S = 1e9;
+
+    private final RobotTracks tracks;
+    private final ReplayBot bot;
+    private final ReplayDisplay display;
+    private final Trail trail = new Trail();
+    private double pictureS = Double.NEGATIVE_INFINITY;
+
+    ReplayRobot(BotType type, RobotTracks tracks) {
+        this.tracks = tracks;
+        this.bot = new ReplayBot(type, tracks);
+        this.display = display(type, bot);
+    }
+
+    /** The panel of the robot's own type; a table if there is none, or if it cannot be made. */
+    private static ReplayDisplay display(BotType type, ReplayBot bot) {
+        try {
+            ReplayDisplay own = type.replay(bot);
+            return own == null ? new ReadingsTable(bot) : own;
+        } catch (RuntimeException e) {
+            LOG.log(Level.ERROR, "the panel of a recorded " + type.name() + " could not be made", e);
+            return new ReadingsTable(bot);
+        }
+    }
+
+    RecordedRobot robot() {
+        return tracks.robot();
+    }
+
+    RobotTracks tracks() {
+        return tracks;
+    }
+
+    ReplayDisplay display() {
+        return display;
+    }
+
+    boolean isPresent(double seconds) {
+        return tracks.isPresent(seconds);
+    }
+
+    /** Shows another time, without what lies between. */
+    void jump(double toS) {
+        trail.clear();
+        for (double at : tracks.changes(Double.NEGATIVE_INFINITY, toS)) {
+            trail.add(place(at));
+        }
+        pictureS = Double.NEGATIVE_INFINITY;
+        display.reset();
+        show(Math.max(robot().addedS(), toS - RUN_UP_S));
+        follow(toS - RUN_UP_S, toS);
+        show(toS);
+    }
+
+    /** Shows the time that follows what is shown, with all that came in between. */
+    void advance(double fromS, double toS) {
+        for (double at : tracks.changes(fromS, toS)) {
+            trail.add(place(at));
+        }
+        follow(Math.max(fromS, toS - RUN_UP_S), toS);
+        show(toS);
+    }
+
+    private void follow(double fromS, double toS) {
+        Arrays.stream(tracks.changes(fromS, toS)).forEach(this::show);
+        tracks.picture(toS).filter(picture -> picture.seconds() > pictureS).ifPresent(picture -> {
+            pictureS = picture.seconds();
+            display.showPicture(picture.jpeg());
+        });
+    }
+
+    private void show(double atS) {
+        bot.show(atS);
+        try {
+            display.show(tracks.reports(atS), (long) (atS * NANOS_PER_S));
+        } catch (RuntimeException e) {
+            LOG.log(Level.DEBUG, "a recorded state cannot be shown", e);
+        }
+    }
+
+    private Pose place(double atS) {
+        return robot().origin().plus(pose(atS));
+    }
+
+    private Pose pose(double atS) {
+        return new Pose(number("x", atS), number("y", atS), number("heading", atS));
+    }
+
+    private double number(String parameter, double atS) {
+        return tracks.number(parameter, atS).orElse(0.0);
+    }
+
+    /** The robot on the map. */
+    MapScene.Robot onMap(Recording recording, double atS) {
+        @Nullable Pose truth = recording.truePoses(atS).get(robot().inLab());
+        return new MapScene.Robot(
+                robot().number(),
+                robot().label(),
+                robot().bodyMm(),
+                place(atS),
+                truth,
+                trail,
+                bot.isConnected(),
+                !tracks.status("stop", atS).isEmpty());
+    }
+
+    /** One line about the robot. */
+    String status(double atS) {
+        if (!isPresent(atS)) {
+            return "not in the team at this time";
+        }
+        Pose at = pose(atS);
+        String moving = tracks.number("moving", atS).orElse(0.0) > 0 ? ", moving" : ", stationary";
+        String owner = tracks.status("owner", atS);
+        String about = robot().estimates() ? "about " : "";
+        return tracks.status("connection", atS)
+                + (bot.isConnected() ? moving : "")
+                + (owner.isEmpty() ? "" : ", " + owner)
+                + "   " + about + "x " + Math.round(at.xMm()) + " mm   y " + Math.round(at.yMm()) + " mm   heading "
+                + Math.round(at.headingDeg()) + "\u00b0";
+    }
+
+    @Override
+    public void close() {
+        bot.close();
+    }
+}

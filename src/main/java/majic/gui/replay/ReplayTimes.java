@@ -1,0 +1,35 @@
+package majic.gui.replay;
+
+import java.time.Instant;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
+import java.util.Locale;
+
+/** The form of times in a replay. */
+final class ReplayTimes {
+    private static final DateTimeFormatter DAY_AND_TIME =
+            DateTimeFormatter.ofPattern("d MMM yyyy, HH:mm:ss", Locale.ENGLISH);
+    private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
+
+    private ReplayTimes() {}
+
+    /** A time since the beginning of the recording: {@code 2:05.3}, {@code 1:02:05.3}. */
+    static String clock(double seconds) {
+        long tenths = Math.round(seconds * 10);
+        long minutes = tenths / 600;
+        String rest = String.format(Locale.ROOT, "%02d.%d", tenths / 10 % 60, tenths % 10);
+        return minutes < 60
+                ? minutes + ":" + rest
+                : String.format(Locale.ROOT, "%d:%02d:%s", minutes / 60, minutes % 60, rest);
+    }
+
+    /** A day with its time. */
+    static String day(Instant moment) {
+        return DAY_AND_TIME.format(moment.atZone(ZoneId.systemDefault()));
+    }
+
+    /** The time of day. */
+    static String timeOfDay(Instant moment) {
+        return TIME.format(moment.atZone(ZoneId.systemDefault()));
+    }
+}

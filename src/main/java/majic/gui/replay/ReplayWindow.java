@@ -1,0 +1,218 @@
+package majic.gui.replay;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Frame;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+import javax.swing.WindowConstants;
+import majic.bot.BotException;
+import majic.bot.BotType;
+import majic.bot.Pose;
+import majic.gui.kit.EventThread;
+import majic.gui.map.MapScene;
+import majic.gui.map.TeamMap;
+import majic.panel.map.ZoomableMap;
+import majic.recorder.RecordedRobot;
+import majic.recorder.Recording;
+import majic.text.IoReason;
+
+/**
+ * Replays one file of a recording: the map of the team, the panels of its robots, the lines of the session, and the
+ * time slider. Must be used on the event dispatch thread.
+ */
+public final class ReplayWindow extends JFrame {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Recording recording;
+    private final transient List<ReplayRobot> robots;
+    private final transient ReplayPlayer player;
+    private final TeamMap map = new TeamMap();
+    private final Map<ReplayRobot, JLabel> status = new LinkedHashMap<>();
+    private final JTabbedPane panels = new JTabbedPane();
+    private final ReplayLines lines;
+    private final ReplayControls controls;
+
+    private ReplayWindow(Recording recording, List<BotType> types) {
+        super("MAJIC: replay of " + ReplayTimes.day(recording.head().begin()));
+        this.recording = recording;
+        this.robots = recording.tracks().stream()
+                .map(tracks -> new ReplayRobot(type(types, tracks.robot()), tracks))
+                .toList();
+        this.player = new ReplayPlayer(recording.beginS(), recording.endS(), new Screen());
+        this.lines = new ReplayLines(recording.lines(), player::jump);
+        this.controls = new ReplayControls(recording, player);
+        setName("replay");
+        place();
+    }
+
+    /**
+     * Reads a recording in the background and opens its window, paused at its beginning.
+     *
+     * @param owner the window beside which it opens
+     * @param file a file of a recording
+     * @param types the types of robots of which panels can be shown
+     * @param opened called on the event dispatch thread when the window is shown
+     * @param failed receives the reason if the file cannot be read, as a sentence, on the event dispatch thread
+     */
+    public static void open(Window owner, Path file, List<BotType> types, Runnable opened, Consumer<String> failed) {
+        EventThread.background(
+                "opening " + file.getFileName(),
+                () -> {
+                    Recording recording = read(file);
+                    EventThread.later(() -> {
+                        show(owner, recording, types);
+                        opened.run();
+                    });
+                },
+                failed);
+    }
+
+    private static Recording read(Path file) {
+        try {
+            return Recording.read(file);
+        } catch (IOException e) {
+            throw new BotException(file + ": " + IoReason.of(e), e);
+        }
+    }
+
+    private static void show(Window owner, Recording recording, List<BotType> types) {
+        ReplayWindow window = new ReplayWindow(recording, types);
+        if (owner instanceof Frame frame) {
+            window.setIconImages(frame.getIconImages());
+        }
+        window.setLocationRelativeTo(owner);
+        window.setVisible(true);
+        recording.robots().stream().findFirst().ifPresent(robot -> window.player.jump(robot.addedS()));
+        window.player.start();
+    }
+
+    private static BotType type(List<BotType> types, RecordedRobot robot) {
+        return types.stream()
+                .filter(type -> type.name().equals(robot.type()))
+                .findFirst()
+                .orElseGet(() -> new RecordedType(robot));
+    }
+
+    private void place() {
+        robots.forEach(this::addTab);
+        panels.setName("replayRobots");
+        panels.setPreferredSize(new Dimension(470, 400));
+        panels.setMinimumSize(new Dimension(360, 200));
+        JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, map, panels);
+        middle.setResizeWeight(0.55);
+        JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, new JScrollPane(lines));
+        all.setResizeWeight(0.85);
+        JPanel content = new JPanel(new BorderLayout());
+        content.add(new ReplayBand(ReplayTimes.day(recording.head().begin())), BorderLayout.NORTH);
+        content.add(all, BorderLayout.CENTER);
+        content.add(controls, BorderLayout.SOUTH);
+        setContentPane(content);
+        setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+        setMinimumSize(new Dimension(700, 520));
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        setSize(Math.min(1200, screen.width), Math.min(780, screen.height));
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                controls.playButton().requestFocusInWindow();
+            }
+        });
+    }
+
+    private void addTab(ReplayRobot robot) {
+        JLabel words = new JLabel(" ");
+        words.setName("replayStatus" + robot.robot().number());
+        status.put(robot, words);
+        JPanel tab = new JPanel(new BorderLayout(0, 6));
+        tab.add(words, BorderLayout.NORTH);
+        tab.add(robot.display().component(), BorderLayout.CENTER);
+        panels.addTab(robot.robot().number() + " " + robot.robot().label(), tab);
+    }
+
+    /** Ends the replay. */
+    @Override
+    public void dispose() {
+        player.close();
+        super.dispose();
+        EventThread.background("closing a replay", () -> robots.forEach(ReplayRobot::close));
+    }
+
+    private MapScene scene(double atS) {
+        Map<String, Pose> others = new LinkedHashMap<>(recording.truePoses(atS));
+        List<MapScene.Robot> shown = new ArrayList<>();
+        boolean guessed = false;
+        for (ReplayRobot robot : robots) {
+            if (robot.isPresent(atS)) {
+                shown.add(robot.onMap(recording, atS));
+                others.remove(robot.robot().inLab());
+                guessed |= robot.robot().inLab().isEmpty();
+            }
+        }
+        return new MapScene(
+                recording.room().walls(),
+                recording.room().furnishing(),
+                shown,
+                others.entrySet().stream()
+                        .map(other -> new MapScene.Bystander(other.getKey(), other.getValue()))
+                        .toList(),
+                guessed);
+    }
+
+    /** Shows the position of the player in all parts of the window. */
+    private final class Screen implements ReplayPlayer.Screen {
+        @Override
+        public void jump(double toS) {
+            robots.forEach(robot -> robot.jump(toS));
+            EventThread.later(() -> clearMaps(panels));
+        }
+
+        @Override
+        public void advance(double fromS, double toS) {
+            robots.forEach(robot -> robot.advance(fromS, toS));
+        }
+
+        @Override
+        public void moved(double positionS, boolean playing) {
+            MapScene scene = scene(positionS);
+            List<String> words =
+                    robots.stream().map(robot -> robot.status(positionS)).toList();
+            EventThread.later(() -> {
+                map.show(scene);
+                int index = 0;
+                for (JLabel label : status.values()) {
+                    label.setText(words.get(index++));
+                }
+                lines.follow(positionS);
+                controls.show(positionS, playing);
+            });
+        }
+
+        /** Removes the ways and echoes of another time from the robots' own maps. */
+        private static void clearMaps(java.awt.Container parts) {
+            for (java.awt.Component part : parts.getComponents()) {
+                if (part instanceof ZoomableMap own) {
+                    own.clear();
+                } else if (part instanceof java.awt.Container inner) {
+                    clearMaps(inner);
+                }
+            }
+        }
+    }
+}
