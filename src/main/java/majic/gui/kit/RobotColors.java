@@ -4,25 +4,29 @@ import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
 
 /**
- * Assigns a colour to each robot number; the colours can be distinguished by colour-blind users too, in the light and
- * the dark look.
+ * Assigns a colour to each robot number: twenty that are told apart in the light and in the dark look, the first five by
+ * colour-blind users too. A robot is never identified by its colour alone; its number is always drawn with it.
  */
 public final class RobotColors {
-    private static final Color[] LIGHT = {
-        new Color(0x0072B2), new Color(0xC04E00), new Color(0x007A5A), new Color(0x9C3F80),
-        new Color(0x8A6D00), new Color(0x3D6FB6), new Color(0x7A4B2A), new Color(0x555555)
+    private static final int[] LIGHT = {
+        0x0072B2, 0xC04E00, 0x007A5A, 0x9C3F80, 0x8A6D00,
+        0x0000BB, 0x443322, 0xFF1155, 0x9966FF, 0x880022,
+        0x224400, 0x997777, 0x449900, 0x114444, 0x444466,
+        0xFF00AA, 0x888866, 0x008899, 0x777799, 0x9900DD
     };
-    private static final Color[] DARK = {
-        new Color(0x4FA8DC), new Color(0xF08A45), new Color(0x3FC29A), new Color(0xDB88BF),
-        new Color(0xE0C040), new Color(0x9DB8F0), new Color(0xC89A74), new Color(0xB0B0B0)
+    private static final int[] DARK = {
+        0x4FA8DC, 0xF08A45, 0x3FC29A, 0xDB88BF, 0xE0C040,
+        0x88FF11, 0xDDDDFF, 0x00EEFF, 0xFFDDCC, 0x77AA22,
+        0xDDEEBB, 0xAA99FF, 0xAA9977, 0x77AAAA, 0xCC9999,
+        0xDDEE00, 0x66FFAA, 0xFF44FF, 0xFF6688, 0x00CC44
     };
 
     private RobotColors() {}
 
     /** Returns the colour of a robot in the present look and feel. */
     public static Color of(int number) {
-        Color[] colors = FlatLaf.isLafDark() ? DARK : LIGHT;
-        return colors[Math.floorMod(number - 1, colors.length)];
+        int[] colors = FlatLaf.isLafDark() ? DARK : LIGHT;
+        return new Color(colors[Math.floorMod(number - 1, colors.length)]);
     }
 
     /** Returns black or white, whichever is easier to read on a colour. */
