@@ -115,14 +115,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         StopAlarm alarm = new StopAlarm(session.team());
         session.team().addListener(new EventThreadTeamListener(alarm));
         FrameActions actions = new FrameActions(this, dialogs, editor);
-        JPanel team = new JPanel(
-                new MigLayout("insets 0, gap 6, hidemode 3", "[fill][grow, fill, shrinkprio 200]", "[grow, fill]"));
-        team.add(strip, "hmin 0");
-        team.add(map, "hmin 0");
-        JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, team, panels);
-        middle.setResizeWeight(0.58);
-        panels.setPreferredSize(new Dimension(470, 400));
-        panels.setMinimumSize(new Dimension(360, 200));
+        TeamPane middle = new TeamPane(strip, map, panels);
         JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, commands);
         all.setResizeWeight(0.75);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));

@@ -29,6 +29,10 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class RobotPanels extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
+
+    /** The property that is true while two panels are shown side by side. */
+    public static final String COMPARING = "comparing";
+
     private static final String EMPTY = "no robots";
     private static final String ROBOTS = "robots";
 
@@ -44,6 +48,7 @@ public final class RobotPanels extends JPanel implements TeamListener {
     private final DrivePad pad;
     private final transient Map<Member, BotPanel> panels = new HashMap<>();
     private final transient Map<Member, PanelWindow> windows = new HashMap<>();
+    private boolean comparing;
 
     /**
      * Creates panels for the robots that are in the team already; panels for later ones are added by events.
@@ -160,6 +165,14 @@ public final class RobotPanels extends JPanel implements TeamListener {
         pad.choose(chosen);
         revalidate();
         repaint();
+        boolean before = comparing;
+        comparing = shown.size() == COMPARED;
+        firePropertyChange(COMPARING, before, comparing);
+    }
+
+    /** Returns whether two panels are shown side by side. */
+    public boolean isComparing() {
+        return comparing;
     }
 
     private String notice(List<Member> chosen, List<Member> shown) {
