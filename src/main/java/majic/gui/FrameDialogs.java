@@ -27,6 +27,9 @@ import majic.team.Member;
 
 /** Opens the window's dialogs; creates each at its first use and never shows one of them twice at a time. */
 final class FrameDialogs {
+    private static final String KILL_BOT = "Kill Bot";
+    private static final String LOAD_ACT = "Load Act";
+
     private final MajicFrame frame;
     private final Session session;
     private final ProgramServices services;
@@ -54,27 +57,29 @@ final class FrameDialogs {
         withRobots(members -> removeBot(selection.first()));
     }
 
-    /** Opens the dialog that removes a robot, with this one chosen. */
+    /** Opens the dialog that removes a robot, with this one chosen; one that is open for another robot is closed. */
     void removeBot(Member member) {
+        close(KILL_BOT);
         removeBot(Optional.of(member));
     }
 
     private void removeBot(Optional<Member> chosen) {
         Consumer<Member> kill = member -> frame.submit("remove " + member.number());
-        open("Kill Bot", () -> new KillBotDialog(frame, session.team().members(), chosen, kill));
+        open(KILL_BOT, () -> new KillBotDialog(frame, session.team().members(), chosen, kill));
     }
 
     void loadAct() {
         withRobots(members -> loadAct(selection.first()));
     }
 
-    /** Opens the dialogs that load an act, with this robot chosen. */
+    /** Opens the dialogs that load an act, with this robot chosen; one that is open for another robot is closed. */
     void loadAct(Member member) {
+        close(LOAD_ACT);
         loadAct(Optional.of(member));
     }
 
     private void loadAct(Optional<Member> chosen) {
-        open("Load Act", () -> new LoadActDialog(frame, session.team().members(), chosen, loader::load));
+        open(LOAD_ACT, () -> new LoadActDialog(frame, session.team().members(), chosen, loader::load));
     }
 
     void makeAct() {
@@ -161,5 +166,9 @@ final class FrameDialogs {
                         && dialog.isShowing()
                         && dialog.getTitle().equals(title))
                 .findFirst();
+    }
+
+    private void close(String title) {
+        shown(title).ifPresent(Window::dispose);
     }
 }

@@ -16,10 +16,12 @@ import javax.swing.Icon;
  * @param charging whether the battery is being charged
  */
 public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon {
+    /** Below this charge the icon has the alarm colour. */
+    public static final int LOW_PERCENT = 20;
+
     private static final int WIDTH = 24;
     private static final int HEIGHT = 12;
     private static final int INNER_WIDTH = WIDTH - 6;
-    private static final int LOW_PERCENT = 20;
 
     @Override
     public void paintIcon(Component component, Graphics graphics, int x, int y) {

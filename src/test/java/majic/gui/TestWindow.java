@@ -7,6 +7,7 @@ import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalInt;
@@ -15,6 +16,7 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
+import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -37,6 +39,7 @@ import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.Robot;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JFileChooserFixture;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Opens a real window with toy robots, and operates it. The only class that uses the library for window tests. Without
@@ -183,6 +186,25 @@ public final class TestWindow implements AutoCloseable {
 
     void clickWithCtrl(String name) {
         with(KeyEvent.VK_CONTROL, () -> click(name));
+    }
+
+    void clickAt(String name, Point place) {
+        robot.click(find(name, Component.class), place);
+        robot.waitForIdle();
+    }
+
+    /** Opens the context menu of a component. */
+    void menuOf(String name) {
+        robot.rightClick(awaitShowing(name, Component.class));
+        robot.waitForIdle();
+    }
+
+    /** Returns the tool tip of a place in a component. */
+    @Nullable
+    String tipAt(String name, Point place) {
+        JComponent component = find(name, JComponent.class);
+        return GuiActionRunner.execute(() -> component.getToolTipText(
+                new MouseEvent(component, MouseEvent.MOUSE_MOVED, 0, 0, place.x, place.y, 0, false)));
     }
 
     private void with(int modifier, Runnable action) {

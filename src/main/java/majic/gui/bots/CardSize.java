@@ -9,7 +9,9 @@ enum CardSize {
     /** Two lines: name, and the most important of the others. */
     MEDIUM(2, 12),
     /** One line. */
-    COMPACT(1, 6);
+    COMPACT(1, 10),
+    /** One line of half the width; battery and connection only if they need attention. */
+    NARROW(1, 10);
 
     private final int lines;
     private final int extra;

@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.Insets;
 import java.awt.geom.RoundRectangle2D;
 import java.util.Objects;
+import java.util.OptionalInt;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -84,7 +85,7 @@ final class RobotCard extends JPanel {
         JButton button = new JButton(text, icon);
         button.setName(name);
         button.setFocusable(false);
-        button.setMargin(new Insets(0, 3, 0, 3));
+        button.setMargin(new Insets(1, 5, 1, 5));
         button.setIconTextGap(3);
         button.setToolTipText(tip);
         button.getAccessibleContext().setAccessibleName(tip);
@@ -125,38 +126,43 @@ final class RobotCard extends JPanel {
         removeAll();
         stop.setText(newSize == CardSize.FULL ? "Stop" : "");
         reconnect.setText(newSize == CardSize.FULL ? "Reconnect" : "");
-        badge.setIcon(new NumberBadge(member.number(), newSize == CardSize.COMPACT ? 18 : 26));
-        String gaps = ", gap 6 0, hidemode 3, novisualpadding";
+        badge.setIcon(new NumberBadge(member.number(), isOneLine(newSize) ? 18 : 26));
         switch (newSize) {
             case FULL -> {
-                setLayout(new MigLayout("insets 4 8 4 6" + gaps, "[][grow, fill][][]", "[grow][grow][grow]"));
+                arrange("insets 4 8 4 6", "[grow][grow][grow]");
                 add(badge, "spany 3, aligny center");
-                add(name, "wmin 0");
-                add(connection);
-                add(battery);
-                add(line, "newline, spanx 3, wmin 0, growx");
-                add(activity, "newline, spanx 3, split 3, wmin 0, growx, pushx");
+                addHead();
+                add(line, "newline, spanx 3, wmin 0, growx, gapleft 8");
+                add(activity, "newline, spanx 3, split 3, wmin 0, growx, pushx, gapleft 8");
             }
             case MEDIUM -> {
-                setLayout(new MigLayout("insets 3 8 3 6" + gaps, "[][grow, fill][][]", "[grow][grow]"));
+                arrange("insets 3 8 3 6", "[grow][grow]");
                 add(badge, "spany 2, aligny center");
-                add(name, "wmin 0");
-                add(connection);
-                add(battery);
-                add(line, "newline, spanx 3, split 3, wmin 0, growx, pushx");
+                addHead();
+                add(line, "newline, spanx 3, split 3, wmin 0, growx, pushx, gapleft 8");
             }
-            case COMPACT -> {
-                setLayout(new MigLayout("insets 0 6 0 3" + gaps, "[][grow, fill][][][][]", "[grow]"));
+            case COMPACT, NARROW -> {
+                arrange("insets 0 6 0 3", "[grow]");
                 add(badge);
-                add(line, "wmin 0");
-                add(connection);
-                add(battery);
+                add(line, "wmin 0, gapleft 6");
+                add(connection, "gapleft 4");
+                add(battery, "gapleft 4");
             }
         }
-        add(reconnect, "hmax 100%");
-        add(stop, "hmax 100%");
+        add(reconnect, "hmin 18, hmax 100%, gapleft 4");
+        add(stop, "hmin 18, hmax 100%, gapleft 4");
         shown = null;
         update();
+    }
+
+    private void arrange(String insets, String rows) {
+        setLayout(new MigLayout(insets + ", gap 0, hidemode 3, novisualpadding", "[][grow, fill][][][][]", rows));
+    }
+
+    private void addHead() {
+        add(name, "wmin 0, gapleft 8");
+        add(connection, "gapleft 6");
+        add(battery, "gapleft 6");
     }
 
     /** Shows the state of the robot. */
@@ -172,19 +178,34 @@ final class RobotCard extends JPanel {
                 switch (Objects.requireNonNull(size)) {
                     case FULL -> now.problem().isEmpty() ? now.condition() : now.problem();
                     case MEDIUM -> now.line();
-                    case COMPACT -> now.shortest();
+                    case COMPACT, NARROW -> now.shortest();
                 });
         line.putClientProperty("FlatLaf.style", now.problem().isEmpty() ? null : "font: bold");
         line.setForeground(now.isUnconfirmed() || now.isLost() ? Palette.error() : null);
         activity.setText(now.activity());
         connection.setIcon(new LinkIcon(now.bars()));
-        connection.setVisible(!now.isLost());
+        connection.setVisible(!now.isLost() && (size != CardSize.NARROW || now.bars() < LinkMeter.MOST_BARS));
         battery.setIcon(new BatteryIcon(now.battery().percent(), false));
-        battery.setText(size == CardSize.COMPACT ? "" : now.battery().text());
-        battery.setVisible(!now.isLost() && !now.battery().text().isEmpty());
+        battery.setText(isOneLine(size) ? "" : now.battery().text());
+        battery.setVisible(showsBattery(now));
         reconnect.setVisible(now.isLost());
         describe();
         repaint();
+    }
+
+    private static boolean isOneLine(@Nullable CardSize size) {
+        return size == CardSize.COMPACT || size == CardSize.NARROW;
+    }
+
+    /** A card of one line has no room for a voltage, and a narrow one only for a warning. */
+    private boolean showsBattery(RobotSummary now) {
+        OptionalInt percent = now.battery().percent();
+        if (now.isLost() || (isOneLine(size) && percent.isEmpty())) {
+            return false;
+        }
+        return size == CardSize.NARROW
+                ? percent.orElseThrow() < BatteryIcon.LOW_PERCENT
+                : !now.battery().text().isEmpty();
     }
 
     private void describe() {
@@ -224,7 +245,7 @@ final class RobotCard extends JPanel {
         g.setColor(selected ? DrawingColors.translucent(accent, 0.16) : Palette.paper());
         g.fill(shape);
         g.setStroke(new BasicStroke(selected || alarm ? 2 : 1));
-        g.setColor(alarm ? Palette.error() : selected ? accent : UIManager.getColor("Component.borderColor"));
+        g.setColor(edge(alarm, accent));
         g.draw(shape);
         if (isFocusOwner()) {
             g.setColor(Palette.text());
@@ -232,6 +253,13 @@ final class RobotCard extends JPanel {
             g.draw(new RoundRectangle2D.Double(3.5, 3.5, getWidth() - 7, getHeight() - 7, ARC / 2.0, ARC / 2.0));
         }
         g.dispose();
+    }
+
+    private Color edge(boolean alarm, Color accent) {
+        if (alarm) {
+            return Palette.error();
+        }
+        return selected ? Palette.mixed(Palette.text(), accent, 0.5) : UIManager.getColor("Component.borderColor");
     }
 
     /** Updates the card at a limited rate, however fast the robot reports. */

@@ -16,7 +16,7 @@ import majic.team.StopStatus;
  *
  * @param icon the sign of its state
  * @param name the label of its type
- * @param condition how it is connected and whether it moves
+ * @param condition whether it moves; if it is not connected, the state of its connection
  * @param problem what needs attention, in a few words; empty if nothing does
  * @param activity the act with its time, or what else owns the robot; empty if nothing does
  * @param battery its charge
@@ -49,13 +49,17 @@ record RobotSummary(
         return new RobotSummary(
                 StateIcon.of(member, stops),
                 bot.type().label(),
-                BotStatus.condition(member),
+                connected ? motion(bot) : BotStatus.condition(member),
                 problem(unconfirmed, lost, link, now),
                 activity(member, act),
                 connected ? battery : BatteryLevel.UNKNOWN,
                 connected ? link.bars(now) : 0,
                 lost,
                 unconfirmed);
+    }
+
+    private static String motion(MajicBot bot) {
+        return bot.state().moving() ? "moving" : "stationary";
     }
 
     private static String problem(boolean unconfirmed, boolean lost, LinkMeter link, long nowNanos) {

@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.LayoutManager;
+import java.util.List;
 import java.util.stream.Stream;
 
 /**
@@ -11,7 +12,7 @@ import java.util.stream.Stream;
  * one has no room for all.
  */
 final class StripLayout implements LayoutManager {
-    private static final int WIDTH = 236;
+    private static final int WIDTH = 248;
     private static final int LEAST_WIDTH = 96;
     private static final int GAP = 3;
     private static final int MOST_COLUMNS = 3;
@@ -33,15 +34,18 @@ final class StripLayout implements LayoutManager {
      * @param component has the font of the cards
      */
     static Grid grid(int cards, int height, Component component) {
-        for (int columns = 1; columns <= MOST_COLUMNS; columns++) {
-            int room = room(cards, columns, height);
-            for (CardSize size : CardSize.values()) {
-                if (size.height(component) <= room) {
-                    return new Grid(columns, size, size.height(component) + slack(size, room, component));
-                }
+        for (CardSize size : List.of(CardSize.FULL, CardSize.MEDIUM, CardSize.COMPACT)) {
+            int room = room(cards, 1, height);
+            if (size.height(component) <= room) {
+                return new Grid(1, size, size.height(component) + slack(size, room, component));
             }
         }
-        return new Grid(MOST_COLUMNS, CardSize.COMPACT, room(cards, MOST_COLUMNS, height));
+        int columns = 2;
+        while (columns < MOST_COLUMNS && room(cards, columns, height) < CardSize.NARROW.height(component)) {
+            columns++;
+        }
+        int room = room(cards, columns, height);
+        return new Grid(columns, CardSize.NARROW, Math.min(room, CardSize.NARROW.height(component) * 3 / 2));
     }
 
     private static int room(int cards, int columns, int height) {

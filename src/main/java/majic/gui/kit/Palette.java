@@ -42,15 +42,22 @@ public final class Palette {
      * @param share share of the text colour, 0 to 1
      */
     public static Color mixed(double share) {
-        Color text = text();
-        Color background = UIManager.getColor("Panel.background");
-        return new Color(
-                mix(text.getRed(), background.getRed(), share),
-                mix(text.getGreen(), background.getGreen(), share),
-                mix(text.getBlue(), background.getBlue(), share));
+        return mixed(text(), UIManager.getColor("Panel.background"), share);
     }
 
-    private static int mix(int text, int background, double share) {
-        return (int) Math.round(text * share + background * (1 - share));
+    /**
+     * Returns a mixture of two colours.
+     *
+     * @param share share of the first one, 0 to 1
+     */
+    public static Color mixed(Color one, Color other, double share) {
+        return new Color(
+                mix(one.getRed(), other.getRed(), share),
+                mix(one.getGreen(), other.getGreen(), share),
+                mix(one.getBlue(), other.getBlue(), share));
+    }
+
+    private static int mix(int one, int other, double share) {
+        return (int) Math.round(one * share + other * (1 - share));
     }
 }

@@ -1,0 +1,93 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.awt.event.WindowEvent;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Tests the panel of a robot in a window of its own. */
+@Tag("jdk")
+@Timeout(60)
+class PanelWindowTest {
+    @AutoClose
+    private final TestWindow window = TestWindow.open();
+
+    private ToyBot one;
+
+    @BeforeEach
+    void openWindow() {
+        one = window.add("one");
+        window.add("two");
+        window.push("window1");
+        window.await("the window", () -> window.isShowing("robotWindow1"));
+    }
+
+    @Test
+    void thePanelIsInItsOwnWindowAndTheMainWindowStatesIt() {
+        assertThat(windowOfPanel().getName()).isEqualTo("robotWindow1");
+        assertThat(window.text("panelNotice")).isEqualTo("In a window of its own: 1");
+    }
+
+    @Test
+    void theButtonPutsThePanelBack() {
+        window.push("window1");
+        window.await("the window to go", () -> !window.isShowing("robotWindow1"));
+        assertThat(windowOfPanel()).isSameAs(window.frame);
+        assertThat(window.isShowing("bot1")).isTrue();
+    }
+
+    @Test
+    void closingTheWindowPutsThePanelBack() {
+        Window own = windowOfPanel();
+        window.run(() -> own.dispatchEvent(new WindowEvent(own, WindowEvent.WINDOW_CLOSING)));
+        window.await("the window to go", () -> !window.isShowing("robotWindow1"));
+        assertThat(windowOfPanel()).isSameAs(window.frame);
+    }
+
+    @Test
+    void theWindowClosesWhenTheRobotIsRemoved() {
+        window.team.remove(1);
+        window.await("the window to go", () -> !window.isShowing("robotWindow1"));
+    }
+
+    @Test
+    void theStopKeysWorkInTheWindow() {
+        window.focus("drivePadWindow1");
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window.team::isLatched);
+        window.team.release();
+        window.press(KeyEvent.VK_F12);
+        window.await("the latch", window.team::isLatched);
+    }
+
+    @Test
+    void thePadOfTheWindowDrivesItsRobotWhateverIsSelected() {
+        window.click("card2");
+        window.focus("drivePadWindow1");
+        window.hold(KeyEvent.VK_UP);
+        window.await("the drive", () -> one.told.contains("drive 200 0"));
+        window.letGo(KeyEvent.VK_UP);
+        window.await(
+                "the robot to be stationary",
+                () -> one.told.get(one.told.size() - 1).equals("halt"));
+    }
+
+    @Test
+    void theMenuOfACardOpensTheWindowToo() {
+        window.menuOf("card2");
+        window.click("Open in a window");
+        window.await("the window", () -> window.isShowing("robotWindow2"));
+    }
+
+    private Window windowOfPanel() {
+        return SwingUtilities.getWindowAncestor(window.find("bot1", Component.class));
+    }
+}
