@@ -3,8 +3,10 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import javax.swing.JComboBox;
 import majic.bot.Settings;
 import majic.gui.add.AddBotDialog;
+import majic.gui.add.RecentRobots;
 import majic.gui.kit.ProgramServices;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
@@ -69,6 +71,28 @@ class AddBotWindowTest {
         window.click("Add Bot");
         window.click("OK");
         assertThat(window.text("outcome")).startsWith("Host: fill in");
+    }
+
+    @Test
+    void theEntryOfTheLabStartsTheLab() {
+        window.click("Add Bot");
+        window.awaitDialog("Add Bot");
+        window.run(() -> window.find("type", JComboBox.class).setSelectedItem("A robot of the simulated lab"));
+        window.push("startLab");
+        window.awaitShowing("labRobot", JComboBox.class);
+        window.push("OK");
+        window.await("its tab", () -> window.titles().contains("1"));
+    }
+
+    @Test
+    void anEarlierRobotFillsInItsAddress() {
+        new RecentRobots(window.settings).keep(List.of("toy://other:1", "toy://bench:77"));
+        window.click("Add Bot");
+        JComboBox<?> recent = window.awaitShowing("recentRobots", JComboBox.class);
+        assertThat(recent.getItemAt(1)).isEqualTo("toy://bench:77");
+        window.run(() -> recent.setSelectedIndex(1));
+        assertThat(window.text("host")).isEqualTo("bench");
+        assertThat(window.text("port")).isEqualTo("77");
     }
 
     private void connectTo(String host) {

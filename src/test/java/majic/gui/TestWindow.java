@@ -10,6 +10,7 @@ import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
@@ -59,7 +60,8 @@ public final class TestWindow implements AutoCloseable {
     private final Robot robot;
     private final EventThreadGuard guard = EventThreadGuard.install();
 
-    private TestWindow(ActCatalog acts) {
+    private TestWindow(ActCatalog acts, Map<String, String> kept) {
+        kept.forEach(settings::put);
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         parser = new MajicParser(session, true);
         robot = BasicRobot.robotWithNewAwtHierarchy();
@@ -70,12 +72,17 @@ public final class TestWindow implements AutoCloseable {
     }
 
     public static TestWindow open() {
-        return new TestWindow(NoActs.here());
+        return new TestWindow(NoActs.here(), Map.of());
+    }
+
+    /** Opens a window with a setting from an earlier start. */
+    static TestWindow openWith(String key, String value) {
+        return new TestWindow(NoActs.here(), Map.of(key, value));
     }
 
     /** Opens a window with the user's own acts. */
     static TestWindow open(ActCatalog acts) {
-        return new TestWindow(acts);
+        return new TestWindow(acts, Map.of());
     }
 
     private MajicFrame makeFrame() {
@@ -87,6 +94,10 @@ public final class TestWindow implements AutoCloseable {
 
     private void quit() {
         quits.incrementAndGet();
+    }
+
+    public MajicFrame frame() {
+        return frame;
     }
 
     /** Adds a connected toy and waits for its card. */
@@ -236,7 +247,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Presses a button without the mouse, which may still be moving to another place. */
-    void push(String name) {
+    public void push(String name) {
         AbstractButton button = awaitShowing(name, AbstractButton.class);
         run(button::doClick);
     }

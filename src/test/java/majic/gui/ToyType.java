@@ -10,9 +10,16 @@ import majic.bot.MajicBot;
 public final class ToyType implements BotType {
     public final List<ToyBot> made = new CopyOnWriteArrayList<>();
     private final List<Reach> reaches;
+    private volatile int port = 4242;
 
     public ToyType(Reach... reaches) {
         this.reaches = List.of(reaches);
+    }
+
+    /** Sets the usual port. */
+    public ToyType at(int newPort) {
+        port = newPort;
+        return this;
     }
 
     @Override
@@ -37,7 +44,7 @@ public final class ToyType implements BotType {
 
     @Override
     public int defaultPort() {
-        return 4242;
+        return port;
     }
 
     @Override

@@ -2,6 +2,7 @@ package majic.gui.add;
 
 import java.awt.CardLayout;
 import java.awt.Window;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
@@ -10,10 +11,12 @@ import javax.swing.JComboBox;
 import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.Timer;
+import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.ProgramServices;
+import majic.link.PortSearch;
 import majic.script.Session;
 import majic.team.Member;
 import majic.text.Advice;
@@ -29,11 +32,15 @@ public final class AddBotDialog extends MajicDialog {
     public static final int GIVE_UP_MS = 20_000;
 
     private static final long serialVersionUID = 1L;
+    private static final String NONE = "Choose one to fill in its address";
 
     private final transient Session session;
+    private final transient ProgramServices services;
     private final transient Consumer<Member> joined;
     private final transient Map<String, AddressInput> inputs;
     private final JComboBox<String> type = new JComboBox<>();
+    private final JComboBox<String> recent = new JComboBox<>();
+    private final JButton search = button("Search the network…", this::search);
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
     private final JProgressBar progress = new JProgressBar();
@@ -52,6 +59,7 @@ public final class AddBotDialog extends MajicDialog {
             Window owner, Session session, ProgramServices services, Consumer<Member> joined, int giveUpMs) {
         super(owner, "Add Bot");
         this.session = session;
+        this.services = services;
         this.joined = joined;
         this.inputs = AddressInputFactory.all(session.factory(), services);
         this.giveUp = new Timer(giveUpMs, event -> giveUp());
@@ -71,13 +79,56 @@ public final class AddBotDialog extends MajicDialog {
         });
         message.setFocusable(true);
         progress.setVisible(false);
-        JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 10", "[90!, right][grow, fill]", "[][]12[][grow]"));
+        JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 10", "[90!, right][grow, fill]", ""));
+        addRecent(panel);
         panel.add(label("Type", type));
         panel.add(type, "wrap");
         panel.add(deck, "spanx 2, growx, wrap");
+        panel.add(search, "skip 1, grow 0, gapbottom 4, wrap");
         panel.add(progress, "spanx 2, growx, h 6!, wrap");
         panel.add(message, "spanx 2, grow, wmin 0");
         return panel;
+    }
+
+    /** Offers the robots that were connected last, if there are any. */
+    private void addRecent(JPanel panel) {
+        List<String> addresses = new RecentRobots(services.settings())
+                .all().stream().filter(this::isKnown).toList();
+        if (addresses.isEmpty()) {
+            return;
+        }
+        recent.setName("recentRobots");
+        recent.addItem(NONE);
+        addresses.forEach(recent::addItem);
+        recent.addActionListener(event -> {
+            if (recent.getSelectedIndex() > 0) {
+                fillIn(String.valueOf(recent.getSelectedItem()));
+            }
+        });
+        panel.add(label("Recent", recent));
+        panel.add(recent, "wrap");
+    }
+
+    /** Returns whether there are fields for an address. */
+    private boolean isKnown(String address) {
+        return BotAddress.parse(address).library().isEmpty()
+                && session.factory().types().stream()
+                        .anyMatch(known -> known.name().equals(BotAddress.parse(address).type()));
+    }
+
+    /** Selects the type and fills in the fields for an address. */
+    private void fillIn(String address) {
+        BotAddress wanted = BotAddress.parse(address);
+        inputs.entrySet().stream()
+                .filter(input -> input.getValue().fill(wanted))
+                .findFirst()
+                .ifPresent(input -> type.setSelectedItem(input.getKey()));
+    }
+
+    private void search() {
+        SearchDialog.Places places = new SearchDialog.Places(
+                PortSearch::neighbours, () -> TeamPlaces.of(session), services.serialPorts());
+        new SearchDialog(this, session.factory().types(), places, this::fillIn).setVisible(true);
     }
 
     private String chosen() {
@@ -109,6 +160,8 @@ public final class AddBotDialog extends MajicDialog {
     private void busy(boolean connecting) {
         ok.setEnabled(!connecting);
         type.setEnabled(!connecting);
+        recent.setEnabled(!connecting);
+        search.setEnabled(!connecting);
         progress.setIndeterminate(connecting);
         progress.setVisible(connecting);
     }

@@ -1,6 +1,7 @@
 package majic.gui.add;
 
 import javax.swing.JPanel;
+import majic.bot.BotAddress;
 import net.miginfocom.swing.MigLayout;
 
 /** Input fields from which a robot's address is made. */
@@ -17,6 +18,13 @@ abstract class AddressInput extends JPanel {
      * @throws majic.bot.BotException if a field is not filled in properly; the message says which and how
      */
     abstract String address();
+
+    /**
+     * Fills in the fields for an address.
+     *
+     * @return false if it is an address for other fields; nothing is changed then
+     */
+    abstract boolean fill(BotAddress address);
 
     /** Returns what to try when there is no answer from the address. */
     abstract String advice();

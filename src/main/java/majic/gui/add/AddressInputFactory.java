@@ -17,7 +17,7 @@ final class AddressInputFactory {
         for (BotType type : factory.types()) {
             inputs.put(type.label() + " (" + type.make() + ")", of(type, services));
         }
-        inputs.put("A robot of the simulated lab", new LabInput(factory));
+        inputs.put("A robot of the simulated lab", new LabInput(factory, services.startLab()));
         return inputs;
     }
 

@@ -1,6 +1,9 @@
 package majic.gui.add;
 
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javax.swing.JTextField;
+import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.gui.kit.MajicDialog;
@@ -8,6 +11,8 @@ import majic.gui.kit.MajicDialog;
 /** Takes host and port of a robot on the network, or of the serial server to which it is connected. */
 final class NetworkInput extends AddressInput {
     private static final long serialVersionUID = 1L;
+
+    private static final Pattern PLACE = Pattern.compile("(?:tcp:)?//([^/:\\s]+)(?::(\\d{1,5}))?");
 
     private final transient BotType type;
     private final JTextField host = new JTextField(22);
@@ -18,7 +23,7 @@ final class NetworkInput extends AddressInput {
         host.setName("host");
         port.setName("port");
         host.putClientProperty("JTextField.placeholderText", "name or number, for instance 192.168.1.20");
-        port.setText(type.defaultPort() == 0 ? "" : "" + type.defaultPort());
+        port.setText(usualPort());
         add(MajicDialog.label("Host", host));
         add(host, "wrap");
         add(MajicDialog.label("Port", port));
@@ -29,6 +34,22 @@ final class NetworkInput extends AddressInput {
     String address() {
         String start = type.reaches().get(0) == BotType.Reach.TCP ? "://" : ":tcp://";
         return type.name() + start + checkedHost() + ":" + checkedPort();
+    }
+
+    @Override
+    boolean fill(BotAddress address) {
+        Matcher place = PLACE.matcher(address.rest());
+        if (!address.scheme().equals(type.name()) || !place.matches()) {
+            return false;
+        }
+        host.setText(place.group(1));
+        String given = place.group(2);
+        port.setText(given == null ? usualPort() : given);
+        return true;
+    }
+
+    private String usualPort() {
+        return type.defaultPort() == 0 ? "" : String.valueOf(type.defaultPort());
     }
 
     @Override

@@ -5,11 +5,13 @@ import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JLabel;
+import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
+import org.jspecify.annotations.Nullable;
 
 /** Selects one of the serial ports of this computer, or takes one that is typed in. */
 final class SerialInput extends AddressInput {
@@ -19,6 +21,7 @@ final class SerialInput extends AddressInput {
     private final transient Supplier<List<SerialPortChoice>> ports;
     private final JComboBox<Object> port = new JComboBox<>();
     private final JLabel found = new JLabel(" ");
+    private @Nullable String wanted;
 
     SerialInput(BotType type, Supplier<List<SerialPortChoice>> ports) {
         this.type = type;
@@ -48,6 +51,16 @@ final class SerialInput extends AddressInput {
     }
 
     @Override
+    boolean fill(BotAddress address) {
+        if (!address.scheme().equals(type.name()) || address.rest().contains("//")) {
+            return false;
+        }
+        wanted = address.rest();
+        port.setSelectedItem(wanted);
+        return true;
+    }
+
+    @Override
     String advice() {
         return type.advice();
     }
@@ -64,6 +77,9 @@ final class SerialInput extends AddressInput {
     private void show(List<SerialPortChoice> all) {
         port.removeAllItems();
         all.forEach(port::addItem);
+        if (wanted != null) {
+            port.setSelectedItem(wanted);
+        }
         found.setText(
                 switch (all.size()) {
                     case 0 -> "This machine shows no serial port.";

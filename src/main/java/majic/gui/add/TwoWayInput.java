@@ -1,10 +1,13 @@
 package majic.gui.add;
 
 import java.awt.CardLayout;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import javax.swing.ButtonGroup;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
+import majic.bot.BotAddress;
 
 /** Selects one of two ways to connect a robot. */
 final class TwoWayInput extends AddressInput {
@@ -12,6 +15,7 @@ final class TwoWayInput extends AddressInput {
 
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
+    private final transient Map<AddressInput, JRadioButton> choices = new LinkedHashMap<>();
     private AddressInput chosen;
 
     TwoWayInput(String firstName, AddressInput first, String secondName, AddressInput second) {
@@ -30,9 +34,12 @@ final class TwoWayInput extends AddressInput {
     private JRadioButton choice(ButtonGroup group, String name, AddressInput input) {
         JRadioButton button = new JRadioButton(name);
         group.add(button);
-        button.addActionListener(event -> {
-            chosen = input;
-            cards.show(deck, name);
+        choices.put(input, button);
+        button.addItemListener(event -> {
+            if (button.isSelected()) {
+                chosen = input;
+                cards.show(deck, name);
+            }
         });
         return button;
     }
@@ -40,6 +47,17 @@ final class TwoWayInput extends AddressInput {
     @Override
     String address() {
         return chosen.address();
+    }
+
+    @Override
+    boolean fill(BotAddress address) {
+        for (Map.Entry<AddressInput, JRadioButton> choice : choices.entrySet()) {
+            if (choice.getKey().fill(address)) {
+                choice.getValue().setSelected(true);
+                return true;
+            }
+        }
+        return false;
     }
 
     @Override

@@ -1,0 +1,28 @@
+package majic.gui.add;
+
+import java.net.InetSocketAddress;
+import majic.bot.BotType;
+import majic.gui.kit.ProgramServices.SerialPortChoice;
+
+/**
+ * A place at which there may be a robot.
+ *
+ * @param address as it is typed
+ * @param text for the list: type and place
+ */
+record FoundRobot(String address, String text) {
+    static FoundRobot at(InetSocketAddress place, BotType type) {
+        String where = place.getAddress().getHostAddress() + ":" + place.getPort();
+        String start = type.reaches().get(0) == BotType.Reach.TCP ? "://" : ":tcp://";
+        return new FoundRobot(type.name() + start + where, type.label() + " at " + where);
+    }
+
+    static FoundRobot at(SerialPortChoice port, BotType type) {
+        return new FoundRobot(type.name() + ":" + port.name(), "Serial port " + port + ", perhaps a " + type.label());
+    }
+
+    @Override
+    public String toString() {
+        return text;
+    }
+}

@@ -1,0 +1,189 @@
+package majic.gui.add;
+
+import java.awt.Window;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.JScrollPane;
+import javax.swing.ListSelectionModel;
+import majic.bot.BotType;
+import majic.gui.kit.EventThread;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.Paragraph;
+import majic.gui.kit.ProgramServices.SerialPortChoice;
+import majic.link.PortSearch;
+import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Searches the networks of this computer for robots: tries the usual port of each type on the neighbouring addresses,
+ * and lists the serial ports. Connects to nothing of the team, sends nothing, and ends when it is closed.
+ */
+final class SearchDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Places places;
+    private final transient List<BotType> types;
+    private final DefaultListModel<FoundRobot> found = new DefaultListModel<>();
+    private final JList<FoundRobot> list = new JList<>(found);
+    private final JProgressBar progress = new JProgressBar();
+    private final Paragraph status = new Paragraph("searchStatus", 2, 40);
+    private final JButton use;
+    private final transient Consumer<String> chosen;
+    private transient @Nullable PortSearch search;
+    private boolean closed;
+
+    /**
+     * Where to search; each is called in the background and may block.
+     *
+     * @param hosts the hosts to try
+     * @param spared the places of the robots of the team, which are not tried
+     * @param serialPorts the serial ports of this computer
+     */
+    record Places(
+            Supplier<List<InetAddress>> hosts,
+            Supplier<Set<InetSocketAddress>> spared,
+            Supplier<List<SerialPortChoice>> serialPorts) {}
+
+    /**
+     * Creates the dialog and starts the search.
+     *
+     * @param chosen receives the address that was chosen
+     */
+    SearchDialog(Window owner, List<BotType> types, Places places, Consumer<String> chosen) {
+        super(owner, "Search the network");
+        this.types = types;
+        this.places = places;
+        this.chosen = chosen;
+        use = button("Use", this::choose);
+        use.setEnabled(false);
+        fill(content(), use, closing("Close"));
+        EventThread.background("searching for robots", this::search, reason -> status.show(reason, true));
+    }
+
+    private JPanel content() {
+        list.setName("foundRobots");
+        list.getAccessibleContext().setAccessibleName("Places where a robot may be");
+        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
+        list.addListSelectionListener(event -> use.setEnabled(!list.isSelectionEmpty()));
+        list.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                if (event.getClickCount() == 2) {
+                    choose();
+                }
+            }
+        });
+        progress.setIndeterminate(true);
+        status.setFocusable(true);
+        status.show("Looking for the networks of this computer …", false);
+        JScrollPane scroll = new JScrollPane(list);
+        JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 8, wrap 1", "[440, grow, fill]", "[][][grow, fill]"));
+        panel.add(status, "wmin 0, h 40");
+        panel.add(progress, "h 6!");
+        panel.add(scroll, "h 180");
+        return panel;
+    }
+
+    private void search() {
+        List<SerialPortChoice> serial = places.serialPorts().get();
+        EventThread.later(() -> types.stream()
+                .filter(type -> type.reaches().contains(BotType.Reach.SERIAL))
+                .forEach(type -> serial.forEach(port -> add(FoundRobot.at(port, type)))));
+        List<InetAddress> hosts = places.hosts().get();
+        Set<InetSocketAddress> spared = places.spared().get();
+        Map<Integer, BotType> ports = new TreeMap<>();
+        types.stream().filter(type -> type.defaultPort() > 0).forEach(type -> ports.put(type.defaultPort(), type));
+        PortSearch made = new PortSearch(hosts, ports.keySet(), spared, new Results(ports));
+        EventThread.later(() -> begin(made, hosts, ports.values()));
+    }
+
+    private void begin(PortSearch made, Collection<InetAddress> hosts, Collection<BotType> sought) {
+        if (closed) {
+            made.close();
+            return;
+        }
+        search = made;
+        String ports = sought.stream()
+                .map(type -> type.defaultPort() + " (" + type.label() + ")")
+                .collect(Collectors.joining(", "));
+        status.show(
+                hosts.isEmpty()
+                        ? "This computer is in no network; only its serial ports are listed."
+                        : "Trying the ports " + ports + " of " + PortSearch.networks(hosts)
+                                + ". Nothing is sent, and robots of the team are left alone.",
+                false);
+        made.start();
+    }
+
+    private void add(FoundRobot robot) {
+        found.addElement(robot);
+    }
+
+    private void showProgress(int tried, int all) {
+        progress.setIndeterminate(false);
+        progress.setMaximum(Math.max(1, all));
+        progress.setValue(all == 0 ? 1 : tried);
+        if (tried == all) {
+            status.show(
+                    found.isEmpty()
+                            ? "Nothing answers at the usual ports. A robot may have another port, or be in another network."
+                            : "The search has ended. What answers need not be a robot; OK in Add Bot finds out.",
+                    false);
+        }
+    }
+
+    private void choose() {
+        FoundRobot robot = list.getSelectedValue();
+        if (robot != null) {
+            dispose();
+            chosen.accept(robot.address());
+        }
+    }
+
+    /** Ends the search. */
+    @Override
+    public void dispose() {
+        closed = true;
+        if (search != null) {
+            search.close();
+        }
+        super.dispose();
+    }
+
+    /** Passes the results on to the event dispatch thread. */
+    private final class Results implements PortSearch.Listener {
+        private final Map<Integer, BotType> ports;
+
+        Results(Map<Integer, BotType> ports) {
+            this.ports = ports;
+        }
+
+        @Override
+        public void found(InetSocketAddress place) {
+            BotType type = ports.get(place.getPort());
+            if (type != null) {
+                EventThread.later(() -> add(FoundRobot.at(place, type)));
+            }
+        }
+
+        @Override
+        public void progress(int tried, int all) {
+            EventThread.later(() -> showProgress(tried, all));
+        }
+    }
+}

@@ -1,0 +1,84 @@
+package majic.gui.add;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import javax.swing.JList;
+import majic.bot.BotType;
+import majic.gui.TestWindow;
+import majic.gui.ToyType;
+import majic.gui.kit.ProgramServices.SerialPortChoice;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Tag("jdk")
+@Timeout(60)
+class SearchDialogWindowTest {
+    private static final InetAddress HERE = InetAddress.getLoopbackAddress();
+
+    @AutoClose
+    private final TestWindow window = TestWindow.open();
+
+    @AutoClose
+    private final ServerSocket robot = new ServerSocket(0, 5, HERE);
+
+    private final CompletableFuture<String> chosen = new CompletableFuture<>();
+
+    SearchDialogWindowTest() throws IOException {}
+
+    private void search(BotType type, Set<InetSocketAddress> spared) {
+        SearchDialog.Places places = new SearchDialog.Places(
+                () -> List.of(HERE), () -> spared, () -> List.of(new SerialPortChoice("COM9", "")));
+        window.run(() -> new SearchDialog(window.frame(), List.of(type), places, chosen::complete).setVisible(true));
+    }
+
+    private ToyType listening(BotType.Reach... reaches) {
+        return new ToyType(reaches).at(robot.getLocalPort());
+    }
+
+    private JList<?> list() {
+        return window.find("foundRobots", JList.class);
+    }
+
+    private void awaitEnd() {
+        window.await("the end of the search", () -> !window.text("searchStatus").startsWith("Trying")
+                && !window.text("searchStatus").startsWith("Looking"));
+    }
+
+    @Test
+    void aRobotThatWasFoundCanBeChosen() {
+        search(listening(BotType.Reach.TCP), Set.of());
+        window.await("the robot", () -> list().getModel().getSize() == 1);
+        window.run(() -> list().setSelectedIndex(0));
+        window.push("Use");
+
+        assertThat(chosen).isCompletedWithValue("toy://127.0.0.1:" + robot.getLocalPort());
+    }
+
+    @Test
+    void theSerialPortsOfThisComputerAreListed() {
+        search(listening(BotType.Reach.SERIAL), Set.of(new InetSocketAddress(HERE, robot.getLocalPort())));
+        window.await("the port", () -> list().getModel().getSize() == 1);
+        window.run(() -> list().setSelectedIndex(0));
+        window.push("Use");
+
+        assertThat(chosen).isCompletedWithValue("toy:COM9");
+    }
+
+    @Test
+    void theRobotsOfTheTeamAreSpared() {
+        search(listening(BotType.Reach.TCP), Set.of(new InetSocketAddress(HERE, robot.getLocalPort())));
+        awaitEnd();
+
+        assertThat(list().getModel().getSize()).isZero();
+        assertThat(window.text("searchStatus")).startsWith("Nothing answers");
+    }
+}
