@@ -20,6 +20,9 @@ final class FrameActions {
     final IconAction saveSession;
     final IconAction saveLog;
     final IconAction openRecording;
+    final IconAction openTeam;
+    final IconAction saveTeam;
+    final IconAction tour;
     final IconAction killMajic;
 
     FrameActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
@@ -43,6 +46,10 @@ final class FrameActions {
         saveLog = new IconAction("Save Log", "log", "Save the parameter log", dialogs::saveLog);
         openRecording =
                 new IconAction("Open Recording…", "log", "Replay what robots reported earlier", dialogs::openRecording);
+        openTeam = new IconAction("Open Team…", "team", "Add the robots of a saved team", frame::openTeam);
+        saveTeam = new IconAction(
+                "Save Team…", "team", "Save the robots with calibrations and start poses", dialogs::saveTeam);
+        tour = new IconAction("Tour", "tour", "Five minutes with the robots of the lab", dialogs::tour);
         killMajic = new IconAction("Kill Majic", "quit", "Stop and close all robots and quit", frame::quit)
                 .withKey(KeyEvent.VK_Q);
     }

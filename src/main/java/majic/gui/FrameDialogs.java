@@ -21,6 +21,7 @@ import majic.gui.kit.PictureDialog;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
 import majic.gui.replay.RecordingsDialog;
+import majic.gui.start.Tour;
 import majic.panel.PictureView;
 import majic.script.Session;
 import majic.team.Member;
@@ -114,6 +115,14 @@ final class FrameDialogs {
 
     void picture(PictureView view) {
         open(view.title(), () -> new PictureDialog(frame, view, services.settings()));
+    }
+
+    void saveTeam() {
+        save("Save Team", "lab.team", "save team ");
+    }
+
+    void tour() {
+        open("Tour", () -> new Tour(frame, session));
     }
 
     void saveSession() {

@@ -86,8 +86,7 @@ final class FrameMemory {
             }
         };
         splits.forEach(split -> split.addComponentListener(restoring));
-        Timer opened = new Timer(
-                QUIET_MS, event -> splits.forEach(split -> split.removeComponentListener(restoring)));
+        Timer opened = new Timer(QUIET_MS, event -> splits.forEach(split -> split.removeComponentListener(restoring)));
         opened.setRepeats(false);
         frame.addWindowListener(new WindowAdapter() {
             @Override

@@ -4,6 +4,7 @@ import com.formdev.flatlaf.FlatLaf;
 import java.util.List;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
@@ -17,11 +18,11 @@ final class FrameMenu extends JMenuBar {
 
     FrameMenu(MajicFrame frame, FrameActions actions, FrameEditor editor) {
         add(file(actions, editor));
-        add(menu("Robot", actions.addBot, actions.killBot));
+        add(robots(frame, actions));
         add(menu("Act", actions.loadAct, actions.endAct, null, actions.makeAct));
         add(lab(frame));
         add(view(frame));
-        add(menu("Help", actions.help, actions.guide, null, actions.about));
+        add(menu("Help", actions.help, actions.guide, actions.tour, null, actions.about));
         Mnemonics.assign(this);
     }
 
@@ -59,17 +60,27 @@ final class FrameMenu extends JMenuBar {
         return file;
     }
 
+    private static JMenu robots(MajicFrame frame, FrameActions actions) {
+        JMenu robots =
+                menu("Robot", actions.addBot, actions.killBot, null, actions.openTeam, actions.saveTeam, null);
+        JMenuItem reconnect = new JCheckBoxMenuItem(
+                "Reconnect lost robots", frame.reconnecting().isEnabled());
+        reconnect.addActionListener(event -> frame.reconnecting().enable(reconnect.isSelected()));
+        robots.add(reconnect);
+        return robots;
+    }
+
     private static JMenu lab(MajicFrame frame) {
         JMenu lab = new JMenu("Lab");
         JMenuItem start = new JMenuItem("Start the simulated lab");
-        start.addActionListener(event -> frame.startLab());
+        start.addActionListener(event -> frame.lab().start());
         JMenuItem poses = new JMenuItem("Show the true positions");
         poses.addActionListener(event -> frame.submit("lab"));
         lab.add(start);
         lab.add(poses);
         lab.addChangeListener(change -> {
-            start.setEnabled(frame.canStartLab());
-            poses.setEnabled(frame.hasLab());
+            start.setEnabled(frame.lab().canStart());
+            poses.setEnabled(frame.lab().isRunning());
         });
         return lab;
     }

@@ -11,7 +11,6 @@ import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.JFrame;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import javax.swing.LayoutFocusTraversalPolicy;
@@ -33,7 +32,8 @@ import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
 import majic.gui.map.MapFeed;
 import majic.gui.map.TeamMap;
-import majic.lab.LabAccess;
+import majic.gui.start.StartActions;
+import majic.gui.start.StartPage;
 import majic.log.Line;
 import majic.panel.PictureView;
 import majic.panel.PictureViewer;
@@ -57,6 +57,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient MapFeed mapFeed;
     private final transient FrameDialogs dialogs;
     private final transient FrameEditor editor;
+    private final transient FrameTeams teams;
+    private final transient FrameLab lab;
+    private final transient FrameReconnect reconnect;
     private final transient CommandChannel channel = new Channel();
     private final transient RobotSelection selection = new RobotSelection();
     private final TeamMap map;
@@ -78,10 +81,14 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         this.parser = parser;
         this.services = services;
         commands = new CommandPane(parser);
+        reconnect = new FrameReconnect(session.team(), services.settings(), this::attemptsChanged);
         parser.useDefaultRobots(selection::numbers);
         dialogs = new FrameDialogs(this, session, services, selection, channel);
         editor = new FrameEditor(this, session, services, this::stopAll, dialogs);
-        RobotActions actions = new RobotActions(session.team(), channel, dialogs::loadAct, dialogs::removeBot);
+        lab = new FrameLab(session, services, channel);
+        teams = new FrameTeams(this, session, services, channel);
+        RobotActions actions =
+                new RobotActions(session.team(), channel, dialogs::loadAct, dialogs::removeBot, reconnect.attempts());
         panels = new RobotPanels(session.team(), selection, actions, startPage());
         strip = new TeamStrip(session.team(), selection, actions, panels::openWindow);
         map = new TeamMap();
@@ -101,12 +108,10 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         LookAndFeels.install(settings);
     }
 
-    private static JPanel startPage() {
-        JPanel hint = new JPanel(new MigLayout("wrap 1, alignx center, aligny center", "[center]"));
-        hint.add(new JLabel("No robots yet."), "gapbottom 12");
-        hint.add(new JLabel("Add Bot connects one; the menu Lab"));
-        hint.add(new JLabel("starts a simulated lab with three of them."));
-        return hint;
+    private StartPage startPage() {
+        StartActions starting = new StartActions(
+                lab::canStart, lab::start, dialogs::addBot, teams::openLast, editor::chooseAndOpen, dialogs::tour);
+        return new StartPage(starting, teams.last());
     }
 
     private void place() {
@@ -130,6 +135,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(1280, screen.width), Math.min(800, screen.height));
         setLocationRelativeTo(null);
+        new FrameMemory(this, List.of(middle, all), services.settings());
     }
 
     private void readPictures(FrameActions actions) {
@@ -213,7 +219,10 @@ public final class MajicFrame extends JFrame implements PictureViewer {
             if (!quitting) {
                 quitting = true;
                 setTitle("MAJIC: stopping and closing all robots …");
-                EventThread.background("quit", services.quit());
+                EventThread.background("quit", () -> {
+                    teams.last().keep();
+                    services.quit().run();
+                });
             }
         });
     }
@@ -225,22 +234,25 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         editor.dispose();
         mapFeed.close();
         panels.close();
+        reconnect.close();
         super.dispose();
     }
 
-    void startLab() {
-        Runnable start = services.startLab();
-        if (start != null) {
-            EventThread.background("starting the lab", () -> startLab(start));
-        }
+    FrameLab lab() {
+        return lab;
     }
 
-    boolean canStartLab() {
-        return services.startLab() != null && !hasLab();
+    void openTeam() {
+        teams.chooseAndOpen();
     }
 
-    boolean hasLab() {
-        return session.factory().lab().isPresent();
+    FrameReconnect reconnecting() {
+        return reconnect;
+    }
+
+    private void attemptsChanged(Member member) {
+        panels.ownerChanged(member);
+        strip.ownerChanged(member);
     }
 
     void showWholeMap() {
@@ -270,19 +282,6 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     /** Submits a line as if it had been typed; its result is shown among the messages. */
     void submit(String line) {
         parser.parseText(line);
-    }
-
-    private void startLab(Runnable start) {
-        try {
-            start.run();
-            session.factory()
-                    .lab()
-                    .map(LabAccess::robots)
-                    .orElse(List.of())
-                    .forEach(robot -> submit("add sim:" + robot));
-        } catch (BotException e) {
-            showError(e.getMessage());
-        }
     }
 
     /** Shows a message that does not come from the session; callable from any thread. */

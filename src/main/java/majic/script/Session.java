@@ -180,12 +180,13 @@ public final class Session {
     }
 
     /**
-     * Returns the team as a script, as {@code save team} writes it.
+     * Returns the team as a script, as {@code save team} writes it, but without the calibrations, which the settings of
+     * this computer have.
      *
      * @return what {@link SavedTeam#parse} takes
      */
     public String teamScript() {
-        return new TeamScript(team, connector).text();
+        return new TeamScript(team, connector).withoutCalibrations();
     }
 
     SessionOutput output() {

@@ -23,7 +23,7 @@ class AddBotWindowTest {
 
     @Test
     void theMenuStartsTheLabAndAddsItsRobots() {
-        window.run(window.frame::startLab);
+        window.run(window.frame.lab()::start);
         window.await("the lab's robot", () -> window.cards().contains("1"));
     }
 
@@ -81,7 +81,7 @@ class AddBotWindowTest {
         window.push("startLab");
         window.awaitShowing("labRobot", JComboBox.class);
         window.push("OK");
-        window.await("its tab", () -> window.titles().contains("1"));
+        window.await("its card", () -> window.cards().contains("1"));
     }
 
     @Test

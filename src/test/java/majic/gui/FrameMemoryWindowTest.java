@@ -50,11 +50,13 @@ class FrameMemoryWindowTest {
     void aNewPlaceIsKept() {
         try (TestWindow window = TestWindow.openWith("window.place", "40 60 900 640 normal 430 300")) {
             window.run(() -> window.frame.setSize(960, 700));
-            window.await("the place", () -> window.settings
-                    .get("window.place")
-                    .flatMap(WindowPlace::parse)
-                    .map(place -> place.bounds().getSize())
-                    .equals(Optional.of(window.frame.getSize())));
+            window.await(
+                    "the place",
+                    () -> window.settings
+                            .get("window.place")
+                            .flatMap(WindowPlace::parse)
+                            .map(place -> place.bounds().getSize())
+                            .equals(Optional.of(window.frame.getSize())));
             assertThat(window.frame.getWidth()).isEqualTo(960);
         }
     }

@@ -61,6 +61,7 @@ public final class TestWindow implements AutoCloseable {
     private final EventThreadGuard guard = EventThreadGuard.install();
 
     private TestWindow(ActCatalog acts, Map<String, String> kept) {
+        settings.put("robots.reconnect", "off");
         kept.forEach(settings::put);
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         parser = new MajicParser(session, true);

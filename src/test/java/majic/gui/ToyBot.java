@@ -31,6 +31,7 @@ public final class ToyBot extends MajicBot {
     public final CountDownLatch closed = new CountDownLatch(1);
     private final String address;
     private volatile boolean deaf;
+    private volatile boolean refuses;
 
     ToyBot(ToyType type, String address, BotEnvironment environment) {
         super(type, PROFILE, environment);
@@ -42,7 +43,7 @@ public final class ToyBot extends MajicBot {
         if (address.contains("silent")) {
             awaitClosing();
         }
-        if (address.contains("absent")) {
+        if (refuses || address.contains("absent")) {
             throw new BotException("nothing answers at " + address);
         }
         at(Pose.START, false);
@@ -62,6 +63,11 @@ public final class ToyBot extends MajicBot {
     /** Reports a pose. */
     public void at(Pose pose, boolean moving) {
         publish(new BotState(pose, moving ? CRUISE : 0, 0, moving, time().nanos()));
+    }
+
+    /** Makes every further attempt to connect fail. */
+    public void refuseConnections() {
+        refuses = true;
     }
 
     public void loseLink() {

@@ -9,7 +9,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class WindowPlaceTest {
-    private static final WindowPlace PLACE = new WindowPlace(new Rectangle(-20, 10, 1280, 800), true, List.of(700, 460));
+    private static final WindowPlace PLACE =
+            new WindowPlace(new Rectangle(-20, 10, 1280, 800), true, List.of(700, 460));
 
     @Test
     void isReadAsItWasWritten() {

@@ -113,7 +113,8 @@ public final class AddBotDialog extends MajicDialog {
     private boolean isKnown(String address) {
         return BotAddress.parse(address).library().isEmpty()
                 && session.factory().types().stream()
-                        .anyMatch(known -> known.name().equals(BotAddress.parse(address).type()));
+                        .anyMatch(known ->
+                                known.name().equals(BotAddress.parse(address).type()));
     }
 
     /** Selects the type and fills in the fields for an address. */
@@ -126,8 +127,8 @@ public final class AddBotDialog extends MajicDialog {
     }
 
     private void search() {
-        SearchDialog.Places places = new SearchDialog.Places(
-                PortSearch::neighbours, () -> TeamPlaces.of(session), services.serialPorts());
+        SearchDialog.Places places =
+                new SearchDialog.Places(PortSearch::neighbours, () -> TeamPlaces.of(session), services.serialPorts());
         new SearchDialog(this, session.factory().types(), places, this::fillIn).setVisible(true);
     }
 

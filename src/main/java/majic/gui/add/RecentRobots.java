@@ -20,7 +20,10 @@ public final class RecentRobots {
 
     /** Returns the addresses, the newest first. */
     List<String> all() {
-        return settings.get(KEY).map(text -> text.lines().filter(line -> line.matches("[^:]+:.+")).toList()).orElse(List.of());
+        return settings.get(KEY)
+                .map(text ->
+                        text.lines().filter(line -> line.matches("[^:]+:.+")).toList())
+                .orElse(List.of());
     }
 
     /**

@@ -89,6 +89,7 @@ final class SearchDialog extends MajicDialog {
             }
         });
         progress.setIndeterminate(true);
+        progress.getAccessibleContext().setAccessibleName("Progress of the search");
         status.setFocusable(true);
         status.show("Looking for the networks of this computer …", false);
         JScrollPane scroll = new JScrollPane(list);

@@ -22,6 +22,9 @@ final class CardMenu extends JPopupMenu {
         entry("Stop " + number, true, () -> actions.stop(member));
         boolean lost = member.bot().connection() == MajicBot.Connection.LOST;
         entry("Reconnect", lost, () -> actions.reconnect(member, () -> {}));
+        if (actions.attempts(member).isPresent()) {
+            entry("Cancel reconnecting", true, () -> actions.cancelReconnect(member));
+        }
         addSeparator();
         entry("Load Act…", true, () -> actions.loadAct(member));
         entry("End Act", BotStatus.isInAct(member), () -> actions.endAct(member));

@@ -1,10 +1,12 @@
 package majic.gui.bots;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
+import majic.team.AutoReconnect;
 import majic.team.Member;
 import majic.team.Team;
 
@@ -14,6 +16,7 @@ public final class RobotActions {
     private final CommandChannel channel;
     private final Consumer<Member> loadAct;
     private final Consumer<Member> kill;
+    private final AutoReconnect attempts;
 
     /**
      * Creates the actions.
@@ -21,12 +24,19 @@ public final class RobotActions {
      * @param channel submits lines and shows messages
      * @param loadAct opens the dialog that loads an act onto a robot
      * @param kill opens the dialog that removes a robot
+     * @param attempts connects lost robots again
      */
-    public RobotActions(Team team, CommandChannel channel, Consumer<Member> loadAct, Consumer<Member> kill) {
+    public RobotActions(
+            Team team,
+            CommandChannel channel,
+            Consumer<Member> loadAct,
+            Consumer<Member> kill,
+            AutoReconnect attempts) {
         this.team = team;
         this.channel = channel;
         this.loadAct = loadAct;
         this.kill = kill;
+        this.attempts = attempts;
     }
 
     /** Stops this robot alone, and whatever drives it. */
@@ -50,6 +60,16 @@ public final class RobotActions {
                 EventThread.later(ended);
             }
         });
+    }
+
+    /** Returns when a lost robot is connected again; empty if nothing is tried. */
+    Optional<AutoReconnect.Status> attempts(Member member) {
+        return attempts.status(member);
+    }
+
+    /** Leaves a lost robot unconnected. */
+    void cancelReconnect(Member member) {
+        attempts.cancel(member);
     }
 
     void loadAct(Member member) {

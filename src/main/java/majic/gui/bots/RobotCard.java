@@ -40,6 +40,7 @@ final class RobotCard extends JPanel {
     private final transient Team team;
     private final transient Member member;
     private final transient BatteryReader batteries;
+    private final transient RobotActions actions;
     private final transient RunningAct act;
     private final transient LinkMeter link = new LinkMeter();
     private final transient UpdateThrottle throttle = new UpdateThrottle(this::update);
@@ -60,6 +61,7 @@ final class RobotCard extends JPanel {
         this.team = team;
         this.member = member;
         this.batteries = batteries;
+        this.actions = actions;
         act = new RunningAct(member);
         int number = member.number();
         setName("card" + number);
@@ -167,7 +169,7 @@ final class RobotCard extends JPanel {
 
     /** Shows the state of the robot. */
     void update() {
-        RobotSummary now = RobotSummary.of(member, team.stopStatus(), act, link, batteries.level(member));
+        RobotSummary now = RobotSummary.of(member, team.stopStatus(), act, link, batteries.level(member), countdown());
         if (now.equals(shown)) {
             return;
         }
@@ -206,6 +208,10 @@ final class RobotCard extends JPanel {
         return size == CardSize.NARROW
                 ? percent.orElseThrow() < BatteryIcon.LOW_PERCENT
                 : !now.battery().text().isEmpty();
+    }
+
+    private String countdown() {
+        return actions.attempts(member).map(ReconnectCountdown::text).orElse("");
     }
 
     private void describe() {

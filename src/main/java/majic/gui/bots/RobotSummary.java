@@ -18,7 +18,7 @@ import majic.team.StopStatus;
  * @param name the label of its type
  * @param condition whether it moves; if it is not connected, the state of its connection
  * @param problem what needs attention, in a few words; empty if nothing does
- * @param activity the act with its time, or what else owns the robot; empty if nothing does
+ * @param activity the act with its time, what else owns the robot, or when it is reconnected; empty if nothing does
  * @param battery its charge
  * @param bars the quality of its connection, 0 to 3
  * @param isLost whether it can be reconnected
@@ -34,8 +34,13 @@ record RobotSummary(
         int bars,
         boolean isLost,
         boolean isUnconfirmed) {
-    /** Describes a robot as it is now. */
-    static RobotSummary of(Member member, StopStatus stops, RunningAct act, LinkMeter link, BatteryLevel battery) {
+    /**
+     * Describes a robot as it is now.
+     *
+     * @param countdown when it is reconnected; empty if nothing is tried
+     */
+    static RobotSummary of(
+            Member member, StopStatus stops, RunningAct act, LinkMeter link, BatteryLevel battery, String countdown) {
         MajicBot bot = member.bot();
         boolean unconfirmed = stops.problem(member.number()).isPresent();
         boolean connected = bot.isConnected();
@@ -51,7 +56,7 @@ record RobotSummary(
                 bot.type().label(),
                 connected ? motion(bot) : BotStatus.condition(member),
                 problem(unconfirmed, lost, link, now),
-                activity(member, act),
+                countdown.isEmpty() ? activity(member, act) : countdown,
                 connected ? battery : BatteryLevel.UNKNOWN,
                 connected ? link.bars(now) : 0,
                 lost,

@@ -30,6 +30,7 @@ final class StatusStrip extends JPanel {
     private final JLabel stopProblem;
     private final JLabel pose = new JLabel();
     private final ActBar act;
+    private final ReconnectCountdown countdown;
     private final JButton reconnect = new JButton("Reconnect");
     private final JButton window = new JButton(ActionIcon.WINDOW);
 
@@ -39,10 +40,11 @@ final class StatusStrip extends JPanel {
      * @param move shows the robot's panel in a window of its own, or back in the main window
      */
     StatusStrip(Team team, Member member, RobotActions actions, Runnable move) {
-        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][][]", "[][][][][]"));
+        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][][]", "[][][][][][]"));
         this.team = team;
         this.member = member;
         act = new ActBar(member, () -> actions.endAct(member));
+        countdown = new ReconnectCountdown(member, actions);
         condition.setName("condition" + member.number());
         stopProblem = new PlainLabel("stopProblem" + member.number(), "");
         stopProblem.setForeground(Palette.error());
@@ -65,6 +67,7 @@ final class StatusStrip extends JPanel {
         add(stopIt);
         add(window, "wrap");
         add(condition, "spanx 4, wmin 0, wrap");
+        add(countdown, "spanx 4, wmin 0, wrap");
         add(stopProblem, "spanx 4, wmin 0, wrap");
         add(pose, "spanx 4, wmin 0, wrap");
         add(act, "spanx 4, growx, wmin 0, gaptop 4");
@@ -83,6 +86,7 @@ final class StatusStrip extends JPanel {
     /** Shows the robot's published state. */
     void update() {
         act.update();
+        countdown.update();
         String owner = act.isVisible() ? "" : BotStatus.owner(member);
         showStop();
         condition.setIcon(StateIcon.of(member.bot()));

@@ -4,6 +4,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
@@ -32,16 +33,30 @@ public record TeamScript(Team team, RobotConnector connector) {
      * @return lines, each with a line end; a comment and nothing else for an empty team
      */
     public String text() {
-        String robots = team.members().stream().map(this::lines).collect(Collectors.joining());
+        return text(member -> calibration(member) + start(member));
+    }
+
+    /**
+     * Returns the script without the calibrations, for this computer, whose settings have them.
+     *
+     * @return as {@link #text()}
+     */
+    public String withoutCalibrations() {
+        return text(TeamScript::start);
+    }
+
+    private String text(Function<Member, String> settings) {
+        String robots = team.members().stream()
+                .map(member ->
+                        add(member).map(add -> add + settings.apply(member)).orElse(""))
+                .collect(Collectors.joining());
         return "# " + team.listing() + "\n" + robots;
     }
 
-    private String lines(Member member) {
+    private Optional<String> add(Member member) {
         return connector
                 .address(member)
-                .map(address -> "add " + SessionRecord.quoted(address) + " as " + member.number() + "\n"
-                        + calibration(member) + start(member))
-                .orElse("");
+                .map(address -> "add " + SessionRecord.quoted(address) + " as " + member.number() + "\n");
     }
 
     private static String calibration(Member member) {

@@ -49,8 +49,10 @@ class SearchDialogWindowTest {
     }
 
     private void awaitEnd() {
-        window.await("the end of the search", () -> !window.text("searchStatus").startsWith("Trying")
-                && !window.text("searchStatus").startsWith("Looking"));
+        window.await(
+                "the end of the search",
+                () -> !window.text("searchStatus").startsWith("Trying")
+                        && !window.text("searchStatus").startsWith("Looking"));
     }
 
     @Test

@@ -1,0 +1,57 @@
+package majic.gui;
+
+import java.lang.System.Logger.Level;
+import java.util.Optional;
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.Settings;
+import majic.gui.kit.EventThread;
+import majic.team.AutoReconnect;
+import majic.team.Member;
+import majic.team.Team;
+
+/** Reconnects lost robots while the window is open, unless the user has switched that off, which is kept. */
+final class FrameReconnect implements AutoCloseable {
+    private static final String KEY = "robots.reconnect";
+    private static final String OFF = "off";
+
+    private final AutoReconnect attempts;
+    private final Settings settings;
+
+    /**
+     * Begins to watch for lost robots.
+     *
+     * @param changed receives a robot whose attempts have changed, on the event dispatch thread
+     */
+    FrameReconnect(Team team, Settings settings, Consumer<Member> changed) {
+        this.settings = settings;
+        attempts = new AutoReconnect(team, member -> EventThread.later(() -> changed.accept(member)));
+        attempts.enable(!settings.get(KEY).equals(Optional.of(OFF)));
+    }
+
+    AutoReconnect attempts() {
+        return attempts;
+    }
+
+    boolean isEnabled() {
+        return attempts.isEnabled();
+    }
+
+    /** Switches the attempts on or off, and keeps the choice, in the background. */
+    void enable(boolean on) {
+        EventThread.background("switching reconnecting", () -> {
+            attempts.enable(on);
+            try {
+                settings.put(KEY, on ? "on" : OFF);
+            } catch (BotException e) {
+                System.getLogger(FrameReconnect.class.getName())
+                        .log(Level.DEBUG, "the choice is not remembered after the end", e);
+            }
+        });
+    }
+
+    @Override
+    public void close() {
+        attempts.close();
+    }
+}

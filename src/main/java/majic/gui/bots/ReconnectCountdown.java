@@ -1,0 +1,49 @@
+package majic.gui.bots;
+
+import java.util.Optional;
+import javax.swing.JButton;
+import javax.swing.JPanel;
+import majic.gui.kit.PlainLabel;
+import majic.team.AutoReconnect;
+import majic.team.Member;
+import net.miginfocom.swing.MigLayout;
+
+/** Shows when a lost robot is connected again, with the button that cancels this. Hidden while nothing is tried. */
+final class ReconnectCountdown extends JPanel {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Member member;
+    private final transient RobotActions actions;
+    private final PlainLabel text;
+    private final JButton cancel = new JButton("Cancel");
+
+    ReconnectCountdown(Member member, RobotActions actions) {
+        super(new MigLayout("insets 0, gap 8 0", "[][]push"));
+        this.member = member;
+        this.actions = actions;
+        text = new PlainLabel("reconnecting" + member.number(), "");
+        cancel.setName("cancelReconnect" + member.number());
+        cancel.setToolTipText("Leave the robot unconnected; Reconnect connects it");
+        cancel.getAccessibleContext().setAccessibleName("Cancel reconnecting robot " + member.number());
+        cancel.addActionListener(event -> actions.cancelReconnect(member));
+        setOpaque(false);
+        add(text);
+        add(cancel, "hmax pref");
+        update();
+    }
+
+    /** Shows the present state of the attempts. */
+    void update() {
+        Optional<AutoReconnect.Status> status = actions.attempts(member);
+        setVisible(status.isPresent());
+        status.ifPresent(now -> {
+            text.setText(text(now));
+            cancel.setVisible(!now.connecting());
+        });
+    }
+
+    /** Puts the state of the attempts into words. */
+    static String text(AutoReconnect.Status status) {
+        return status.connecting() ? "reconnecting …" : "reconnecting in " + status.seconds() + " s";
+    }
+}

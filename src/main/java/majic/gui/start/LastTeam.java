@@ -1,0 +1,99 @@
+package majic.gui.start;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import javax.swing.Timer;
+import majic.bot.BotException;
+import majic.bot.Settings;
+import majic.gui.add.RecentRobots;
+import majic.gui.kit.EventThread;
+import majic.script.SavedTeam;
+import majic.script.Session;
+import majic.team.Member;
+import majic.team.TeamListener;
+
+/**
+ * Keeps the team in the settings, so that it can be opened again after the next start: as it was when a robot was added
+ * last, or when the program ended. Keeps the addresses of its robots too, which Add Bot offers. Must be used on the event dispatch thread unless stated otherwise.
+ */
+public final class LastTeam implements TeamListener {
+    private static final Logger LOG = System.getLogger(LastTeam.class.getName());
+    private static final String KEY = "team.last";
+    private static final int COLLECT_MS = 1000;
+
+    private final Session session;
+    private final Settings settings;
+    private final RecentRobots recent;
+    private final Timer soon = new Timer(COLLECT_MS, event -> EventThread.background("keeping the team", this::keep));
+    private Consumer<List<String>> shown = names -> {};
+
+    public LastTeam(Session session, Settings settings) {
+        this.session = session;
+        this.settings = settings;
+        this.recent = new RecentRobots(settings);
+        soon.setRepeats(false);
+    }
+
+    /** Sets the receiver of the names of the robots; empty while there was no team yet. */
+    void onChange(Consumer<List<String>> listener) {
+        shown = listener;
+    }
+
+    /** Reads the team in the background, and shows it. */
+    void read() {
+        EventThread.background("reading the last team", () -> {
+            List<String> names =
+                    saved().map(team -> team.names(session.factory())).orElse(List.of());
+            EventThread.later(() -> shown.accept(names));
+        });
+    }
+
+    /**
+     * Returns the team that was used last. Callable from any thread; may block.
+     *
+     * @return empty if there was none, or what was kept cannot be read
+     */
+    public Optional<SavedTeam> saved() {
+        try {
+            return settings.get(KEY).map(SavedTeam::parse).filter(team -> !team.isEmpty());
+        } catch (BotException e) {
+            LOG.log(Level.WARNING, "the last team cannot be read", e);
+            return Optional.empty();
+        }
+    }
+
+    @Override
+    public void added(Member member) {
+        soon.restart();
+    }
+
+    private void keepAddresses() {
+        try {
+            recent.keep(session.team().members().stream()
+                    .flatMap(member -> session.address(member).stream())
+                    .toList());
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, "the addresses are not kept after the end", e);
+        }
+    }
+
+    /** Keeps the team as it is now, unless it is empty. Callable from any thread; may block. */
+    public void keep() {
+        String script = session.teamScript();
+        keepAddresses();
+        if (SavedTeam.parse(script).isEmpty()) {
+            return;
+        }
+        try {
+            if (!settings.get(KEY).equals(Optional.of(script))) {
+                settings.put(KEY, script);
+            }
+            read();
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, "the team is not kept after the end", e);
+        }
+    }
+}

@@ -1,0 +1,100 @@
+package majic.gui.start;
+
+import java.awt.Component;
+import java.awt.Container;
+import java.awt.KeyboardFocusManager;
+import java.util.List;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.SwingUtilities;
+import majic.gui.kit.Palette;
+import majic.gui.kit.PlainLabel;
+import net.miginfocom.swing.MigLayout;
+
+/** Offers what can be done while there is no robot. Must be used on the event dispatch thread. */
+public final class StartPage extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final String NO_TEAM = "None yet; the next team is offered here";
+
+    private final transient LastTeam lastTeam;
+    private final transient StartActions actions;
+    private final StartButton lab;
+    private final StartButton team;
+    private final JLabel welcome = new JLabel("Welcome to MAJIC");
+    private final JLabel hint = new PlainLabel("startHint", "No robot is connected yet.");
+
+    /**
+     * Creates the page.
+     *
+     * @param actions what the buttons do
+     * @param lastTeam the team that the page offers again
+     */
+    public StartPage(StartActions actions, LastTeam lastTeam) {
+        super(new MigLayout("insets 16, gap 6 8, wrap 1, alignx center, aligny center", "[320:420:460, fill]"));
+        this.actions = actions;
+        this.lastTeam = lastTeam;
+        setName("startPage");
+        lab = new StartButton("Start the simulated lab", "", "lab", actions.startLab());
+        team = new StartButton("Yesterday's team", NO_TEAM, "team", actions.openLastTeam());
+        welcome.putClientProperty("FlatLaf.styleClass", "h2");
+        add(welcome);
+        add(hint, "gapbottom 8");
+        add(lab);
+        add(new StartButton("Add a robot", "By its address, or found on the network", "add", actions.addBot()));
+        add(team);
+        add(new StartButton("Open a session", "A saved session or another script", "session", actions.openSession()));
+        add(new StartButton("Tour", "Five minutes with the robots of the lab", "tour", actions.startTour()));
+        showTeam(List.of());
+        lastTeam.onChange(this::showTeam);
+        updateUI();
+    }
+
+    private void showTeam(List<String> names) {
+        team.setEnabled(!names.isEmpty());
+        team.describe(names.isEmpty() ? NO_TEAM : String.join(", ", names));
+    }
+
+    /** Shows whether the lab can be started; called before the page is shown. */
+    private void showLab() {
+        boolean can = actions.canStartLab().getAsBoolean();
+        lab.setEnabled(can);
+        lab.describe(
+                can ? "Three robots in a room on this computer" : "The lab runs already; Add a robot lists its robots");
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        showLab();
+        lastTeam.read();
+    }
+
+    @Override
+    public void setVisible(boolean visible) {
+        if (!visible) {
+            leaveFocus();
+        }
+        super.setVisible(visible);
+        if (visible) {
+            showLab();
+        }
+    }
+
+    /** Moves the focus from the button that was pressed to the window's default component. */
+    private void leaveFocus() {
+        Component focused =
+                KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusOwner();
+        Container window = getFocusCycleRootAncestor();
+        if (focused != null && window != null && SwingUtilities.isDescendingFrom(focused, this)) {
+            window.getFocusTraversalPolicy().getDefaultComponent(window).requestFocusInWindow();
+        }
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (hint != null) {
+            hint.setForeground(Palette.faint());
+        }
+    }
+}

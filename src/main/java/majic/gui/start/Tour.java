@@ -1,0 +1,135 @@
+package majic.gui.start;
+
+import java.awt.GraphicsConfiguration;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Window;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JProgressBar;
+import javax.swing.Timer;
+import majic.gui.kit.EventThread;
+import majic.gui.kit.MajicDialog;
+import majic.gui.kit.Paragraph;
+import majic.gui.kit.PlainLabel;
+import majic.script.Session;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * The tour: a small window beside the main window that asks for one thing after the other, to be done in the main window
+ * with the robots of the lab. It waits until each is done, and can be left at any time.
+ */
+public final class Tour extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+    private static final int LOOK_MS = 200;
+    private static final int GAP = 24;
+
+    private final transient TourEvents events;
+    private final JLabel count = new PlainLabel("tourCount", "");
+    private final JLabel title = new PlainLabel("tourTitle", "");
+    private final Paragraph text = new Paragraph("tourText", 9, 30);
+    private final JLabel state = new PlainLabel("tourState", "");
+    private final JProgressBar progress = new JProgressBar(0, TourStep.ALL.size());
+    private final JButton next = button("Next", this::next);
+    private final JButton skip = button("Skip", this::next);
+    private final JButton leave = closing("Leave");
+    private final Timer look = new Timer(LOOK_MS, event -> look());
+    private int step = -1;
+    private boolean done;
+
+    /**
+     * Creates the tour at its first step, not yet shown.
+     *
+     * @param owner the main window
+     */
+    public Tour(Window owner, Session session) {
+        super(owner, "Tour");
+        events = new TourEvents(session);
+        title.putClientProperty("FlatLaf.styleClass", "h3");
+        text.setFocusable(true);
+        fill(content(), next, skip, leave);
+        getAccessibleContext().setAccessibleDescription("Shows one step after the other");
+        next();
+        placeBeside(owner);
+        look.start();
+    }
+
+    private JPanel content() {
+        JPanel panel = new JPanel(new MigLayout("insets 0, gap 6 6, wrap 1", "[340, fill]", "[][][][grow, fill][]"));
+        progress.getAccessibleContext().setAccessibleName("Steps done");
+        panel.add(count, "split 2, growx 0");
+        panel.add(progress, "h 6!, gapleft 10");
+        panel.add(title);
+        panel.add(text, "wmin 0");
+        panel.add(state);
+        return panel;
+    }
+
+    private void next() {
+        step++;
+        done = false;
+        events.begin();
+        progress.setValue(step);
+        if (step >= TourStep.ALL.size()) {
+            end();
+            return;
+        }
+        count.setText("Step " + (step + 1) + " of " + TourStep.ALL.size());
+        title.setText(TourStep.ALL.get(step).title());
+        skip.setVisible(true);
+        look();
+    }
+
+    private void end() {
+        look.stop();
+        count.setText("Done");
+        title.setText("That was the tour");
+        text.show("Help lists all commands, parameters and keys. Add Bot connects a robot of your own.", false);
+        state.setText(" ");
+        next.setVisible(false);
+        skip.setVisible(false);
+        leave.setText("Close");
+        getRootPane().setDefaultButton(leave);
+    }
+
+    /** Shows whether the step was done. */
+    private void look() {
+        TourStep now = TourStep.ALL.get(step);
+        done |= now.done().test(events);
+        String wanted = events.named(now.text());
+        if (!wanted.equals(text.getText())) {
+            text.show(wanted, false);
+        }
+        state.setText(done ? "\u2713 Done; Next goes on." : "Waiting for you to do this …");
+        next.setEnabled(done);
+        skip.setVisible(!done);
+    }
+
+    /** Places the tour beside the window where the screen has room, otherwise over the lower part of the map. */
+    private void placeBeside(Window owner) {
+        GraphicsConfiguration screen = owner.getGraphicsConfiguration();
+        if (screen == null) {
+            return;
+        }
+        Rectangle area = screen.getBounds();
+        Rectangle main = owner.getBounds();
+        int right = main.x + main.width;
+        int bottom = Math.max(main.y, main.y + main.height * 2 / 3 - getHeight());
+        if (right + getWidth() <= area.x + area.width) {
+            setLocation(new Point(right, main.y));
+        } else if (main.x - getWidth() >= area.x) {
+            setLocation(new Point(main.x - getWidth(), main.y));
+        } else {
+            setLocation(new Point(main.x + GAP, bottom));
+        }
+    }
+
+    /** Ends the tour, in the background because the session waits for its listeners. */
+    @Override
+    public void dispose() {
+        look.stop();
+        EventThread.background("ending the tour", events::close);
+        super.dispose();
+    }
+}

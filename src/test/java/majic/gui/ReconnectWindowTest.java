@@ -1,0 +1,37 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Tag("jdk")
+@Timeout(60)
+class ReconnectWindowTest {
+    @AutoClose
+    private final TestWindow window = TestWindow.openWith("robots.reconnect", "on");
+
+    @Test
+    void aLostRobotIsConnectedAgain() {
+        ToyBot bot = window.add("//one");
+        bot.loseLink();
+        window.await("the connection", bot::isConnected);
+        window.await("the end of the countdown", () -> !window.isShowing("reconnecting1"));
+        assertThat(bot.told).noneMatch(command -> command.startsWith("move") || command.startsWith("drive"));
+    }
+
+    @Test
+    void theCountdownIsShownAndCanBeCancelled() {
+        ToyBot bot = window.add("//one");
+        bot.refuseConnections();
+        bot.loseLink();
+        window.await("the countdown", () -> window.isShowing("reconnecting1"));
+        assertThat(window.text("reconnecting1")).startsWith("reconnecting");
+        window.await("a pause between attempts", () -> window.isShowing("cancelReconnect1"));
+        window.push("cancelReconnect1");
+        window.await("the end of the countdown", () -> !window.isShowing("reconnecting1"));
+        assertThat(window.isShowing("reconnect1")).isTrue();
+    }
+}
