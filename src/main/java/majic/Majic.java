@@ -6,6 +6,7 @@ import majic.cli.LabCommand;
 import majic.cli.MajicCommand;
 import majic.cli.RunCommand;
 import majic.program.Failures;
+import majic.program.LogFile;
 import majic.program.UserFolder;
 import picocli.CommandLine;
 
@@ -21,7 +22,7 @@ public final class Majic {
      */
     public static void main(String[] args) {
         UserFolder folder = UserFolder.standard();
-        System.setProperty("majic.folder", folder.path().toString());
+        LogFile.install(folder.path(), System.getProperty("majic.log", "INFO"));
         int status = run(folder, args);
         System.exit(status);
     }

@@ -1,18 +1,19 @@
 package majic;
 
-import ch.qos.logback.classic.Level;
-import ch.qos.logback.classic.Logger;
-import ch.qos.logback.classic.spi.ILoggingEvent;
-import ch.qos.logback.core.AppenderBase;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.logging.Handler;
+import java.util.logging.Level;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
+import java.util.logging.SimpleFormatter;
 import java.util.stream.IntStream;
 import majic.hemisson.line.Conversation;
 import majic.time.TimeSource;
-import org.slf4j.LoggerFactory;
+import org.jspecify.annotations.Nullable;
 
 /** Records what a Hemisson's driver sends and receives, with the times of the lab's clock, from its log. */
-final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoCloseable {
+final class HemissonWire extends Handler implements AutoCloseable {
     /** One command or one reply, without its line end. */
     record Said(long nanos, boolean byDriver, String text) {}
 
@@ -24,17 +25,18 @@ final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoClos
         }
     }
 
-    private final Logger logger = (Logger) LoggerFactory.getLogger(Conversation.class);
-    private final Level before = logger.getLevel();
+    private static final SimpleFormatter MESSAGES = new SimpleFormatter();
+
+    private final Logger logger = Logger.getLogger(Conversation.class.getName());
+    private final @Nullable Level before = logger.getLevel();
     private final List<Said> all = new CopyOnWriteArrayList<>();
     private final TimeSource time;
 
     HemissonWire(TimeSource time) {
         this.time = time;
-        logger.setLevel(Level.TRACE);
-        logger.setAdditive(false);
-        logger.addAppender(this);
-        start();
+        logger.setLevel(Level.FINER);
+        logger.setUseParentHandlers(false);
+        logger.addHandler(this);
     }
 
     /** Returns the exchanges from the first command with a prefix to the first stop after it, both included. */
@@ -74,18 +76,22 @@ final class HemissonWire extends AppenderBase<ILoggingEvent> implements AutoClos
     }
 
     @Override
-    protected void append(ILoggingEvent written) {
-        String line = written.getFormattedMessage();
+    public void publish(LogRecord written) {
+        String line = MESSAGES.formatMessage(written);
         if (line.startsWith("> ") || line.startsWith("< ")) {
             all.add(new Said(time.nanos(), line.startsWith(">"), line.substring(2)));
         }
     }
 
     @Override
+    public void flush() {
+        // nothing is kept back
+    }
+
+    @Override
     public void close() {
-        logger.detachAppender(this);
+        logger.removeHandler(this);
         logger.setLevel(before);
-        logger.setAdditive(true);
-        stop();
+        logger.setUseParentHandlers(true);
     }
 }
