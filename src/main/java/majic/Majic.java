@@ -1,5 +1,6 @@
 package majic;
 
+import java.io.IOException;
 import majic.cli.ActCommand;
 import majic.cli.ClassDataCommand;
 import majic.cli.LabCommand;
@@ -28,7 +29,17 @@ public final class Majic {
     }
 
     static int run(UserFolder folder, String... args) {
-        return commandLine(folder).execute(args);
+        return MajicCommand.usual(folder, args)
+                .map(command -> start(folder, command))
+                .orElseGet(() -> commandLine(folder).execute(args));
+    }
+
+    private static int start(UserFolder folder, MajicCommand command) {
+        try {
+            return command.call();
+        } catch (IOException | RuntimeException e) {
+            return Failures.explain(commandLine(folder), e);
+        }
     }
 
     /** Returns the command line of a program with this folder, with all commands and options. */

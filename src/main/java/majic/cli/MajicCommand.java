@@ -3,6 +3,7 @@ package majic.cli;
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import majic.console.Console;
 import majic.program.Program;
@@ -38,6 +39,22 @@ public final class MajicCommand implements Callable<Integer> {
         this.folder = folder;
     }
 
+    /**
+     * Returns the command for the usual arguments, none or {@code --lab}, without the parser of command lines: its
+     * classes cannot be in the class-data archive, and loading them delays the window by a third.
+     *
+     * @return empty for any other arguments
+     */
+    public static Optional<MajicCommand> usual(UserFolder folder, String... arguments) {
+        boolean lab = List.of(arguments).equals(List.of("--lab"));
+        if (arguments.length > 0 && !lab) {
+            return Optional.empty();
+        }
+        MajicCommand command = new MajicCommand(folder);
+        command.start.withLab(lab);
+        return Optional.of(command);
+    }
+
     StartOptions start() {
         return start;
     }
@@ -47,6 +64,9 @@ public final class MajicCommand implements Callable<Integer> {
         boolean windowless = !console && GraphicsEnvironment.isHeadless();
         if (windowless) {
             System.err.println("majic: there is no display here; this is the console (help lists the commands)");
+        }
+        if (!console && !windowless) {
+            Window.preload();
         }
         try (Program program = start.program(folder)) {
             if (console || windowless) {

@@ -63,6 +63,10 @@ final class StartOptions {
     @Option(names = "--no-recording", scope = ScopeType.INHERIT, description = "Do not record what the robots report.")
     private boolean unrecorded;
 
+    void withLab(boolean wanted) {
+        lab = wanted;
+    }
+
     /** Returns the options of the lab, where nothing else is to be started. */
     LabChoice labAlone() {
         if (lab || listen != null || !robots.isEmpty()) {

@@ -3,7 +3,10 @@ package majic.gui;
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
+import com.formdev.flatlaf.util.SystemInfo;
+import java.awt.Font;
 import java.util.Optional;
+import javax.swing.UIManager;
 import majic.bot.BotException;
 import majic.bot.Settings;
 import majic.gui.kit.EventThread;
@@ -15,6 +18,14 @@ final class LookAndFeels {
     private static final String LIGHT = "light";
 
     private LookAndFeels() {}
+
+    static {
+        if (SystemInfo.isLinux) {
+            // The names that FlatLaf tries first are searched in all fonts of the computer where they are not
+            // installed.
+            FlatLaf.setPreferredMonospacedFontFamily(Font.MONOSPACED);
+        }
+    }
 
     /** Installs the look and feel that was chosen last; must be called before the first component is created. */
     static void install(Settings settings) {
@@ -28,7 +39,11 @@ final class LookAndFeels {
         EventThread.background("remembering the look", () -> remember(dark, settings));
     }
 
+    /** Has no effect if that look and feel is installed already. */
     private static void set(boolean dark) {
+        if (UIManager.getLookAndFeel() instanceof FlatLaf && FlatLaf.isLafDark() == dark) {
+            return;
+        }
         if (dark) {
             FlatDarkLaf.setup();
         } else {

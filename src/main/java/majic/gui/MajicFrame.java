@@ -129,7 +129,12 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         content.add(all, "wmin 0, hmin 0, pushy, growy, gap 8 8 0 8");
         setContentPane(content);
         setJMenuBar(new FrameMenu(this, actions, editor));
-        EventThread.background("reading pictures", () -> readPictures(actions));
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                EventThread.background("reading pictures", () -> readPictures(actions));
+            }
+        });
         setFocusTraversalPolicy(new CommandsFirst());
         setMinimumSize(new Dimension(700, 520));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();

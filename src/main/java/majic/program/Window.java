@@ -9,6 +9,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import majic.gui.MajicFrame;
+import majic.gui.WindowPreloader;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
 import majic.link.SerialPorts;
@@ -22,6 +23,11 @@ public final class Window {
     public Window(Program program) {
         this.program = program;
         this.parser = new MajicParser(program.session(), true);
+    }
+
+    /** Begins to load in the background what every window needs; to be called before the program is built. */
+    public static void preload() {
+        WindowPreloader.start();
     }
 
     /**

@@ -63,7 +63,8 @@ public final class MapFeed implements TeamListener, AutoCloseable {
 
     public void start() {
         team.addListener(this);
-        clock.scheduleWithFixedDelay(this::update, 0, UpdateThrottle.PERIOD_MS, TimeUnit.MILLISECONDS);
+        clock.scheduleWithFixedDelay(
+                this::update, UpdateThrottle.PERIOD_MS, UpdateThrottle.PERIOD_MS, TimeUnit.MILLISECONDS);
     }
 
     /** Records where the robot is when it is added, before it moves. */
