@@ -22,5 +22,5 @@ if not exist "%JAR%" (
   )
   popd
 )
-java -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar "%JAR%" %*
+java "@%HERE%config\java.options" -jar "%JAR%" %*
 exit /b %ERRORLEVEL%

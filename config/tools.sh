@@ -67,14 +67,14 @@ find_java() {
     fi
 }
 
+# Whether there is a JDK that is new enough; sets java and major, its major version.
 has_jdk() {
     find_java
-    [ -n "$java" ] && [ "$(java_major "$java")" -ge 17 ] && { [ -x "$(dirname "$java")/javac" ] || command -v javac >/dev/null 2>&1; }
+    [ -n "$java" ] && major=$(java_major "$java") && [ "$major" -ge 17 ] && { [ -x "$(dirname "$java")/javac" ] || command -v javac >/dev/null 2>&1; }
 }
 
 need_java_and_maven() {
-    has_jdk || install_or_name "a JDK (17 or newer)" default-jdk
-    find_java
+    has_jdk || { install_or_name "a JDK (17 or newer)" default-jdk && has_jdk; }
     command -v mvn >/dev/null 2>&1 || install_or_name Maven maven
 }
 
@@ -136,18 +136,18 @@ find_aria_libraries() {
 # exec_majic HERE ARGUMENT...: starts MAJIC in place of this process, with what is open as 3 for its standard input.
 exec_majic() {
     jar=$1/target/majic.jar
+    options=$1/config/java.options
     shift
     find_aria_libraries "$@"
-    major=$(java_major "$java")
     native=
     [ "$major" -lt 22 ] || native=--enable-native-access=ALL-UNNAMED
     archive=$(class_data_archive)
     if [ -f "$archive" ] && [ "$archive" -nt "$jar" ]; then
-        exec "$java" "-XX:SharedArchiveFile=$archive" $native -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -Xlog:disable \
+        exec "$java" "-XX:SharedArchiveFile=$archive" $native "@$options" -Xlog:disable \
             -jar "$jar" "$@" <&3 3<&-
     fi
     if mkdir -p "$(cache_folder)" 2>/dev/null; then
         make_class_data
     fi
-    exec "$java" $native -XX:TieredStopAtLevel=1 -XX:+UseSerialGC -jar "$jar" "$@" <&3 3<&-
+    exec "$java" $native "@$options" -jar "$jar" "$@" <&3 3<&-
 }
