@@ -1,0 +1,84 @@
+package majic.gui.replay;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+
+class ReplayPlayerTest implements ReplayPlayer.Screen {
+    private final List<String> shown = new ArrayList<>();
+
+    @AutoClose
+    private final ReplayPlayer player = new ReplayPlayer(10, 20, this);
+
+    @Override
+    public void jump(double toS) {
+        shown.add("jump " + toS);
+    }
+
+    @Override
+    public void advance(double fromS, double toS) {
+        shown.add("advance " + fromS + " " + toS);
+    }
+
+    @Override
+    public void moved(double positionS, boolean playing) {
+        shown.add((playing ? "playing " : "paused ") + positionS);
+    }
+
+    @Test
+    void itStandsAtTheBeginningUntilItPlays() {
+        player.tick(1);
+        player.tick(1);
+        assertThat(shown).containsExactly("jump 10.0", "paused 10.0");
+    }
+
+    @Test
+    void itAdvancesByTheTimeThatPassedTimesItsSpeed() {
+        player.tick(0);
+        player.setSpeed(4);
+        player.play();
+        player.tick(0.5);
+        assertThat(shown).endsWith("advance 10.0 12.0", "playing 12.0");
+    }
+
+    @Test
+    void itPausesAtTheEndAndPlaysFromTheBeginningThen() {
+        player.tick(0);
+        player.play();
+        player.tick(60);
+        assertThat(shown).endsWith("advance 10.0 20.0", "paused 20.0");
+        player.play();
+        player.tick(0);
+        assertThat(shown).endsWith("jump 10.0", "playing 10.0");
+    }
+
+    @Test
+    void aJumpShowsOnlyItsEnd() {
+        player.tick(0);
+        player.play();
+        player.jump(15);
+        player.tick(0.5);
+        assertThat(shown).endsWith("jump 15.0", "playing 15.0");
+    }
+
+    @Test
+    void aJumpEndsWithinTheRecording() {
+        player.jump(99);
+        assertThat(player.position()).isEqualTo(20);
+        player.jump(-5);
+        assertThat(player.position()).isEqualTo(10);
+    }
+
+    @Test
+    void aPauseIsShownAtOnce() {
+        player.tick(0);
+        player.play();
+        player.tick(1);
+        player.pause();
+        player.tick(1);
+        assertThat(shown).endsWith("playing 11.0", "paused 11.0");
+    }
+}
