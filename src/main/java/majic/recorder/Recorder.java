@@ -54,7 +54,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private final Signal due;
     private final TeamListener events = new TeamEvents();
     private final BotListener reports = new Reports();
-    private final Map<Member, RobotSampler> robots = new ConcurrentHashMap<>();
+    private final Map<MajicBot, RobotSampler> robots = new ConcurrentHashMap<>();
     private final Map<MajicBot, Double> pictures = new ConcurrentHashMap<>();
     private final Map<String, Pose> truths = new HashMap<>();
     private volatile @Nullable Thread sampling;
@@ -138,7 +138,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     @Override
     public void close() {
         team.removeListener(events);
-        robots.keySet().forEach(member -> member.bot().removeListener(reports));
+        robots.keySet().forEach(bot -> bot.removeListener(reports));
         closed = true;
         due.raise();
         awaitLastSample();
@@ -179,8 +179,8 @@ public final class Recorder implements SessionListener, AutoCloseable {
     }
 
     private void join(Member member) {
-        robots.computeIfAbsent(member, key -> {
-            member.bot().addListener(reports);
+        robots.computeIfAbsent(member.bot(), bot -> {
+            bot.addListener(reports);
             return new RobotSampler(member, describe(member));
         });
         wake();
@@ -244,9 +244,9 @@ public final class Recorder implements SessionListener, AutoCloseable {
         StringBuilder lines = new StringBuilder();
         StopStatus stops = team.stopStatus();
         for (Member member : team.members()) {
-            RobotSampler robot = robots.get(member);
+            RobotSampler robot = robots.get(member.bot());
             if (robot != null) {
-                robot.sample(lines, stops);
+                robot.sample(lines, stops, seconds());
             }
         }
         sampleTruths(lines);
@@ -294,12 +294,20 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private final class Reports implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {
-            wake();
+            reported(bot);
         }
 
         @Override
         public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
-            wake();
+            reported(bot);
+        }
+
+        private void reported(MajicBot bot) {
+            RobotSampler robot = robots.get(bot);
+            if (robot != null) {
+                robot.reported();
+                wake();
+            }
         }
 
         @Override
@@ -322,7 +330,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
 
         @Override
         public void removed(Member member) {
-            robots.remove(member);
+            robots.remove(member.bot());
             pictures.remove(member.bot());
             member.bot().removeListener(reports);
             event(member.number(), Mark.Kind.REMOVED, member.bot().type().label());

@@ -23,12 +23,17 @@ final class RobotSampler {
     /** Changes all the time and follows from the times of the other values. */
     private static final String AGE = "age";
 
+    /** How often a robot that reports nothing is sampled: its owner and its settings may change. */
+    private static final double QUIET_PERIOD_S = 0.5;
+
     private final Member member;
     private final RecordedRobot robot;
     private final Map<String, Value> values = new HashMap<>();
     private final Map<Kind, Map<String, String>> texts = new EnumMap<>(Kind.class);
     private String running = "";
     private volatile boolean forgotten = true;
+    private volatile boolean reported = true;
+    private double sampledS = Double.NEGATIVE_INFINITY;
 
     RobotSampler(Member member, RecordedRobot robot) {
         this.member = member;
@@ -40,8 +45,21 @@ final class RobotSampler {
         forgotten = true;
     }
 
-    /** Adds a line for each change. */
-    void sample(StringBuilder lines, StopStatus stops) {
+    /** The robot has reported something. Called by any thread. */
+    void reported() {
+        reported = true;
+    }
+
+    /** Adds a line for each change, if the robot has reported something or was not sampled for a while. */
+    void sample(StringBuilder lines, StopStatus stops, double nowS) {
+        if (reported || forgotten || nowS - sampledS >= QUIET_PERIOD_S) {
+            reported = false;
+            sampledS = nowS;
+            sample(lines, stops);
+        }
+    }
+
+    private void sample(StringBuilder lines, StopStatus stops) {
         if (forgotten) {
             forgotten = false;
             values.clear();
