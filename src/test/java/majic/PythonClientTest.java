@@ -56,7 +56,7 @@ class PythonClientTest {
         }
     }
 
-    private static boolean hasPython() {
+    static boolean hasPython() {
         try {
             return python("--version").startsWith("Python 3");
         } catch (IOException | InterruptedException e) {
@@ -64,7 +64,7 @@ class PythonClientTest {
         }
     }
 
-    private static String python(String... arguments) throws IOException, InterruptedException {
+    static String python(String... arguments) throws IOException, InterruptedException {
         ProcessBuilder command = new ProcessBuilder("python3").redirectErrorStream(true);
         command.command().addAll(List.of(arguments));
         Process process = command.start();

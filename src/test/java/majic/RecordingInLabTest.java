@@ -1,8 +1,10 @@
 package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -24,6 +26,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** What three robots of the lab report, and what is done with them, is in the recording. */
 class RecordingInLabTest {
+    private static final Path PYTHON = Path.of("examples", "recording.py");
+
     @TempDir
     private Path folder;
 
@@ -132,5 +136,25 @@ class RecordingInLabTest {
                 .findFirst()
                 .orElseThrow();
         assertThat(hemisson.value(pin, recording.endS())).hasToString("unknown (no reading yet)");
+    }
+
+    @Test
+    void thePageShowsTheProgramInPythonAsItIs() throws Exception {
+        assertThat(Files.readString(Path.of("docs", "recordings.md"))).contains(Files.readString(PYTHON));
+    }
+
+    @Test
+    void theProgramInPythonReadsARecordingThatIsStillWritten() throws Exception {
+        assumeTrue(PythonClientTest.hasPython());
+        rig.run("2 move 100");
+        Series x = recorder.history().series(2, "x", 0);
+        Path file = new RecordingFolder(folder.resolve("recordings")).files().get(0);
+        String[] printed = PythonClientTest.python(PYTHON.toString(), file.toString(), "2", "x")
+                .strip()
+                .split("\\R");
+        assertThat(printed).hasSizeGreaterThanOrEqualTo(x.size());
+        String[] last = printed[printed.length - 1].split(" ");
+        assertThat(Double.parseDouble(last[1])).isBetween(85.0, 115.0);
+        recorder.close();
     }
 }

@@ -8,21 +8,32 @@ import static majic.PictureWindow.select;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
+import java.awt.Frame;
 import java.awt.Window;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
+import java.util.stream.Stream;
+import javax.swing.JFrame;
+import javax.swing.JSlider;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import majic.PictureWindow.Settled;
+import majic.bot.BotType;
 import majic.gui.MajicFrame;
+import majic.gui.replay.ReplayWindow;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.program.WindowPicture;
+import majic.recorder.Mark;
 import majic.script.MajicParser;
 import majic.simulation.SimulatedLab;
 import majic.team.Member;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,6 +62,7 @@ class Screenshots {
             awaitWindow(() -> find(frame, "release").isVisible());
             awaitWindow(new Settled());
             WindowPicture.save(frame, IMAGES.resolve("stopped.png"));
+            replay(program, frame);
             dark(frame);
             SwingUtilities.invokeAndWait(frame::dispose);
         }
@@ -88,6 +100,35 @@ class Screenshots {
         awaitWindow(new Settled());
         WindowPicture.save(frame, IMAGES.resolve("wrong-line.png"));
         SwingUtilities.invokeAndWait(() -> line.setText(""));
+    }
+
+    /** Replays what was recorded for the other pictures. */
+    private static void replay(Program program, MajicFrame frame) throws Exception {
+        double endS = program.recorder().orElseThrow().history().marks(0).stream()
+                .mapToDouble(Mark::seconds)
+                .max()
+                .orElseThrow();
+        Path file = program.recordings().files().get(0);
+        List<BotType> types = program.session().factory().types();
+        SwingUtilities.invokeAndWait(() -> ReplayWindow.open(frame, file, types, () -> {}, Assertions::fail));
+        awaitWindow(() -> replayWindow() != null);
+        JFrame replay = Objects.requireNonNull(replayWindow());
+        awaitWindow(new Settled());
+        SwingUtilities.invokeAndWait(() -> {
+            ((JTabbedPane) find(replay, "replayRobots")).setSelectedIndex(PIONEER - 1);
+            ((JSlider) find(replay, "timeline")).setValue((int) (endS * 10 * 0.8));
+        });
+        awaitWindow(new Settled());
+        WindowPicture.save(replay, IMAGES.resolve("replay.png"));
+        SwingUtilities.invokeAndWait(replay::dispose);
+    }
+
+    private static @Nullable JFrame replayWindow() {
+        return Stream.of(Frame.getFrames())
+                .filter(window -> window instanceof ReplayWindow && window.isShowing())
+                .map(JFrame.class::cast)
+                .findFirst()
+                .orElse(null);
     }
 
     private static void dark(MajicFrame frame) throws Exception {

@@ -70,8 +70,7 @@ class ReplayWindowTest {
     @Test
     void theTimeSliderShowsWhatWasReportedThen() throws Exception {
         open(recorded());
-        assertThat(window.awaitShowing("replayBand", JLabel.class).getText())
-                .startsWith("REPLAY of ");
+        assertThat(window.awaitShowing("replayBand", JLabel.class).getText()).startsWith("REPLAY of ");
         moveTo(100);
         window.await("the last place", () -> reading("x").equals("250 mm"));
         assertThat(window.text("replayStatus1")).contains("x 250 mm");
@@ -86,7 +85,9 @@ class ReplayWindowTest {
         window.awaitShowing("play", JButton.class);
         moveTo(80);
         window.push("play");
-        window.await("the end", () -> window.text("play").equals("Play") && reading("x").equals("250 mm"));
+        window.await(
+                "the end",
+                () -> window.text("play").equals("Play") && reading("x").equals("250 mm"));
     }
 
     @Test

@@ -75,7 +75,10 @@ class RecordingFileTest {
     void aFileIsReadUpToTheEndThatIsMissing() throws Exception {
         StringBuilder values = new StringBuilder();
         for (int second = 2; second < 5000; second++) {
-            values.append(second).append(".000\tvalue\t2\tx\t").append(second * 7919 % 10_007).append('\n');
+            values.append(second)
+                    .append(".000\tvalue\t2\tx\t")
+                    .append(second * 7919 % 10_007)
+                    .append('\n');
         }
         byte[] whole = bytes(HEAD, ROBOT, X, values.toString());
         byte[] cut = Arrays.copyOf(whole, whole.length * 3 / 4);

@@ -98,7 +98,9 @@ class RecordingWriterTest {
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         writer.begin(head(2), "2.000\tline\tnotice\tagain\n");
         writer.close();
-        assertThat(alarms.poll(10, TimeUnit.SECONDS)).contains("nothing is recorded").contains("make room there");
+        assertThat(alarms.poll(10, TimeUnit.SECONDS))
+                .contains("nothing is recorded")
+                .contains("make room there");
         assertThat(alarms).isEmpty();
     }
 }

@@ -36,7 +36,8 @@ class ReplayBotTest {
             rig.run("2 move 200", "3 set ledLeft on");
             recorder.close();
             for (RobotTracks tracks : Recording.read(files.files().get(0)).tracks()) {
-                bots.add(new ReplayBot(rig.session().factory().type(tracks.robot().type()), tracks));
+                bots.add(new ReplayBot(
+                        rig.session().factory().type(tracks.robot().type()), tracks));
             }
         }
         recording = Recording.read(files.files().get(0));
@@ -61,9 +62,15 @@ class ReplayBotTest {
     @Test
     void itRefusesEveryCommand() {
         for (ReplayBot bot : bots) {
-            assertThatThrownBy(() -> bot.move(1)).isInstanceOf(BotException.class).hasMessageContaining("replay");
-            assertThatThrownBy(() -> bot.turn(1)).isInstanceOf(BotException.class).hasMessageContaining("replay");
-            assertThatThrownBy(() -> bot.drive(1, 0)).isInstanceOf(BotException.class).hasMessageContaining("replay");
+            assertThatThrownBy(() -> bot.move(1))
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining("replay");
+            assertThatThrownBy(() -> bot.turn(1))
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining("replay");
+            assertThatThrownBy(() -> bot.drive(1, 0))
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining("replay");
             assertThat(bot.commands()).isEmpty();
             assertThat(bot.membership()).isEmpty();
         }
