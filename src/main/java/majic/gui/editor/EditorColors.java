@@ -35,7 +35,7 @@ record EditorColors(Color paper, Color running, Color next, Map<Integer, Color> 
 
     private static EditorColors dark() {
         return new EditorColors(
-                UIManager.getColor("TextArea.background"),
+                new Color(0x2E3133),
                 new Color(0x1F4029),
                 new Color(0x4A3D12),
                 types(0xD9AEF5, 0x8BD9AC, 0xF0BC7C, 0xAAB4BC));

@@ -16,6 +16,7 @@ import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.Palette;
 import majic.script.run.ScriptControl.Progress;
 import majic.script.syntax.Mistake;
@@ -59,16 +60,21 @@ final class ScriptArea extends RTextScrollPane {
         return text;
     }
 
-    /** Sets the colours of the look and feel. */
+    /** Sets the colours of the look and feel, once the look and feel has changed the text as well. */
     @Override
     public void updateUI() {
         super.updateUI();
         if (text != null) {
-            EditorColors.current().apply(text, getGutter());
-            Progress now = shown;
-            shown = NONE;
-            show(now);
+            EventThread.later(this::recolour);
         }
+    }
+
+    private void recolour() {
+        EditorColors.current().apply(text, getGutter());
+        Progress now = shown;
+        shown = NONE;
+        show(now);
+        text.forceReparsing(mistakes);
     }
 
     /** Underlines mistakes in place of those underlined before. */
