@@ -41,7 +41,11 @@ final class FrameActions {
         openScript = new IconAction(
                         "Open…", "open", "Open a script or a saved session in the editor", editor::chooseAndOpen)
                 .withKey(KeyEvent.VK_O);
-        saveSession = new IconAction("Save Session", "session", "Save the session as a script", dialogs::saveSession)
+        saveSession = new IconAction(
+                        "Save Session",
+                        "session",
+                        "Save the session as a script",
+                        () -> dialogs.saveSession(editor::open))
                 .withKey(KeyEvent.VK_S);
         saveLog = new IconAction("Save Log", "log", "Save the parameter log", dialogs::saveLog);
         openRecording =

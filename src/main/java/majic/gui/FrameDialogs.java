@@ -125,8 +125,19 @@ final class FrameDialogs {
         open("Tour", () -> new Tour(frame, session));
     }
 
-    void saveSession() {
-        save("Save Session", "session.majic", "save session ");
+    /**
+     * Asks where to save the session.
+     *
+     * @param edit opens a script in the editor
+     */
+    void saveSession(Consumer<Path> edit) {
+        ChooseFile.toSave(
+                frame,
+                services.settings(),
+                "Save Session",
+                "session.majic",
+                file -> save("save session ", file),
+                new ChooseFile.Offer("Open it in the script editor", edit));
     }
 
     void saveLog() {

@@ -2,6 +2,8 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
+import java.awt.Font;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyEvent;
@@ -271,6 +273,31 @@ class ScriptEditorWindowTest {
         window.run(() -> pane.getTransferHandler().importData(files));
         window.await("the reason", () -> window.isShowing("fileNotice"));
         assertThat(window.text("fileNotice")).endsWith("none.majic: there is no such file");
+    }
+
+    @Test
+    void theColoursFollowTheLookAndTheFontStays() throws IOException {
+        RSyntaxTextArea area = drop(script("lap.majic", "1 move 30"));
+        Font font = area.getFont();
+        Color light = area.getBackground();
+        window.run(() -> window.frame.look(true));
+        window.await("a dark text", () -> area.getBackground().getRed() < 128);
+        assertThat(area.getFont()).isEqualTo(font);
+        window.run(() -> window.frame.look(false));
+        window.await("a light text", () -> area.getBackground().equals(light));
+    }
+
+    @Test
+    void aSavedSessionIsOpenedIfThatIsChosen() {
+        window.add("one");
+        window.command("1 move 30");
+        window.awaitMessage("done");
+        window.click("Save Session");
+        window.click("offer");
+        window.chooseFile(folder.resolve("lap.majic"));
+        window.await("the session in the editor", () -> isTitle(0, "lap.majic"));
+        assertThat(window.awaitShowing("script", RSyntaxTextArea.class).getText())
+                .contains("1 move 30");
     }
 
     @Test

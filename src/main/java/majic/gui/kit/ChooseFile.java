@@ -15,6 +15,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
+import javax.swing.JCheckBox;
 import javax.swing.JFileChooser;
 import javax.swing.JPanel;
 import javax.swing.JTextField;
@@ -41,7 +42,9 @@ public final class ChooseFile extends MajicDialog {
 
     private final JFileChooser chooser = new JFileChooser();
     private final Paragraph problem = new Paragraph("fileProblem", 2, 40);
+    private final JPanel content = new JPanel(new BorderLayout());
     private final transient Settings settings;
+    private transient Consumer<Path> saved = file -> {};
 
     private ChooseFile(Window owner, Settings settings, String title, int type) {
         super(owner, title);
@@ -52,7 +55,6 @@ public final class ChooseFile extends MajicDialog {
         chooser.setApproveButtonText(title);
         problem.setBorder(BorderFactory.createEmptyBorder(0, 14, 14, 14));
         problem.setVisible(false);
-        JPanel content = new JPanel(new BorderLayout());
         content.add(chooser, BorderLayout.CENTER);
         content.add(problem, BorderLayout.SOUTH);
         setContentPane(content);
@@ -89,9 +91,47 @@ public final class ChooseFile extends MajicDialog {
      */
     public static void toSave(
             Window owner, Settings settings, String title, String suggestion, Function<Path, Optional<String>> save) {
+        saving(owner, settings, title, suggestion).openToSave(save);
+    }
+
+    /**
+     * Something that the dialog offers to do with the saved file. Immutable.
+     *
+     * @param text the text of its check box
+     * @param accepted receives the file if the box was checked
+     */
+    public record Offer(String text, Consumer<Path> accepted) {}
+
+    /** Asks where to save, as the other method of this name does, with an offer. */
+    public static void toSave(
+            Window owner,
+            Settings settings,
+            String title,
+            String suggestion,
+            Function<Path, Optional<String>> save,
+            Offer offer) {
+        ChooseFile dialog = saving(owner, settings, title, suggestion);
+        JCheckBox box = new JCheckBox(offer.text());
+        box.setName("offer");
+        box.setMnemonic(offer.text().charAt(0));
+        box.setBorder(BorderFactory.createEmptyBorder(12, 14, 0, 14));
+        dialog.content.add(box, BorderLayout.NORTH);
+        dialog.saved = file -> {
+            if (box.isSelected()) {
+                offer.accepted().accept(file);
+            }
+        };
+        dialog.openToSave(save);
+    }
+
+    private static ChooseFile saving(Window owner, Settings settings, String title, String suggestion) {
         ChooseFile dialog = new ChooseFile(owner, settings, title, JFileChooser.SAVE_DIALOG);
         dialog.suggest(suggestion);
-        dialog.open(dialog.afterConfirmation(file -> dialog.save(file, save)));
+        return dialog;
+    }
+
+    private void openToSave(Function<Path, Optional<String>> save) {
+        open(afterConfirmation(file -> save(file, save)));
     }
 
     private void open(Consumer<Path> approved) {
@@ -129,9 +169,14 @@ public final class ChooseFile extends MajicDialog {
                 "saving " + file,
                 () -> {
                     Optional<String> failure = save.apply(file);
-                    EventThread.later(() -> failure.ifPresentOrElse(this::showProblem, () -> close(file)));
+                    EventThread.later(() -> failure.ifPresentOrElse(this::showProblem, () -> saved(file)));
                 },
                 this::showProblem);
+    }
+
+    private void saved(Path file) {
+        close(file);
+        saved.accept(file);
     }
 
     private void showProblem(String reason) {
