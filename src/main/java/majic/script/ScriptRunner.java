@@ -6,6 +6,7 @@ import java.util.Map;
 import majic.bot.BotException;
 import majic.log.Line;
 import majic.script.conditions.Selection;
+import majic.script.help.Completions;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
@@ -65,6 +66,18 @@ public final class ScriptRunner {
         return new Checked(
                 mistakes,
                 List.copyOf(RobotsIn.of(script, session.actions(), selection).commanded()));
+    }
+
+    /**
+     * Returns what could be typed at a place of a script: commands, robots, parameters of the robots on the line, words
+     * that a parameter takes. Reads files if {@link MajicParser#readsFiles} says so.
+     *
+     * @param line one line of the script
+     * @param caret where the word ends that is to be completed, 0 to the length of the line
+     * @return words that replace the one before the caret, and hints
+     */
+    public Completions complete(String line, int caret) {
+        return session.completer().complete(line, caret, List.of());
     }
 
     /**

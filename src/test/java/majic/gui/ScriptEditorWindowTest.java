@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyEvent;
@@ -12,6 +13,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.JList;
 import javax.swing.JMenu;
@@ -285,6 +287,41 @@ class ScriptEditorWindowTest {
         assertThat(area.getFont()).isEqualTo(font);
         window.run(() -> window.frame.look(false));
         window.await("a light text", () -> area.getBackground().equals(light));
+    }
+
+    @Test
+    void wordsAreCompletedWhileTheyAreTyped() throws IOException {
+        window.add("one");
+        RSyntaxTextArea area = drop(script("lap.majic", ""));
+        window.type("1 tu");
+        awaitCompletions(true);
+        window.press(KeyEvent.VK_ENTER);
+        assertThat(area.getText()).isEqualTo("1 turn");
+        window.type(" 9");
+        window.press(KeyEvent.VK_ENTER);
+        assertThat(area.getText()).isEqualTo("1 turn 9\n");
+    }
+
+    @Test
+    void escClosesTheCompletionsAndStopsOnlyThen() throws IOException {
+        ToyBot bot = window.add("one");
+        drop(script("lap.majic", ""));
+        window.type("1 tu");
+        awaitCompletions(true);
+        window.press(KeyEvent.VK_ESCAPE);
+        awaitCompletions(false);
+        assertThat(bot.told).isEmpty();
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the stop", () -> bot.told.contains("halt"));
+    }
+
+    private void awaitCompletions(boolean open) {
+        window.await(
+                "the completions",
+                () -> open
+                        == Stream.of(Window.getWindows())
+                                .anyMatch(found -> found.isShowing()
+                                        && found.getClass().getSimpleName().startsWith("AutoComplete")));
     }
 
     @Test

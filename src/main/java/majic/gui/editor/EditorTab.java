@@ -18,9 +18,9 @@ import org.jspecify.annotations.Nullable;
 final class EditorTab extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private final ScriptArea area = new ScriptArea();
+    private final ScriptArea area;
     private final FileNotice notice = new FileNotice();
-    private final MistakeList mistakes = new MistakeList(mistake -> area.goTo(mistake.line(), mistake.column()));
+    private final MistakeList mistakes;
     private final transient BackgroundCheck check;
     private final transient TabFile file;
     private final transient TabRun run;
@@ -37,6 +37,8 @@ final class EditorTab extends JPanel {
     EditorTab(EditorContext context, ScriptRunner runner, ScriptFile script, boolean exists, Runnable changed) {
         super(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));
         this.changed = changed;
+        area = new ScriptArea(runner);
+        mistakes = new MistakeList(mistake -> area.goTo(mistake.line(), mistake.column()));
         file = new TabFile(this, context, script, exists);
         run = new TabRun(this, runner);
         check = new BackgroundCheck(runner, this::text, this::show);

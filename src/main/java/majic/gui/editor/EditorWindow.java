@@ -172,12 +172,16 @@ public final class EditorWindow extends JFrame {
         tabs.addTab(tab.title(), tab);
         tabs.setSelectedComponent(tab);
         bringToFront();
-        tab.area().text().requestFocusInWindow();
     }
 
+    /**
+     * Shows the window and gives it the focus, which a window manager may have given to another window when a dialog has
+     * just closed.
+     */
     private void bringToFront() {
         setVisible(true);
         toFront();
+        EventThread.later(onTab(tab -> tab.area().text().requestFocus()));
     }
 
     private List<EditorTab> all() {

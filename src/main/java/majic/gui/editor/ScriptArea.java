@@ -16,8 +16,10 @@ import javax.swing.BorderFactory;
 import javax.swing.Icon;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
+import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.Palette;
+import majic.script.ScriptRunner;
 import majic.script.run.ScriptControl.Progress;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Scanner;
@@ -31,15 +33,16 @@ import org.fife.ui.rsyntaxtextarea.parser.ParseResult;
 import org.fife.ui.rtextarea.RTextScrollPane;
 
 /** The text of a script with its line numbers: underlines mistakes, and marks the lines that run. */
-final class ScriptArea extends RTextScrollPane {
+final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
     private static final long serialVersionUID = 1L;
     private static final Progress NONE = new Progress(false, Set.of(), OptionalInt.empty(), "");
 
     private final RSyntaxTextArea text;
     private final transient Mistakes mistakes = new Mistakes();
+    private final transient ScriptCompletion completion;
     private transient Progress shown = NONE;
 
-    ScriptArea() {
+    ScriptArea(ScriptRunner runner) {
         super(new RSyntaxTextArea());
         text = (RSyntaxTextArea) getTextArea();
         ((RSyntaxDocument) text.getDocument()).setSyntaxStyle(new ScriptTokens());
@@ -50,10 +53,16 @@ final class ScriptArea extends RTextScrollPane {
         text.setAnimateBracketMatching(false);
         text.setUseFocusableTips(false);
         text.addParser(mistakes);
+        completion = new ScriptCompletion(text, runner);
         setBorder(BorderFactory.createEmptyBorder());
         setIconRowHeaderEnabled(true);
         setLineNumbersEnabled(true);
         EditorColors.current().apply(text, getGutter());
+    }
+
+    @Override
+    public boolean hasToClose() {
+        return completion.isOpen();
     }
 
     RSyntaxTextArea text() {
