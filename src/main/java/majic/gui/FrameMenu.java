@@ -61,8 +61,7 @@ final class FrameMenu extends JMenuBar {
     }
 
     private static JMenu robots(MajicFrame frame, FrameActions actions) {
-        JMenu robots =
-                menu("Robot", actions.addBot, actions.killBot, null, actions.openTeam, actions.saveTeam, null);
+        JMenu robots = menu("Robot", actions.addBot, actions.killBot, null, actions.openTeam, actions.saveTeam, null);
         JMenuItem reconnect = new JCheckBoxMenuItem(
                 "Reconnect lost robots", frame.reconnecting().isEnabled());
         reconnect.addActionListener(event -> frame.reconnecting().enable(reconnect.isSelected()));

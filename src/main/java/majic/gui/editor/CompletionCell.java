@@ -23,9 +23,9 @@ final class CompletionCell extends JPanel implements ListCellRenderer<Object> {
     private final JLabel explanation = new PlainLabel("completionExplanation", "");
 
     CompletionCell() {
-        super(new MigLayout("insets 2 6 2 6, gap 10", "[120!][150!][grow, fill]"));
-        add(word, "wmin 0, wmax 120");
-        add(values, "wmin 0, wmax 150");
+        super(new MigLayout("insets 2 6 2 6, gap 10", "[110!][130!][grow, fill]"));
+        add(word, "wmin 0, wmax 110");
+        add(values, "wmin 0, wmax 130");
         add(explanation, "wmin 0");
     }
 

@@ -102,6 +102,15 @@ public final class EditorWindow extends JFrame {
         });
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
+            /**
+             * Requests the focus, because a window manager may give it to another window when a dialog has just closed.
+             */
+            @Override
+            public void windowOpened(WindowEvent event) {
+                toFront();
+                focusText();
+            }
+
             @Override
             public void windowClosing(WindowEvent event) {
                 closeAll(() -> {});
@@ -174,14 +183,14 @@ public final class EditorWindow extends JFrame {
         bringToFront();
     }
 
-    /**
-     * Shows the window and gives it the focus, which a window manager may have given to another window when a dialog has
-     * just closed.
-     */
     private void bringToFront() {
         setVisible(true);
         toFront();
-        EventThread.later(onTab(tab -> tab.area().text().requestFocus()));
+        focusText();
+    }
+
+    private void focusText() {
+        onTab(tab -> tab.area().text().requestFocus()).run();
     }
 
     private List<EditorTab> all() {

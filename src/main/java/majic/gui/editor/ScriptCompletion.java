@@ -21,11 +21,15 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
  */
 final class ScriptCompletion extends CompletionProviderBase {
     private static final int DELAY_MS = 200;
+    private static final int WIDTH = 680;
+    private static final int MOST_ROWS = 9;
+    private static final int FRAME = 4;
     private static final Completions NONE = new Completions(0, List.of());
 
     private final RSyntaxTextArea area;
     private final ScriptRunner runner;
-    private final AutoCompletion popup = new AutoCompletion(this);
+    private final CompletionCell cell = new CompletionCell();
+    private final AutoCompletion popup = new Popup();
     private Place found = new Place("", 0);
     private Completions there = NONE;
     private boolean searching;
@@ -41,6 +45,20 @@ final class ScriptCompletion extends CompletionProviderBase {
         }
     }
 
+    /** The list, as high as it needs to be. */
+    private final class Popup extends AutoCompletion {
+        Popup() {
+            super(ScriptCompletion.this);
+        }
+
+        @Override
+        protected int refreshPopupWindow() {
+            int rows = Math.min(MOST_ROWS, getCompletions(area).size());
+            setChoicesWindowSize(WIDTH, rows * cell.getPreferredSize().height + FRAME);
+            return super.refreshPopupWindow();
+        }
+    }
+
     /** Completes the words that are typed into a text. */
     ScriptCompletion(RSyntaxTextArea area, ScriptRunner runner) {
         this.area = area;
@@ -50,8 +68,7 @@ final class ScriptCompletion extends CompletionProviderBase {
         popup.setAutoActivationDelay(DELAY_MS);
         popup.setAutoCompleteSingleChoices(false);
         popup.setShowDescWindow(false);
-        popup.setChoicesWindowSize(620, 190);
-        popup.setListCellRenderer(new CompletionCell());
+        popup.setListCellRenderer(cell);
         popup.install(area);
     }
 

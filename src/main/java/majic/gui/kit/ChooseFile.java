@@ -149,8 +149,8 @@ public final class ChooseFile extends MajicDialog {
 
     private Consumer<Path> closingAfter(Consumer<Path> chosen) {
         return file -> {
-            chosen.accept(file);
             close(file);
+            chosen.accept(file);
         };
     }
 
