@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import majic.bot.Parameter;
+import majic.bot.Value;
 import majic.recorder.Mark;
 import majic.recorder.RecordedHistory;
 import majic.recorder.RecordedLine;
@@ -96,6 +97,21 @@ class RecordingInLabTest {
         Series late = recording.series(2, "x", recording.endS());
         assertThat(late.values()).hasSize(1);
         assertThat(late.values()[0]).isBetween(85.0, 115.0);
+    }
+
+    @Test
+    void oneValueOfAListIsASeriesToo() throws Exception {
+        rig.run("2 move 100");
+        RecordedHistory history = recorder.history();
+        Series whole = history.series(2, "sonar3", 0);
+        Series item = history.series(2, "sonar[3]", 0);
+        assertThat(item.values()[item.size() - 1]).isEqualTo(whole.values()[whole.size() - 1]);
+        Recording recording = closed();
+        Parameter sonar = recording.parameters(2).stream()
+                .filter(parameter -> parameter.name().equals("sonar"))
+                .findFirst()
+                .orElseThrow();
+        assertThat(recording.tracks().get(1).value(sonar, recording.endS())).isInstanceOf(Value.Many.class);
     }
 
     @Test

@@ -30,7 +30,7 @@ public interface RecordedHistory {
      * Returns the recorded values of a parameter as numbers.
      *
      * @param robot a robot's number
-     * @param parameter its name, whatever the case
+     * @param parameter its name, whatever the case; {@code sonar[3]} for one value of a list
      * @param fromS the first time of interest; the value in force at that time is the first one returned
      * @return empty if nothing was recorded of it
      * @throws IOException if a file cannot be read

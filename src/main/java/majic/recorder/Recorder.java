@@ -3,8 +3,6 @@ package majic.recorder;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.time.Instant;
-import java.util.Collection;
-import java.util.HashMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
@@ -12,12 +10,8 @@ import java.util.function.Supplier;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
-import majic.bot.Pose;
-import majic.lab.LabAccess;
 import majic.log.Line;
 import majic.log.SessionListener;
-import majic.recorder.RecordingFormat.Kind;
-import majic.team.Answer;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.StopStatus;
@@ -37,29 +31,24 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private static final Logger LOG = System.getLogger(Recorder.class.getName());
     private static final double LEAST_PERIOD_S = 0.05;
     private static final double MOST_PERIOD_S = 1;
-    private static final double TRUTH_PERIOD_S = 0.2;
     private static final double PICTURE_PERIOD_S = 1;
     private static final long CLOSE_BOUND_MS = 1000;
     private static final int MOST_EARLY = 100_000;
 
-    /** Distance at which robots are placed from each other when their positions are unknown. */
-    private static final double GUESSED_APART_MM = 1000;
-
     private final Team team;
-    private final BotFactory factory;
+    private final RoomSampler room;
     private final TimeSource time;
     private final long startNanos;
     private final Instant begin = Instant.now();
     private final RecordingWriter writer;
     private final Signal due;
-    private final TeamListener events = new TeamEvents();
+    private final TeamListener events;
+    private final TeamListener robotsOfTeam = new Joining();
     private final BotListener reports = new Reports();
     private final Map<MajicBot, RobotSampler> robots = new ConcurrentHashMap<>();
     private final Map<MajicBot, Double> pictures = new ConcurrentHashMap<>();
-    private final Map<String, Pose> truths = new HashMap<>();
     private volatile @Nullable Thread sampling;
     private boolean failed;
-    private double truthsS = Double.NEGATIVE_INFINITY;
     private final StringBuilder early = new StringBuilder();
     private volatile int part;
     private volatile boolean changed = true;
@@ -75,15 +64,17 @@ public final class Recorder implements SessionListener, AutoCloseable {
      */
     public Recorder(Team team, BotFactory factory, RecordingFolder folder, Consumer<String> alarm) {
         this.team = team;
-        this.factory = factory;
+        this.room = new RoomSampler(factory);
         this.time = team.time();
         this.startNanos = time.nanos();
         this.due = time.signal();
         this.writer = new RecordingWriter(folder, alarm);
+        this.events = new EventLines(team, this::write);
     }
 
     /** Starts to record, also the robots that are in the team already. Called once. */
     public void start() {
+        team.addListener(robotsOfTeam);
         team.addListener(events);
         team.members().forEach(this::join);
         Thread started = time.thread("recorder", () -> WaitPolicy.observing(this::run));
@@ -137,6 +128,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     /** Writes what is left, for one second at most. The robots are not affected. */
     @Override
     public void close() {
+        team.removeListener(robotsOfTeam);
         team.removeListener(events);
         robots.keySet().forEach(bot -> bot.removeListener(reports));
         closed = true;
@@ -174,36 +166,12 @@ public final class Recorder implements SessionListener, AutoCloseable {
         }
     }
 
-    private void event(int robot, Mark.Kind kind, String text) {
-        write(RecordingFormat.event(robot, kind, text));
-    }
-
     private void join(Member member) {
         robots.computeIfAbsent(member.bot(), bot -> {
             bot.addListener(reports);
-            return new RobotSampler(member, describe(member));
+            return new RobotSampler(member, room.describe(member, seconds()));
         });
         wake();
-    }
-
-    private RecordedRobot describe(Member member) {
-        MajicBot bot = member.bot();
-        String inLab = factory.nameInLab(bot).orElse("");
-        Pose reported = bot.state().pose();
-        Pose origin = factory.lab()
-                .filter(lab -> lab.time() == member.time() && lab.truePoses().containsKey(inLab))
-                .map(lab -> lab.truePoses().get(inLab).originOf(reported))
-                .orElse(new Pose(0, (1 - member.number()) * GUESSED_APART_MM, 0));
-        return new RecordedRobot(
-                member.number(),
-                bot.type().name(),
-                bot.type().label(),
-                bot.type().make(),
-                bot.profile().bodyMm(),
-                bot.profile().estimates(),
-                origin,
-                inLab,
-                seconds());
     }
 
     private void wake() {
@@ -249,7 +217,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
                 robot.sample(lines, stops, seconds());
             }
         }
-        sampleTruths(lines);
+        room.sample(lines, seconds());
         if (!lines.isEmpty()) {
             write(lines.toString());
         }
@@ -261,13 +229,8 @@ public final class Recorder implements SessionListener, AutoCloseable {
             return;
         }
         StringBuilder lines = new StringBuilder();
-        factory.lab().ifPresent(lab -> {
-            lab.walls().forEach(wall -> lines.append(RecordingFormat.wall(wall)));
-            lab.furnishing().tapes().forEach(tape -> lines.append(RecordingFormat.tape(tape)));
-            lab.furnishing().lamps().forEach(lamp -> lines.append(RecordingFormat.lamp(lamp)));
-        });
+        room.describe(lines);
         robots.values().forEach(RobotSampler::forget);
-        truths.clear();
         synchronized (early) {
             double beginS = early.isEmpty() ? seconds() : 0;
             if (writer.begin(new RecordingHead(begin, part + 1, beginS), lines.toString() + early)) {
@@ -275,19 +238,6 @@ public final class Recorder implements SessionListener, AutoCloseable {
                 early.setLength(0);
             }
         }
-    }
-
-    private void sampleTruths(StringBuilder lines) {
-        LabAccess lab = factory.lab().orElse(null);
-        if (lab == null || seconds() - truthsS < TRUTH_PERIOD_S) {
-            return;
-        }
-        truthsS = seconds();
-        lab.truePoses().forEach((name, pose) -> {
-            if (!pose.equals(truths.put(name, pose))) {
-                lines.append(RecordingFormat.change(Kind.TRUTH, 0, name, RecordingFormat.pose(pose)));
-            }
-        });
     }
 
     /** What the robots report. */
@@ -320,12 +270,11 @@ public final class Recorder implements SessionListener, AutoCloseable {
         }
     }
 
-    /** What happens in the team. */
-    private final class TeamEvents implements TeamListener {
+    /** Samples the robots that are in the team. */
+    private final class Joining implements TeamListener {
         @Override
         public void added(Member member) {
             join(member);
-            event(member.number(), Mark.Kind.ADDED, member.bot().type().label());
         }
 
         @Override
@@ -333,43 +282,6 @@ public final class Recorder implements SessionListener, AutoCloseable {
             robots.remove(member.bot());
             pictures.remove(member.bot());
             member.bot().removeListener(reports);
-            event(member.number(), Mark.Kind.REMOVED, member.bot().type().label());
-        }
-
-        @Override
-        public void answered(Answer answer) {
-            event(answer.robot(), Mark.Kind.ENDED, answer.text());
-        }
-
-        @Override
-        public void lost(Member member, String reason) {
-            event(member.number(), Mark.Kind.LOST, reason);
-        }
-
-        @Override
-        public void regained(Member member) {
-            event(member.number(), Mark.Kind.REGAINED, "connected again");
-        }
-
-        @Override
-        public void ownerChanged(Member member) {
-            event(member.number(), Mark.Kind.OWNER, RobotSampler.owner(member.owner()));
-        }
-
-        @Override
-        public void stopped(Collection<Member> members, long atNanos) {
-            if (members.size() == team.members().size()) {
-                event(0, Mark.Kind.STOP, "all robots");
-            } else {
-                members.forEach(member -> event(member.number(), Mark.Kind.STOP, "robot " + member.number()));
-            }
-        }
-
-        @Override
-        public void latchChanged(boolean latched) {
-            if (!latched) {
-                event(0, Mark.Kind.RELEASED, "motion is allowed again");
-            }
         }
     }
 }

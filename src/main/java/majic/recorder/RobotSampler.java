@@ -96,11 +96,17 @@ final class RobotSampler {
         if (value.equals(before)) {
             return;
         }
-        boolean about = value instanceof Value.Number number && number.about();
-        if (before == null || about != (before instanceof Value.Number number && number.about())) {
+        boolean about = isAbout(value);
+        if (before == null || about != isAbout(before)) {
             lines.append(RecordingFormat.parameter(robot.number(), parameter, about));
         }
         note(lines, Kind.VALUE, parameter.name(), ValueText.of(value));
+    }
+
+    private static boolean isAbout(Value value) {
+        return value instanceof Value.Many many
+                ? many.values().stream().anyMatch(RobotSampler::isAbout)
+                : value instanceof Value.Number number && number.about();
     }
 
     private void note(StringBuilder lines, Kind kind, String name, String text) {

@@ -7,12 +7,17 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import majic.bot.Parameter;
 import majic.bot.Value;
 import majic.recorder.RecordingFormat.Kind;
 
 /** What was recorded of one robot. Filled by the thread that reads the file, then read by any. */
 public final class RobotTracks {
+    /** The name of an item of a list: {@code sonar[3]}. */
+    private static final Pattern ITEM = Pattern.compile("(.+)\\[(\\d{1,3})]");
+
     private final RecordedRobot robot;
     private final Map<String, Parameter> parameters = new LinkedHashMap<>();
     private final Map<String, Boolean> estimates = new TreeMap<>();
@@ -180,7 +185,18 @@ public final class RobotTracks {
     public record Picture(double seconds, byte[] jpeg) {}
 
     Series series(String parameter, double fromS) {
-        Track track = values.get(key(parameter));
-        return track == null ? Series.EMPTY : track.series(fromS);
+        Track whole = values.get(key(parameter));
+        if (whole != null) {
+            return whole.series(fromS);
+        }
+        Matcher item = ITEM.matcher(parameter);
+        Track list = item.matches() ? values.get(key(item.group(1))) : null;
+        return list == null ? Series.EMPTY : list.series(fromS, Integer.parseInt(item.group(2)));
+    }
+
+    /** The parameter of which a series is read: that of the list for an item of a list. */
+    static String parameterOf(String series) {
+        Matcher item = ITEM.matcher(series);
+        return key(item.matches() ? item.group(1) : series);
     }
 }

@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.function.BiPredicate;
 import java.util.function.DoubleSupplier;
@@ -63,7 +62,7 @@ final class RunningHistory implements RecordedHistory {
 
     @Override
     public Series series(int robot, String parameter, double fromS) throws IOException {
-        String wanted = parameter.toLowerCase(Locale.ROOT);
+        String wanted = RobotTracks.parameterOf(parameter);
         List<Series> series = new ArrayList<>();
         for (Recording part : read((number, name) -> number == robot && name.equals(wanted))) {
             series.add(part.series(robot, parameter, fromS));

@@ -83,10 +83,20 @@ final class Track {
     /** The numbers from a time on, beginning with the one in force then. */
     Series series(double fromS) {
         int first = Math.max(0, indexAt(fromS));
-        double[] seconds = new double[size - first];
-        for (int index = first; index < size; index++) {
-            seconds[index - first] = seconds(index);
-        }
-        return new Series(seconds, Arrays.copyOfRange(numbers, first, size));
+        return new Series(times(first), Arrays.copyOfRange(numbers, first, size));
+    }
+
+    /** The numbers in one item of lists, from a time on. */
+    Series series(double fromS, int item) {
+        int first = Math.max(0, indexAt(fromS));
+        double[] values = new double[size - first];
+        Arrays.setAll(values, index -> ValueText.amount(text(first + index), item));
+        return new Series(times(first), values);
+    }
+
+    private double[] times(int first) {
+        double[] times = new double[size - first];
+        Arrays.setAll(times, index -> seconds(first + index));
+        return times;
     }
 }

@@ -1,6 +1,8 @@
 package majic.recorder;
 
 import java.math.BigDecimal;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import majic.bot.Parameter;
 import majic.bot.Value;
 import majic.text.VisibleText;
@@ -10,6 +12,9 @@ final class ValueText {
     /** Precedes the reason why there is no value. */
     private static final String UNKNOWN = "?";
 
+    /** Separates the items of a list. */
+    private static final String BETWEEN = ", ";
+
     private static final int MOST_DIGITS = 25;
 
     private ValueText() {}
@@ -18,6 +23,9 @@ final class ValueText {
     static String of(Value value) {
         if (value instanceof Value.Number number) {
             return of(number.amount());
+        }
+        if (value instanceof Value.Many many) {
+            return many.values().stream().map(ValueText::of).collect(Collectors.joining(BETWEEN));
         }
         return VisibleText.of(value instanceof Value.Unknown unknown ? UNKNOWN + unknown.reason() : value.toString());
     }
@@ -49,12 +57,24 @@ final class ValueText {
             case NUMBER -> number(text, parameter, about);
             case YES_NO -> Value.yesNo(text.equals("yes"));
             case ON_OFF -> Value.onOff(text.equals("on"));
-            case CHOICE, TEXT, LIST -> Value.text(text);
+            case LIST ->
+                Value.many(
+                        items(text).map(item -> number(item, parameter, about)).toList());
+            case CHOICE, TEXT -> Value.text(text);
         };
     }
 
+    /** The number in one item of a list, NaN if there is none. */
+    static double amount(String text, int item) {
+        return items(text).skip(item).findFirst().map(ValueText::amount).orElse(Double.NaN);
+    }
+
+    private static Stream<String> items(String text) {
+        return Stream.of(text.split(BETWEEN));
+    }
+
     private static Value number(String text, Parameter parameter, boolean about) {
-        double amount = amount(text);
+        double amount = parsed(text);
         if (Double.isFinite(amount)) {
             return new Value.Number(amount, parameter.unit(), about);
         }

@@ -2,6 +2,7 @@ package majic.gui.replay;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
+import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
@@ -32,7 +33,7 @@ final class ReplayBand extends JPanel {
     public void updateUI() {
         super.updateUI();
         setBackground(paper());
-        for (java.awt.Component part : getComponents()) {
+        for (Component part : getComponents()) {
             part.setForeground(ink());
         }
     }

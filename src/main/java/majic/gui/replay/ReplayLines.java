@@ -13,6 +13,7 @@ import javax.swing.JList;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import majic.gui.kit.Palette;
+import majic.log.Line;
 import majic.recorder.RecordedLine;
 
 /**
@@ -38,7 +39,7 @@ final class ReplayLines extends JList<RecordedLine> {
         setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         setVisibleRowCount(5);
         setCellRenderer(new LineRenderer());
-        setPrototypeCellValue(new RecordedLine(0, majic.log.Line.Kind.ANSWER, "1 move 500: done (498 mm, 2.1 s)"));
+        setPrototypeCellValue(new RecordedLine(0, Line.Kind.ANSWER, "1 move 500: done (498 mm, 2.1 s)"));
         getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "continue");
         getActionMap().put("continue", new AbstractAction() {
             private static final long serialVersionUID = 1L;

@@ -1,6 +1,8 @@
 package majic.gui.replay;
 
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.Frame;
 import java.awt.GraphicsEnvironment;
@@ -205,11 +207,11 @@ public final class ReplayWindow extends JFrame {
         }
 
         /** Removes the ways and echoes of another time from the robots' own maps. */
-        private static void clearMaps(java.awt.Container parts) {
-            for (java.awt.Component part : parts.getComponents()) {
+        private static void clearMaps(Container parts) {
+            for (Component part : parts.getComponents()) {
                 if (part instanceof ZoomableMap own) {
                     own.clear();
-                } else if (part instanceof java.awt.Container inner) {
+                } else if (part instanceof Container inner) {
                     clearMaps(inner);
                 }
             }

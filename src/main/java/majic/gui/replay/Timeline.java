@@ -2,12 +2,14 @@ package majic.gui.replay;
 
 import com.formdev.flatlaf.ui.FlatSliderUI;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.function.DoubleConsumer;
 import javax.swing.JComponent;
@@ -126,9 +128,9 @@ final class Timeline extends JSlider {
         }
 
         @Override
-        public java.awt.Dimension getPreferredSize(JComponent component) {
-            java.awt.Dimension size = super.getPreferredSize(component);
-            return new java.awt.Dimension(size.width, size.height + MARKS_PX);
+        public Dimension getPreferredSize(JComponent component) {
+            Dimension size = super.getPreferredSize(component);
+            return new Dimension(size.width, size.height + MARKS_PX);
         }
 
         @Override
@@ -161,7 +163,7 @@ final class Timeline extends JSlider {
                 }
                 case SQUARE -> {
                     pen.setColor(Palette.error());
-                    pen.fill(new java.awt.geom.Rectangle2D.Double(x - 4, y - 4, 8, 8));
+                    pen.fill(new Rectangle2D.Double(x - 4, y - 4, 8, 8));
                 }
                 case TRIANGLE -> {
                     pen.setColor(Palette.error());
