@@ -33,7 +33,7 @@ final class PictureWindow {
             MajicFrame.installLook(program.settings());
             ProgramServices services = new ProgramServices(
                     () -> List.of(new SerialPortChoice("/dev/ttyUSB0", "USB serial port")),
-                    null,
+                    () -> {},
                     program::quit,
                     program.settings());
             frame[0] = new MajicFrame(program.session(), parser, services);

@@ -68,6 +68,22 @@ class Screenshots {
         }
     }
 
+    @Test
+    @Timeout(60)
+    void paintsTheStartPage(@TempDir Path home) throws Exception {
+        try (Program program = new Program(new UserFolder(home), null, true)) {
+            program.settings()
+                    .put(
+                            "team.last",
+                            "add pioneer://10.0.0.5 as 1\nadd aibo://10.0.0.8 as 2\nadd hemisson:COM3 as 3\n");
+            MajicFrame frame = PictureWindow.open(program, new MajicParser(program.session(), true));
+            awaitWindow(() -> find(frame, "Yesterday's team").isEnabled());
+            awaitWindow(new Settled());
+            WindowPicture.save(frame, IMAGES.resolve("start-page.png"));
+            SwingUtilities.invokeAndWait(frame::dispose);
+        }
+    }
+
     private static void drive(Program program, MajicParser parser) {
         PictureWindow.add(program, parser, List.of("aibo", "pioneer", "hemisson"));
         List.of("1 move 500", "2 move 1200", "3 move 300", "1 turn 90", "2 turn 60", "3 turn -90", "all move 400")

@@ -35,6 +35,11 @@ public final class MajicCommand implements Callable<Integer> {
     @Option(names = "--console", description = "Read MAJIC Script from standard input instead of opening the window.")
     private boolean console;
 
+    @Option(
+            names = "--reconnect",
+            description = "In the console: connect robots again whose connection was lost, as the window does.")
+    private boolean reconnect;
+
     public MajicCommand(UserFolder folder) {
         this.folder = folder;
     }
@@ -70,6 +75,9 @@ public final class MajicCommand implements Callable<Integer> {
         }
         try (Program program = start.program(folder)) {
             if (console || windowless) {
+                if (reconnect) {
+                    program.reconnectLost();
+                }
                 return Console.standard(program).run(start.firstLines(program), List.of());
             }
             return new Window(program).run(start.firstLines(program));

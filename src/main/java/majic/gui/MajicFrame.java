@@ -93,6 +93,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         strip = new TeamStrip(session.team(), selection, actions, panels::openWindow);
         map = new TeamMap();
         map.select(session.team(), selection);
+        map.place(session.team(), channel, member -> teams.last().keepSoon());
         mapFeed = new MapFeed(session.team(), session.factory(), map::show);
         stopKeys = new StopKeys(this::stopAll);
         place();

@@ -23,6 +23,7 @@ import majic.script.Session;
 import majic.server.LineServer;
 import majic.server.ListenToken;
 import majic.simulation.SimulatedLab;
+import majic.team.AutoReconnect;
 import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;
@@ -174,6 +175,11 @@ public final class Program implements AutoCloseable {
     /** Reports the errors that occurred before, now that the session has a listener. */
     public void announce() {
         settings.onTrouble(session::alarm);
+    }
+
+    /** Connects robots again whose connection is lost, from now on; the window does so by itself. */
+    public void reconnectLost() {
+        new AutoReconnect(team, member -> {}).enable(true);
     }
 
     /** Requests the end of the program. */

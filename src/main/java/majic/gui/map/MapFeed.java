@@ -45,10 +45,23 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     /**
      * Where a robot's own frame lies in the room's frame, and the robot's trail.
      *
-     * @param inLab whether the origin is known; otherwise it is a place beside the room
+     * @param known whether the origin is known; otherwise it is a place beside the room
+     * @param inLab whether the lab has its true pose
+     * @param placed where the user has placed the robot; null if the origin does not come from that
      * @param walls the room at that time
      */
-    private record Start(Pose origin, boolean inLab, List<Wall> walls, Trail trail) {}
+    private record Start(
+            Pose origin,
+            boolean known,
+            boolean inLab,
+            @Nullable Pose placed,
+            List<Wall> walls,
+            Trail trail) {
+        /** Whether it still holds; one beside the room does not in another room. */
+        boolean holds(@Nullable Pose nowPlaced, List<Wall> nowWalls) {
+            return Objects.equals(placed, nowPlaced) && (known || walls.equals(nowWalls));
+        }
+    }
 
     /**
      * Creates a feed; {@link #start()} starts it.
@@ -110,7 +123,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         boolean guessed = false;
         for (Member member : team.members()) {
             Start start = start(member);
-            guessed |= !start.inLab;
+            guessed |= !start.known;
             robots.add(robot(member, start, truths));
             if (start.inLab) {
                 strangers.remove(nameInLab(member));
@@ -148,24 +161,30 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         return factory.nameInLab(member.bot()).orElse("");
     }
 
-    /** Returns the start of a robot; one beside the room is chosen again when a lab with another room starts. */
+    /**
+     * Returns the start of a robot. It is determined again when the robot was placed, and one beside the room when a lab
+     * with another room starts.
+     */
     private Start start(Member member) {
         List<Wall> walls = factory.lab().map(LabAccess::walls).orElse(List.of());
+        Pose placed = member.bot().placedAt().orElse(null);
         return Objects.requireNonNull(starts.compute(
                 member,
-                (key, known) ->
-                        known != null && (known.inLab || known.walls.equals(walls)) ? known : startOf(member, walls)));
+                (key, start) -> start != null && start.holds(placed, walls) ? start : startOf(member, placed, walls)));
     }
 
-    private Start startOf(Member member, List<Wall> walls) {
+    private Start startOf(Member member, @Nullable Pose placed, List<Wall> walls) {
         Pose truth = factory.lab()
                 .filter(lab -> lab.time() == member.time())
                 .map(lab -> lab.truePoses().get(nameInLab(member)))
                 .orElse(null);
-        if (truth == null) {
-            return new Start(besideRoom(member.number() - 1, walls), false, walls, new Trail());
+        if (placed != null) {
+            return new Start(Pose.START, true, truth != null, placed, walls, new Trail());
         }
-        return new Start(truth.originOf(member.bot().state().pose()), true, walls, new Trail());
+        if (truth == null) {
+            return new Start(besideRoom(member.number() - 1, walls), false, false, null, walls, new Trail());
+        }
+        return new Start(truth.originOf(member.bot().state().pose()), true, true, null, walls, new Trail());
     }
 
     /** Returns a place for a robot whose start is not known: in columns to the right of the room, clear of its walls. */

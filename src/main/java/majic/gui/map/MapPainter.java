@@ -1,5 +1,6 @@
 package majic.gui.map;
 
+import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -61,6 +62,19 @@ public final class MapPainter {
         robots.forEach(robot -> robot.paintTruth(g));
         robots.stream().filter(robot -> selected.contains(robot.number())).forEach(robot -> robot.paintSelection(g));
         paintKey(scene);
+    }
+
+    /** Draws a robot where it is being dragged to, with its pose beside it. */
+    void paintPreview(MapScene.Robot robot, String place) {
+        g.setComposite(AlphaComposite.SrcOver.derive(0.7f));
+        RobotGlyph glyph = new RobotGlyph(robot, view);
+        glyph.paintBody(g);
+        g.setComposite(AlphaComposite.SrcOver);
+        glyph.paintSelection(g);
+        Point2D at = view.pixel(robot.reported().xMm(), robot.reported().yMm());
+        float left = (float) (at.getX() + robot.bodyMm() * view.pxPerMm() + INSET);
+        g.setColor(Palette.text());
+        g.drawString(place, left, (float) at.getY());
     }
 
     private void paintWall(Wall wall) {

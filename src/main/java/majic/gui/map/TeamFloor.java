@@ -4,7 +4,9 @@ import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 import majic.bot.Pose;
@@ -25,6 +27,8 @@ final class TeamFloor implements MapContent {
 
     private MapScene scene = MapScene.EMPTY;
     private Set<Integer> selected = Set.of();
+    private MapScene.@Nullable Robot preview;
+    private boolean placeable;
 
     void show(MapScene newScene) {
         scene = newScene;
@@ -39,6 +43,22 @@ final class TeamFloor implements MapContent {
         selected = Set.copyOf(numbers);
     }
 
+    /** Makes the tips say how a robot is placed. */
+    void allowPlacing() {
+        placeable = true;
+    }
+
+    /** Draws a robot where it is being dragged to; null ends that. */
+    void preview(MapScene.@Nullable Robot robot) {
+        preview = robot;
+    }
+
+    /** Returns the robot that is drawn at a pixel; of several a selected one if there is one. */
+    Optional<MapScene.Robot> topRobotAt(Point2D pixel, MapView view) {
+        return robotsUnder(pixel, view)
+                .min(Comparator.comparing((MapScene.Robot robot) -> !selected.contains(robot.number())));
+    }
+
     /** Returns the numbers of the robots that are drawn at a pixel. */
     List<Integer> robotsAt(Point2D pixel, MapView view) {
         return robotsUnder(pixel, view).map(MapScene.Robot::number).toList();
@@ -50,7 +70,11 @@ final class TeamFloor implements MapContent {
 
     @Override
     public void paint(Graphics2D pen, MapView view) {
-        new MapPainter(pen, view).paint(scene, selected);
+        MapPainter painter = new MapPainter(pen, view);
+        painter.paint(scene, selected);
+        if (preview != null) {
+            painter.paintPreview(preview, place(preview.reported()));
+        }
     }
 
     @Override
@@ -101,14 +125,18 @@ final class TeamFloor implements MapContent {
         List<String> robots = robotsUnder(mouse, view).map(TeamFloor::describe).toList();
         return switch (robots.size()) {
             case 0 -> MapContent.super.tip(xMm, yMm, view);
-            case 1 -> robots.get(0);
+            case 1 -> robots.get(0) + (placeable ? "; Shift and drag sets its place" : "");
             default -> "<html>" + String.join("<br>", robots);
         };
     }
 
     private static String describe(MapScene.Robot robot) {
         Pose at = robot.reported();
-        return robot.number() + " " + robot.label() + ": x " + Math.round(at.xMm()) + " mm, y " + Math.round(at.yMm())
-                + " mm, heading " + Math.round(at.headingDeg()) + "\u00b0 on the map";
+        return robot.number() + " " + robot.label() + ": " + place(at) + " on the map";
+    }
+
+    private static String place(Pose at) {
+        return "x " + Math.round(at.xMm()) + " mm, y " + Math.round(at.yMm()) + " mm, heading "
+                + Math.round(at.headingDeg()) + "\u00b0";
     }
 }

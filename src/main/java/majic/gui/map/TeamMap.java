@@ -3,10 +3,15 @@ package majic.gui.map;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import majic.gui.kit.CommandChannel;
 import majic.gui.kit.RobotSelection;
 import majic.panel.map.ZoomableMap;
+import majic.team.Member;
 import majic.team.Team;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The map of the team: every robot with its number, heading and trail, and with a lab the room and the robots' true
@@ -37,6 +42,29 @@ public final class TeamMap extends ZoomableMap {
             floor.mark(selection.numbers());
             repaint();
         });
+    }
+
+    /**
+     * Lets a robot be dragged to its place with Shift.
+     *
+     * @param placed receives a robot that was placed
+     */
+    public void place(Team team, CommandChannel channel, Consumer<Member> placed) {
+        RobotPlacing placing = new RobotPlacing(this, team, channel, placed);
+        addMouseListener(placing);
+        addMouseMotionListener(placing);
+        floor.allowPlacing();
+    }
+
+    /** Returns the robot at a pixel; of several the selected one. */
+    Optional<MapScene.Robot> topRobotAt(Point pixel) {
+        return floor.topRobotAt(pixel, view());
+    }
+
+    /** Draws a robot where it is being dragged to; null ends that. */
+    void preview(MapScene.@Nullable Robot robot) {
+        floor.preview(robot);
+        repaint();
     }
 
     /** Returns the numbers of the robots that are drawn at a pixel, in increasing order. */

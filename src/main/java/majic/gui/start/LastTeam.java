@@ -67,6 +67,11 @@ public final class LastTeam implements TeamListener {
 
     @Override
     public void added(Member member) {
+        keepSoon();
+    }
+
+    /** Keeps the team in a second, when what was submitted has been done. */
+    public void keepSoon() {
         soon.restart();
     }
 

@@ -45,6 +45,28 @@ class MapFeedTest {
     }
 
     @Test
+    void aPlacedRobotIsDrawnWhereItWasPlaced() {
+        ToyBot bot = add("toy://one");
+        feed.scene();
+        bot.place(new Pose(2000, 1000, 90));
+        bot.at(new Pose(100, 0, 0), true);
+        MapScene scene = feed.scene();
+        assertThat(scene.robots().get(0).reported().distanceMm(new Pose(2000, 1100, 90)))
+                .isLessThan(1e-6);
+        assertThat(scene.startsAreGuessed()).isFalse();
+    }
+
+    @Test
+    void aPlacedRobotOfTheLabKeepsItsTruePose() {
+        factory.useLab(new ToyLab());
+        add("sim:toy").place(new Pose(10, 20, 0));
+        MapScene.Robot robot = feed.scene().robots().get(0);
+        assertThat(robot.reported()).isEqualTo(new Pose(10, 20, 0));
+        assertThat(robot.truth()).isEqualTo(ToyLab.FIRST_PLACE);
+        assertThat(feed.scene().bystanders()).isEmpty();
+    }
+
+    @Test
     void aRobotOfTheLabOutsideTheTeamIsDrawnToo() {
         factory.useLab(new ToyLab());
         assertThat(feed.scene().bystanders()).containsExactly(new MapScene.Bystander("toy", ToyLab.FIRST_PLACE));
