@@ -16,6 +16,8 @@ import org.jspecify.annotations.Nullable;
 final class FrameMenu extends JMenuBar {
     private static final long serialVersionUID = 1L;
 
+    private final transient MenuKeys keys = new MenuKeys();
+
     FrameMenu(MajicFrame frame, FrameActions actions, FrameEditor editor) {
         add(file(actions, editor));
         add(robots(frame, actions));
@@ -24,6 +26,18 @@ final class FrameMenu extends JMenuBar {
         add(view(frame));
         add(menu("Help", actions.help, actions.guide, actions.tour, null, actions.about));
         Mnemonics.assign(this);
+    }
+
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        keys.install();
+    }
+
+    @Override
+    public void removeNotify() {
+        keys.remove();
+        super.removeNotify();
     }
 
     /** Creates a menu of the given actions; null stands for a separator. */

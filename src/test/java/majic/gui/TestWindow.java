@@ -21,6 +21,8 @@ import javax.swing.JComponent;
 import javax.swing.JFileChooser;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JMenuBar;
+import javax.swing.JMenuItem;
 import javax.swing.JTextField;
 import javax.swing.ListModel;
 import javax.swing.text.JTextComponent;
@@ -251,6 +253,19 @@ public final class TestWindow implements AutoCloseable {
     public void push(String name) {
         AbstractButton button = awaitShowing(name, AbstractButton.class);
         run(button::doClick);
+    }
+
+    /** Returns an entry of the window's menus. */
+    JMenuItem entry(String text) {
+        JMenuBar bar = frame.getJMenuBar();
+        return IntStream.range(0, bar.getMenuCount())
+                .mapToObj(bar::getMenu)
+                .flatMap(menu -> Stream.of(menu.getMenuComponents()))
+                .filter(entry ->
+                        entry instanceof JMenuItem item && item.getText().equals(text))
+                .map(JMenuItem.class::cast)
+                .findFirst()
+                .orElseThrow();
     }
 
     /** Runs an action on the event dispatch thread. */

@@ -1,0 +1,48 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import javax.swing.JTable;
+import javax.swing.MenuSelectionManager;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Timeout(60)
+class HelpWindowTest {
+    @AutoClose
+    private final TestWindow window = TestWindow.open();
+
+    @Test
+    void f1OpensTheHelpWhoseSearchShowsOnlyTheRowsWithTheText() {
+        window.focus("commandLine");
+        window.press(KeyEvent.VK_F1);
+        window.awaitDialog("Help");
+        JTable commands = window.find("help Commands", JTable.class);
+        int all = commands.getRowCount();
+        window.write("helpSearch", "CURVE");
+        window.await("the search", () -> commands.getRowCount() < all);
+        assertThat(commands.getValueAt(0, 0)).asString().startsWith("1 drive");
+    }
+
+    @Test
+    void theGuideIsPartOfTheProgramAndCanBeSearched() {
+        window.run(() -> window.entry("Guide").doClick());
+        window.awaitDialog("Help");
+        window.await("the guide", () -> window.text("guide user-guide").contains("The main screen"));
+        window.write("helpSearch", "KILL MAJIC");
+        window.await("the part", () -> !window.text("guide user-guide").contains("The main screen"));
+        assertThat(window.text("guide user-guide")).contains("Quitting");
+    }
+
+    @Test
+    void aLetterThatChoosesAMenuEntryIsNotTypedIntoTheCommandLine() {
+        window.focus("commandLine");
+        window.pressWithAlt(KeyEvent.VK_H);
+        window.await("the menu", () -> MenuSelectionManager.defaultManager().getSelectedPath().length > 0);
+        window.press(KeyEvent.VK_A);
+        window.awaitDialog("About MAJIC");
+        assertThat(window.text("commandLine")).isEmpty();
+    }
+}
