@@ -1,5 +1,6 @@
 package majic.gui;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -137,9 +138,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
             }
         });
         setFocusTraversalPolicy(new CommandsFirst());
-        setMinimumSize(new Dimension(700, 520));
+        setMinimumSize(new Dimension(UIScale.scale(700), UIScale.scale(520)));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        setSize(Math.min(1280, screen.width), Math.min(800, screen.height));
+        setSize(Math.min(UIScale.scale(1280), screen.width), Math.min(UIScale.scale(800), screen.height));
         setLocationRelativeTo(null);
         new FrameMemory(this, List.of(middle, all), services.settings());
     }

@@ -1,13 +1,11 @@
 package majic.panel;
 
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.OptionalInt;
-import javax.swing.Icon;
 
 /**
  * A battery symbol, filled according to the charge, and with a flash while charging; dashes when the charge is unknown.
@@ -15,7 +13,7 @@ import javax.swing.Icon;
  * @param percent its charge, 0 to 100; empty when it is unknown
  * @param charging whether the battery is being charged
  */
-public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon {
+public record BatteryIcon(OptionalInt percent, boolean charging) implements ScaledIcon {
     /** Below this charge the icon has the alarm colour. */
     public static final int LOW_PERCENT = 20;
 
@@ -24,10 +22,7 @@ public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon
     private static final int INNER_WIDTH = WIDTH - 6;
 
     @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D pen = (Graphics2D) graphics.create();
-        DrawingColors.prepare(pen);
-        pen.translate(x, y);
+    public void paint(Component on, Graphics2D pen) {
         DrawingColors colors = DrawingColors.current();
         pen.setColor(colors.grey(0.7));
         pen.setStroke(DrawingColors.stroke(1.2));
@@ -37,7 +32,6 @@ public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon
         if (charging) {
             paintFlash(pen, colors);
         }
-        pen.dispose();
     }
 
     private void paintCharge(Graphics2D pen, DrawingColors colors) {
@@ -70,12 +64,12 @@ public record BatteryIcon(OptionalInt percent, boolean charging) implements Icon
     }
 
     @Override
-    public int getIconWidth() {
+    public int width() {
         return WIDTH;
     }
 
     @Override
-    public int getIconHeight() {
+    public int height() {
         return HEIGHT;
     }
 }

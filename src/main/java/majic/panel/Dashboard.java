@@ -1,5 +1,6 @@
 package majic.panel;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -64,7 +65,7 @@ public final class Dashboard implements LayoutManager {
         room.height = Math.max(0, room.height - used);
         int width = columnWidth(room);
         int above = shorterAbove(room);
-        if (above >= LEAST_VIEW && above > WORTH_IT * shorterBeside(room, width)) {
+        if (above >= UIScale.scale(LEAST_VIEW) && above > WORTH_IT * shorterBeside(room, width)) {
             view.setBounds(room.x, room.y, room.width, row.place(room));
         } else {
             placeBeside(room, width);
@@ -118,8 +119,8 @@ public final class Dashboard implements LayoutManager {
 
     @Override
     public Dimension minimumLayoutSize(Container parent) {
-        int width = column.leastWidth() + LEAST_VIEW;
-        int height = Math.max(LEAST_VIEW, column.leastHeight(column.goodWidth()));
+        int width = column.leastWidth() + UIScale.scale(LEAST_VIEW);
+        int height = Math.max(UIScale.scale(LEAST_VIEW), column.leastHeight(column.goodWidth()));
         int above = bannerHeight(Math.max(width, parent.getWidth() - 2 * gap()));
         return new Dimension(width + 3 * gap(), height + above + 2 * gap());
     }

@@ -1,5 +1,6 @@
 package majic.panel;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
@@ -122,19 +123,24 @@ public final class Gauge extends JPanel {
         pen.drawString(left, 0, base);
         pen.drawString(right, getWidth() - metrics.stringWidth(right), base);
         int ends = Math.max(metrics.stringWidth(LONGEST_LIMIT), metrics.stringWidth(left + right) / 2) + GAP;
-        paintBar(pen, colors, new Rectangle2D.Double(ends, middle - BAR_PX / 2.0, getWidth() - 2 * ends, BAR_PX));
+        paintBar(
+                pen,
+                colors,
+                new Rectangle2D.Double(
+                        ends, middle - UIScale.scale(BAR_PX) / 2.0, getWidth() - 2 * ends, UIScale.scale(BAR_PX)));
     }
 
     private void paintBar(Graphics2D pen, DrawingColors colors, Rectangle2D bar) {
         pen.setColor(colors.grey(0.1));
-        pen.fill(new RoundRectangle2D.Double(bar.getX(), bar.getY(), bar.getWidth(), BAR_PX, 4, 4));
+        pen.fill(new RoundRectangle2D.Double(bar.getX(), bar.getY(), bar.getWidth(), bar.getHeight(), 4, 4));
         double zero = bar.getCenterX();
         double tip = zero + share() * bar.getWidth() / 2;
         pen.setColor(colors.accent());
-        pen.fill(new Rectangle2D.Double(Math.min(zero, tip), bar.getY() + 1, Math.abs(tip - zero), BAR_PX - 2));
+        pen.fill(
+                new Rectangle2D.Double(Math.min(zero, tip), bar.getY() + 1, Math.abs(tip - zero), bar.getHeight() - 2));
         pen.setColor(colors.grey(0.35));
         pen.setStroke(DrawingColors.stroke(1));
-        pen.draw(new RoundRectangle2D.Double(bar.getX(), bar.getY(), bar.getWidth(), BAR_PX, 4, 4));
+        pen.draw(new RoundRectangle2D.Double(bar.getX(), bar.getY(), bar.getWidth(), bar.getHeight(), 4, 4));
         pen.setColor(colors.grey(0.85));
         pen.draw(new Line2D.Double(zero, bar.getY() - 2, zero, bar.getMaxY() + 2));
     }

@@ -1,5 +1,6 @@
 package majic.panel;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Dimension;
 import java.awt.Graphics;
@@ -38,12 +39,12 @@ public final class Horizon extends JPanel {
     /**
      * Creates a disc that shows nothing yet.
      *
-     * @param diameter preferred, pixels
+     * @param diameter preferred, pixels at the normal font size
      */
     public Horizon(int diameter) {
         setOpaque(false);
         setName("horizon");
-        setPreferredSize(new Dimension(diameter, diameter));
+        setPreferredSize(new Dimension(UIScale.scale(diameter), UIScale.scale(diameter)));
     }
 
     /**

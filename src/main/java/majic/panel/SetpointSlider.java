@@ -1,5 +1,6 @@
 package majic.panel;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.event.MouseWheelEvent;
 import javax.swing.JLabel;
@@ -58,8 +59,8 @@ public final class SetpointSlider extends JPanel {
         slider.setName("slider " + parameter.name());
         slider.setToolTipText(parameter.help() + ". " + ReadingText.tip(parameter.name()));
         name.setToolTipText(slider.getToolTipText());
-        slider.setPreferredSize(new Dimension(KNOB_ROOM, slider.getPreferredSize().height));
-        slider.setMinimumSize(new Dimension(KNOB_ROOM, slider.getPreferredSize().height));
+        slider.setPreferredSize(new Dimension(UIScale.scale(KNOB_ROOM), slider.getPreferredSize().height));
+        slider.setMinimumSize(new Dimension(UIScale.scale(KNOB_ROOM), slider.getPreferredSize().height));
         name.setLabelFor(slider);
         slider.addChangeListener(change -> changed());
         slider.addMouseWheelListener(this::turned);
@@ -81,10 +82,15 @@ public final class SetpointSlider extends JPanel {
             names = Math.max(names, one.name.getPreferredSize().width);
             readings = Math.max(readings, one.widestReading());
         }
+        String columns = "[" + unscaled(names) + "!][grow, fill][right, " + unscaled(readings) + "!]";
         for (SetpointSlider one : sliders) {
-            ((MigLayout) one.getLayout())
-                    .setColumnConstraints("[" + names + "!][grow, fill][right, " + readings + "!]");
+            ((MigLayout) one.getLayout()).setColumnConstraints(columns);
         }
+    }
+
+    /** Converts pixels to the pixels of a layout constraint, which are scaled with the font. */
+    private static int unscaled(int pixels) {
+        return (int) Math.ceil(pixels / UIScale.getUserScaleFactor());
     }
 
     private int widestReading() {

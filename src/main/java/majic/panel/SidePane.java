@@ -1,5 +1,6 @@
 package majic.panel;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
 
@@ -123,12 +124,12 @@ public abstract class SidePane {
 
         @Override
         int leastWidth() {
-            return LEAST_PICTURE;
+            return UIScale.scale(LEAST_PICTURE);
         }
 
         @Override
         int leastHeight(int width) {
-            return LEAST_PICTURE;
+            return UIScale.scale(LEAST_PICTURE);
         }
 
         @Override
@@ -145,7 +146,7 @@ public abstract class SidePane {
 
         @Override
         int leastWidth() {
-            return LEAST_MAP;
+            return UIScale.scale(LEAST_MAP);
         }
 
         @Override
@@ -155,7 +156,7 @@ public abstract class SidePane {
 
         @Override
         int goodHeight(int width) {
-            return GOOD_MAP;
+            return UIScale.scale(GOOD_MAP);
         }
 
         @Override
@@ -165,7 +166,7 @@ public abstract class SidePane {
 
         @Override
         void place(int x, int y, int width, int height) {
-            boolean fits = width >= LEAST_MAP && height >= LEAST_MAP;
+            boolean fits = width >= leastWidth() && height >= leastWidth();
             component().setVisible(fits);
             super.place(x, y, fits ? width : 0, fits ? height : 0);
         }

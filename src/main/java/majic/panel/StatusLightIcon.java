@@ -2,20 +2,18 @@ package majic.panel;
 
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
-import javax.swing.Icon;
 
 /**
  * The shape of a status light.
  *
  * @param kind the kind of light
  */
-record StatusLightIcon(StatusLight.Kind kind) implements Icon {
+record StatusLightIcon(StatusLight.Kind kind) implements ScaledIcon {
     private static final int SIZE = 12;
     private static final Color YELLOW = new Color(0xF0A732);
 
@@ -24,17 +22,13 @@ record StatusLightIcon(StatusLight.Kind kind) implements Icon {
     }
 
     @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D pen = (Graphics2D) graphics.create();
-        DrawingColors.prepare(pen);
-        pen.translate(x, y);
+    public void paint(Component on, Graphics2D pen) {
         switch (kind) {
             case QUIET -> ring(pen);
             case GOOD -> fill(pen, DrawingColors.current().good(), new Ellipse2D.Double(1, 1, 10, 10));
             case WARNING -> warning(pen);
             case ALARM -> alarm(pen);
         }
-        pen.dispose();
     }
 
     private static void ring(Graphics2D pen) {
@@ -86,12 +80,12 @@ record StatusLightIcon(StatusLight.Kind kind) implements Icon {
     }
 
     @Override
-    public int getIconWidth() {
+    public int width() {
         return SIZE;
     }
 
     @Override
-    public int getIconHeight() {
+    public int height() {
         return SIZE;
     }
 }

@@ -32,7 +32,7 @@ final class BodyPanel extends JPanel {
         battery.setToolTipText("The battery");
         posture.setName("postureGuess");
         posture.setToolTipText("The posture that the dog reports");
-        add(horizon, "span 1 3, w " + DISC + "!, h " + DISC + "!");
+        add(horizon, "span 1 3");
         add(battery, "wrap");
         add(motors, "wrap");
         add(posture);

@@ -3,18 +3,17 @@ package majic.gui.bots;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
-import javax.swing.Icon;
 import majic.gui.kit.Palette;
 import majic.panel.DrawingColors;
+import majic.panel.ScaledIcon;
 
 /** Pictures of small buttons. */
-enum ActionIcon implements Icon {
+enum ActionIcon implements ScaledIcon {
     /** A filled square in the alarm colour. */
     STOP,
     /** An arrow that turns in a circle. */
@@ -25,11 +24,9 @@ enum ActionIcon implements Icon {
     private static final int SIZE = 12;
 
     @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D g = (Graphics2D) graphics.create(x, y, SIZE, SIZE);
-        DrawingColors.prepare(g);
+    public void paint(Component on, Graphics2D g) {
         g.setStroke(new BasicStroke(1.4f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-        g.setColor(component.isEnabled() ? color() : Palette.mixed(0.4));
+        g.setColor(on.isEnabled() ? color() : Palette.mixed(0.4));
         switch (this) {
             case STOP -> g.fill(new RoundRectangle2D.Double(1.5, 1.5, 9, 9, 2, 2));
             case RECONNECT -> {
@@ -44,7 +41,6 @@ enum ActionIcon implements Icon {
                 g.draw(new Rectangle2D.Double(1, 4.5, 6.5, 6));
             }
         }
-        g.dispose();
     }
 
     private Color color() {
@@ -61,12 +57,12 @@ enum ActionIcon implements Icon {
     }
 
     @Override
-    public int getIconWidth() {
+    public int width() {
         return SIZE;
     }
 
     @Override
-    public int getIconHeight() {
+    public int height() {
         return SIZE;
     }
 }

@@ -1,5 +1,6 @@
 package majic.gui.bots;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 
 /** How much a robot's card shows. */
@@ -24,6 +25,6 @@ enum CardSize {
     /** Returns the height in pixels that a card of this size needs in the font of a component. */
     int height(Component component) {
         int line = component.getFontMetrics(component.getFont()).getHeight();
-        return lines * line + extra;
+        return lines * line + UIScale.scale(extra);
     }
 }

@@ -1,25 +1,22 @@
 package majic.gui.bots;
 
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
-import javax.swing.Icon;
 import majic.panel.DrawingColors;
+import majic.panel.ScaledIcon;
 
 /**
  * The quality of a connection as bars of growing height; missing bars are outlined.
  *
  * @param bars how many are filled, 0 to {@link LinkMeter#MOST_BARS}
  */
-record LinkIcon(int bars) implements Icon {
+record LinkIcon(int bars) implements ScaledIcon {
     private static final int STEP = 5;
     private static final int HEIGHT = 12;
 
     @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D g = (Graphics2D) graphics.create(x, y, getIconWidth(), HEIGHT);
-        DrawingColors.prepare(g);
+    public void paint(Component on, Graphics2D g) {
         DrawingColors colors = DrawingColors.current();
         g.setStroke(DrawingColors.stroke(1));
         for (int bar = 0; bar < LinkMeter.MOST_BARS; bar++) {
@@ -31,16 +28,15 @@ record LinkIcon(int bars) implements Icon {
             }
             g.draw(shape);
         }
-        g.dispose();
     }
 
     @Override
-    public int getIconWidth() {
+    public int width() {
         return LinkMeter.MOST_BARS * STEP;
     }
 
     @Override
-    public int getIconHeight() {
+    public int height() {
         return HEIGHT;
     }
 }

@@ -1,5 +1,6 @@
 package majic.gui.bots;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
@@ -82,12 +83,12 @@ final class StripLayout implements LayoutManager {
     @Override
     public Dimension preferredLayoutSize(Container strip) {
         int rows = Math.max(1, strip.getComponentCount());
-        return new Dimension(WIDTH, rows * (CardSize.COMPACT.height(strip) + GAP) - GAP);
+        return new Dimension(UIScale.scale(WIDTH), rows * (CardSize.COMPACT.height(strip) + GAP) - GAP);
     }
 
     @Override
     public Dimension minimumLayoutSize(Container strip) {
-        return new Dimension(LEAST_WIDTH, 0);
+        return new Dimension(UIScale.scale(LEAST_WIDTH), 0);
     }
 
     @Override

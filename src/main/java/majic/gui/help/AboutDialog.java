@@ -1,5 +1,6 @@
 package majic.gui.help;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Window;
 import javax.swing.JLabel;
@@ -27,7 +28,7 @@ public final class AboutDialog extends MajicDialog {
         table.setName("libraries");
         table.setShowHorizontalLines(true);
         JScrollPane rows = new JScrollPane(table);
-        rows.setPreferredSize(new Dimension(460, 260));
+        rows.setPreferredSize(UIScale.scale(new Dimension(460, 260)));
         content.add(label("Libraries in it", table));
         content.add(rows);
         fill(content, closing("Close"));

@@ -1,5 +1,6 @@
 package majic.gui.help;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Window;
@@ -49,7 +50,7 @@ public final class HelpDialog extends MajicDialog {
         tabs.addTab("Guide", new GuideView("user-guide"));
         tabs.addTab("MAJIC Script", new GuideView("majic-script"));
         tabs.addChangeListener(change -> search());
-        tabs.setPreferredSize(new Dimension(TABLE_WIDTH, 480));
+        tabs.setPreferredSize(UIScale.scale(new Dimension(TABLE_WIDTH, 480)));
         fill(content(), closing("Close"));
         addWindowListener(new WindowAdapter() {
             @Override
@@ -130,9 +131,9 @@ public final class HelpDialog extends MajicDialog {
         table.setRowSorter(sorter);
         int last = table.getColumnCount() - 1;
         for (int column = 0; column < last; column++) {
-            table.getColumnModel().getColumn(column).setPreferredWidth(firstWidth);
+            table.getColumnModel().getColumn(column).setPreferredWidth(UIScale.scale(firstWidth));
         }
-        table.getColumnModel().getColumn(last).setPreferredWidth(TABLE_WIDTH - last * firstWidth);
+        table.getColumnModel().getColumn(last).setPreferredWidth(UIScale.scale(TABLE_WIDTH - last * firstWidth));
     }
 
     /** Searches after each change of the text. */

@@ -4,29 +4,24 @@ import java.awt.Color;
 import java.awt.Component;
 import java.awt.Font;
 import java.awt.FontMetrics;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.RoundRectangle2D;
-import javax.swing.Icon;
 import javax.swing.UIManager;
-import majic.panel.DrawingColors;
+import majic.panel.ScaledIcon;
 
 /**
  * A robot's number on its colour: a disc for the numbers up to 10, a rounded square for larger ones.
  *
  * @param number the robot's number
- * @param size width and height in pixels
+ * @param size width and height in pixels at the normal font size
  */
-public record NumberBadge(int number, int size) implements Icon {
+public record NumberBadge(int number, int size) implements ScaledIcon {
     private static final int LAST_DISC = 10;
 
     @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D g = (Graphics2D) graphics.create();
-        DrawingColors.prepare(g);
-        paint(g, x + size / 2.0, y + size / 2.0, "" + number);
-        g.dispose();
+    public void paint(Component on, Graphics2D pen) {
+        paint(pen, size / 2.0, size / 2.0, "" + number);
     }
 
     /**
@@ -52,12 +47,12 @@ public record NumberBadge(int number, int size) implements Icon {
     }
 
     @Override
-    public int getIconWidth() {
+    public int width() {
         return size;
     }
 
     @Override
-    public int getIconHeight() {
+    public int height() {
         return size;
     }
 }

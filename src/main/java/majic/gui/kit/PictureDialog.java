@@ -1,5 +1,6 @@
 package majic.gui.kit;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Window;
 import java.awt.image.BufferedImage;
@@ -28,9 +29,9 @@ public final class PictureDialog extends MajicDialog {
     public PictureDialog(Window owner, PictureView view, Settings settings) {
         super(owner, view.title());
         this.settings = settings;
-        large = view.copy(LARGE.width, LARGE.height);
+        large = view.copy(UIScale.scale(LARGE.width), UIScale.scale(LARGE.height));
         fill(large, button("Save Picture…", this::save), closing("Close"));
-        setMinimumSize(LEAST);
+        setMinimumSize(UIScale.scale(LEAST));
     }
 
     /** Asks for a file for the picture that is shown now. */

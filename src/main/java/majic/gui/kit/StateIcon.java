@@ -2,21 +2,19 @@ package majic.gui.kit;
 
 import java.awt.BasicStroke;
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
-import javax.swing.Icon;
 import javax.swing.UIManager;
 import majic.bot.MajicBot;
 import majic.panel.DrawingColors;
+import majic.panel.ScaledIcon;
 import majic.team.Member;
 import majic.team.StopStatus;
 
 /** Shows a robot's state as a small symbol that differs in shape as well as in colour. */
-public enum StateIcon implements Icon {
+public enum StateIcon implements ScaledIcon {
     /** A filled disc: connected and stationary. */
     STANDING,
     /** A triangle: connected and moving. */
@@ -44,12 +42,9 @@ public enum StateIcon implements Icon {
     }
 
     @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D g = (Graphics2D) graphics.create(x, y, SIZE, SIZE);
-        g.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    public void paint(Component on, Graphics2D g) {
         g.setStroke(new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
         paint(g);
-        g.dispose();
     }
 
     private void paint(Graphics2D g) {
@@ -101,12 +96,12 @@ public enum StateIcon implements Icon {
     }
 
     @Override
-    public int getIconWidth() {
+    public int width() {
         return SIZE;
     }
 
     @Override
-    public int getIconHeight() {
+    public int height() {
         return SIZE;
     }
 }

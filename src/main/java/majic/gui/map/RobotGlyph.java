@@ -1,5 +1,6 @@
 package majic.gui.map;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -124,7 +125,7 @@ final class RobotGlyph {
     private void paintNumber(Graphics2D g) {
         String text = robot.connected() ? "" + robot.number() : robot.number() + "?";
         Point2D middle = pixel(robot.reported());
-        new NumberBadge(robot.number(), BADGE_PX).paint(g, middle.getX(), middle.getY(), text);
+        new NumberBadge(robot.number(), UIScale.scale(BADGE_PX)).paint(g, middle.getX(), middle.getY(), text);
     }
 
     private Ellipse2D circle(Pose at) {

@@ -1,5 +1,6 @@
 package majic.gui.replay;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Container;
@@ -115,8 +116,8 @@ public final class ReplayWindow extends JFrame {
     private void place() {
         robots.forEach(this::addTab);
         panels.setName("replayRobots");
-        panels.setPreferredSize(new Dimension(470, 400));
-        panels.setMinimumSize(new Dimension(360, 200));
+        panels.setPreferredSize(UIScale.scale(new Dimension(470, 400)));
+        panels.setMinimumSize(UIScale.scale(new Dimension(360, 200)));
         JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, map, panels);
         middle.setResizeWeight(0.55);
         JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, new JScrollPane(lines));

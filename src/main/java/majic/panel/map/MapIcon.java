@@ -1,14 +1,13 @@
 package majic.panel.map;
 
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
-import javax.swing.Icon;
 import majic.panel.DrawingColors;
+import majic.panel.ScaledIcon;
 
 /**
  * The symbol on a map's button, drawn in the colour of text.
@@ -16,15 +15,12 @@ import majic.panel.DrawingColors;
  * @param action the button's action
  * @param size pixels
  */
-record MapIcon(MapAction action, int size) implements Icon {
+record MapIcon(MapAction action, int size) implements ScaledIcon {
     /** Size of the grid in which the symbols are designed. */
     private static final double GRID = 14;
 
     @Override
-    public void paintIcon(Component component, Graphics graphics, int x, int y) {
-        Graphics2D pen = (Graphics2D) graphics.create();
-        DrawingColors.prepare(pen);
-        pen.translate(x, y);
+    public void paint(Component on, Graphics2D pen) {
         pen.scale(size / GRID, size / GRID);
         pen.setColor(DrawingColors.current().grey(0.85));
         pen.setStroke(DrawingColors.stroke(1.5));
@@ -37,7 +33,6 @@ record MapIcon(MapAction action, int size) implements Icon {
             case CLEAR -> bin(pen);
             case LEFT, RIGHT, UP, DOWN -> {}
         }
-        pen.dispose();
     }
 
     private static void line(Graphics2D pen, double x1, double y1, double x2, double y2) {
@@ -85,12 +80,12 @@ record MapIcon(MapAction action, int size) implements Icon {
     }
 
     @Override
-    public int getIconWidth() {
+    public int width() {
         return size;
     }
 
     @Override
-    public int getIconHeight() {
+    public int height() {
         return size;
     }
 }

@@ -12,7 +12,7 @@ import majic.pioneer.state.PioneerState;
 
 /** Motors, sonars, contacts and link, each shown as a word and a shape. For the event thread. */
 final class PioneerLights {
-    private static final String LONGEST = "STOP pressed";
+    private static final String LONGEST = "right wheel ok";
     private static final double SILENT_MS = 500;
 
     /** More damaged packets than one in so many are shown as a warning. */
