@@ -2,6 +2,8 @@ package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
 import java.awt.Container;
@@ -12,6 +14,9 @@ import java.util.Objects;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
+import javax.swing.UIManager;
+import majic.gui.Contrast;
+import majic.gui.WindowAudit;
 import majic.team.Member;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -80,6 +85,23 @@ class PanelsInLabTest {
             assertThat(shown(lab, 2, "x"))
                     .isEqualTo(lab.team().members().get(1).bot().get("x").toString());
             assertThat(shown(lab, 3, "beep")).isEqualTo("on");
+        }
+    }
+
+    @Test
+    void everyPartHasANameAndEnoughContrastInBothLooks() throws Exception {
+        try (LabRig lab = LabRig.exact().withAllRobots()) {
+            for (FlatLaf look : List.of(new FlatDarkLaf(), new FlatLightLaf())) {
+                SwingUtilities.invokeAndWait(() -> FlatLaf.setup(look));
+                for (Member member : lab.team().members()) {
+                    JComponent panel = panel(member, 800, 600);
+                    SwingUtilities.invokeAndWait(() -> {
+                        panel.setBackground(UIManager.getColor("Panel.background"));
+                        assertThat(WindowAudit.nameless(panel)).isEmpty();
+                        assertThat(WindowAudit.pale(panel, Contrast.TEXT)).isEmpty();
+                    });
+                }
+            }
         }
     }
 

@@ -4,6 +4,7 @@ import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Container;
+import java.awt.Frame;
 import java.awt.Window;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -132,14 +133,14 @@ class AccessWindowTest {
 
     /** Returns what an audit finds in the windows that are open, with their titles. */
     private List<String> found(Function<Container, List<String>> audit) throws Exception {
-        return onEventThread(() -> Stream.concat(Stream.of(window.frame), Stream.of(window.frame.getOwnedWindows()))
+        return onEventThread(() -> Stream.of(Window.getWindows())
                 .filter(Window::isShowing)
                 .flatMap(open -> audit.apply(open).stream().map(problem -> title(open) + ": " + problem))
                 .toList());
     }
 
     private static String title(Window open) {
-        return open instanceof JDialog dialog ? dialog.getTitle() : "main window";
+        return open instanceof JDialog dialog ? dialog.getTitle() : ((Frame) open).getTitle();
     }
 
     private static List<String> onEventThread(Supplier<List<String>> work) throws Exception {

@@ -3,7 +3,11 @@ package majic.panel;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
+import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
 
 class PictureViewTest {
@@ -49,6 +53,34 @@ class PictureViewTest {
             assertThat(painted.getRGB(117, y)).isEqualTo(painted.getRGB(2, y));
         }
         assertThat(shownText()).endsWith("at length");
+    }
+
+    @Test
+    void aCopyInAWindowShowsTheSamePictures() {
+        PictureView copy = view.copy(640, 480);
+        copy.addNotify();
+        view.show(picture(208, 160), "5.0 frames/s");
+
+        assertThat(copy.image()).isPresent().isEqualTo(view.image());
+        assertThat(copy.getAccessibleContext().getAccessibleName()).isEqualTo("camera, 5.0 frames/s");
+        copy.removeNotify();
+    }
+
+    @Test
+    void aClickAsksTheSurroundingWindowForALargerView() {
+        List<PictureView> enlarged = new ArrayList<>();
+        class Viewer extends JPanel implements PictureViewer {
+            @Override
+            public void enlarge(PictureView clicked) {
+                enlarged.add(clicked);
+            }
+        }
+        JPanel inner = new JPanel();
+        inner.add(view);
+        new Viewer().add(inner);
+        view.dispatchEvent(new MouseEvent(view, MouseEvent.MOUSE_CLICKED, 0, 0, 5, 5, 1, false, MouseEvent.BUTTON1));
+
+        assertThat(enlarged).containsExactly(view);
     }
 
     /** Returns what a screen reader reads: the caption, or why there is no picture. */
