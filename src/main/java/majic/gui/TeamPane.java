@@ -1,5 +1,6 @@
 package majic.gui;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -36,15 +37,15 @@ final class TeamPane extends JSplitPane {
         setLeftComponent(team);
         setRightComponent(panels);
         setResizeWeight(0.58);
-        panels.setPreferredSize(PANELS);
-        panels.setMinimumSize(LEAST_PANELS);
+        panels.setPreferredSize(UIScale.scale(PANELS));
+        panels.setMinimumSize(UIScale.scale(LEAST_PANELS));
         panels.addPropertyChangeListener(RobotPanels.COMPARING, change -> fit());
     }
 
     private void fit() {
         if (panels.isComparing() && before == NOT_COMPARED) {
             before = getDividerLocation();
-            int wanted = getWidth() - getDividerSize() - 2 * COMPARED_WIDTH;
+            int wanted = getWidth() - getDividerSize() - 2 * UIScale.scale(COMPARED_WIDTH);
             setDividerLocation(Math.min(before, Math.max(wanted, getMinimumDividerLocation())));
             during = getDividerLocation();
         } else if (!panels.isComparing() && before != NOT_COMPARED) {

@@ -70,6 +70,8 @@ class PictureViewTest {
     void aClickAsksTheSurroundingWindowForALargerView() {
         List<PictureView> enlarged = new ArrayList<>();
         class Viewer extends JPanel implements PictureViewer {
+            private static final long serialVersionUID = 1L;
+
             @Override
             public void enlarge(PictureView clicked) {
                 enlarged.add(clicked);
