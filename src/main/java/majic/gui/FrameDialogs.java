@@ -70,16 +70,16 @@ final class FrameDialogs {
     }
 
     void loadAct() {
-        withRobots(members -> loadAct(selection.first()));
+        withRobots(members -> loadAct(selection.members()));
     }
 
     /** Opens the dialogs that load an act, with this robot chosen; one that is open for another robot is closed. */
     void loadAct(Member member) {
         close(LOAD_ACT);
-        loadAct(Optional.of(member));
+        loadAct(List.of(member));
     }
 
-    private void loadAct(Optional<Member> chosen) {
+    private void loadAct(List<Member> chosen) {
         open(LOAD_ACT, () -> new LoadActDialog(frame, session.team().members(), chosen, loader::load));
     }
 

@@ -125,7 +125,24 @@ class LoadActWindowTest {
     }
 
     @Test
-    void theTabShowsWhatRunsAndOneClickEndsIt() {
+    void anActIsLoadedOntoEachOfTheSelectedRobotsAndTheKeyEndsAllOfThem() {
+        ToyBot one = window.add("one");
+        ToyBot two = window.add("two");
+        window.clickWithCtrl("card2");
+        load("Ahead");
+        window.await("both motions", () -> one.told.contains("move 100") && two.told.contains("move 100"));
+        awaitRunning(1, "Ahead");
+        awaitRunning(2, "Ahead");
+        assertThat(window.parser.commands()).containsExactly("1 act Ahead", "2 act Ahead");
+        window.focus("commandLine");
+        window.pressWithCtrl(KeyEvent.VK_E);
+        window.awaitMessage("1,2 act off");
+        awaitFree(1);
+        awaitFree(2);
+    }
+
+    @Test
+    void thePanelShowsWhatRunsAndOneClickEndsIt() {
         ToyBot bot = window.add("one");
         load("Ahead");
         window.await(
@@ -140,7 +157,7 @@ class LoadActWindowTest {
     }
 
     @Test
-    void theKeyEndsTheActOfTheTabInFront() {
+    void theKeyEndsTheActOfTheSelectedRobot() {
         window.add("one");
         load("Ahead");
         awaitRunning(1, "Ahead");

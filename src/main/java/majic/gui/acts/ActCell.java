@@ -4,16 +4,15 @@ import java.awt.Component;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JList;
 import majic.gui.kit.Palette;
-import majic.team.Member;
 
-/** Shows an act in a list; paler, and in words, if the robot cannot run it. Its name is never interpreted as HTML. */
+/** Shows an act in a list; paler, and in words, if a robot cannot run it. Its name is never interpreted as HTML. */
 final class ActCell extends DefaultListCellRenderer {
     private static final long serialVersionUID = 1L;
 
-    private final transient Member member;
+    private final transient LoadTargets targets;
 
-    ActCell(Member member) {
-        this.member = member;
+    ActCell(LoadTargets targets) {
+        this.targets = targets;
         putClientProperty("html.disable", Boolean.TRUE);
     }
 
@@ -21,8 +20,8 @@ final class ActCell extends DefaultListCellRenderer {
     public Component getListCellRendererComponent(
             JList<?> list, Object value, int index, boolean selected, boolean focused) {
         super.getListCellRendererComponent(list, value, index, selected, focused);
-        if (((ActEntry) value).unfit(member).isPresent()) {
-            setText(value + " \u2013 not for this robot");
+        if (targets.unfit((ActEntry) value).isPresent()) {
+            setText(value + " \u2013 not for " + (targets.all().size() == 1 ? "this robot" : "these robots"));
             setForeground(selected ? getForeground() : Palette.faint());
         }
         return this;

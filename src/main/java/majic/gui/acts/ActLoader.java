@@ -1,7 +1,6 @@
 package majic.gui.acts;
 
 import java.awt.Window;
-import java.util.List;
 import majic.act.file.ActFile;
 import majic.bot.BotException;
 import majic.bot.Settings;
@@ -12,7 +11,7 @@ import majic.script.ActOffers;
 import majic.script.Session;
 
 /**
- * Guides through loading an act onto a robot: choice of the act, consent to its code, further robots, and finally the
+ * Guides through loading an act onto one or several robots: choice of the act, consent to its code, further robots, and finally the
  * command that loads it. Until that command nothing is changed, and none of the act's code is loaded.
  */
 public final class ActLoader {
@@ -29,23 +28,23 @@ public final class ActLoader {
     }
 
     /** Starts with the choice of the act. */
-    public void load(LoadTarget target) {
-        new ChooseActDialog(owner, session.offers(), settings, target, offer -> askConsent(target, offer))
+    public void load(LoadTargets targets) {
+        new ChooseActDialog(owner, session.offers(), settings, targets, offer -> askConsent(targets, offer))
                 .setVisible(true);
     }
 
-    private void askConsent(LoadTarget target, ActOffer offer) {
+    private void askConsent(LoadTargets targets, ActOffer offer) {
         ActOffers offers = session.offers();
         ActFile file = offer.file();
         if (file == null || !offers.needsConsent(offer)) {
-            askRoles(target, offer);
+            askRoles(targets, offer);
             return;
         }
-        new TrustDialog(owner, file, () -> agree(target, offer)).setVisible(true);
+        new TrustDialog(owner, file, () -> agree(targets, offer)).setVisible(true);
     }
 
     /** Stores the consent, which may block; if it cannot be stored, it is valid until the program ends. */
-    private void agree(LoadTarget target, ActOffer offer) {
+    private void agree(LoadTargets targets, ActOffer offer) {
         EventThread.background(
                 "agreeing to " + offer.called(),
                 () -> {
@@ -54,16 +53,17 @@ public final class ActLoader {
                     } catch (BotException e) {
                         channel.showError(String.valueOf(e.getMessage()));
                     }
-                    EventThread.later(() -> askRoles(target, offer));
+                    EventThread.later(() -> askRoles(targets, offer));
                 },
                 channel::showError);
     }
 
-    private void askRoles(LoadTarget target, ActOffer offer) {
+    private void askRoles(LoadTargets targets, ActOffer offer) {
         if (offer.roles().size() == 1) {
-            channel.submit(target.lines(offer, List.of()));
+            channel.submit(targets.lines(offer));
             return;
         }
+        LoadTarget target = targets.first();
         new RolesDialog(
                         owner,
                         offer,

@@ -24,7 +24,7 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Chooses the act for a robot: one that needs no path, or a file; shows for each what it is and whether the robot can
+ * Chooses the act for one or several robots: one that needs no path, or a file; shows for each what it is and whether the robots can
  * run it.
  */
 final class ChooseActDialog extends MajicDialog {
@@ -32,18 +32,18 @@ final class ChooseActDialog extends MajicDialog {
 
     private final transient ActOffers offers;
     private final transient Settings settings;
-    private final transient LoadTarget target;
+    private final transient LoadTargets targets;
     private final transient Consumer<ActOffer> chosen;
     private final DefaultListModel<ActEntry> entries = new DefaultListModel<>();
     private final JList<ActEntry> list = new JList<>(entries);
     private final ActSummary summary = new ActSummary();
     private final JButton load = button("Load Act", this::load);
 
-    ChooseActDialog(Window owner, ActOffers offers, Settings settings, LoadTarget target, Consumer<ActOffer> chosen) {
+    ChooseActDialog(Window owner, ActOffers offers, Settings settings, LoadTargets targets, Consumer<ActOffer> chosen) {
         super(owner, "Choose Act");
         this.offers = offers;
         this.settings = settings;
-        this.target = target;
+        this.targets = targets;
         this.chosen = chosen;
         load.setName("loadChosen");
         fill(content(), load, closing("Cancel"));
@@ -53,7 +53,7 @@ final class ChooseActDialog extends MajicDialog {
 
     private JPanel content() {
         list.setName("acts");
-        list.setCellRenderer(new ActCell(target.member()));
+        list.setCellRenderer(new ActCell(targets));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.addListSelectionListener(event -> show(list.getSelectedValue()));
         list.addMouseListener(new MouseAdapter() {
@@ -66,10 +66,7 @@ final class ChooseActDialog extends MajicDialog {
         });
         JPanel panel = new JPanel(new MigLayout(
                 "insets 0, gap 14 8", "[180:200:, fill][320:360:, grow, fill]", "[][240::, grow, fill][]"));
-        panel.add(
-                new JLabel("An act for robot " + target.member().number() + ", the "
-                        + target.member().bot().type().label()),
-                "spanx 2, wrap");
+        panel.add(new JLabel("An act for " + targets.names()), "spanx 2, wrap");
         panel.add(new JScrollPane(list));
         panel.add(summary, "wmin 0, wrap");
         panel.add(button("From a file…", this::chooseFile));
@@ -122,7 +119,7 @@ final class ChooseActDialog extends MajicDialog {
     }
 
     private void show(@Nullable ActEntry entry) {
-        Optional<String> unfit = entry == null ? Optional.empty() : entry.unfit(target.member());
+        Optional<String> unfit = entry == null ? Optional.empty() : targets.unfit(entry);
         load.setEnabled(entry != null && unfit.isEmpty());
         if (entry != null) {
             summary.show(entry, unfit);

@@ -2,30 +2,32 @@ package majic.gui.acts;
 
 import java.awt.Window;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JPanel;
-import majic.gui.kit.BotStatus;
 import majic.gui.kit.Confirm;
-import majic.gui.kit.Html;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
 import majic.team.Member;
-import majic.team.Owner;
 import net.miginfocom.swing.MigLayout;
 
-/** Chooses the robot onto which an act is loaded; asks first if an act or a script already runs on it. */
+/** Chooses the robot, or the selected robots, onto which an act is loaded; asks first if one of them runs an act or a script. */
 public final class LoadActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
 
     private final MemberChoice choice;
-    private final transient Consumer<LoadTarget> load;
+    private final transient Consumer<LoadTargets> load;
 
-    public LoadActDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<LoadTarget> load) {
+    /**
+     * Creates the dialog.
+     *
+     * @param chosen the robots that are chosen at first
+     * @param load continues with the chosen robots
+     */
+    public LoadActDialog(Window owner, List<Member> members, List<Member> chosen, Consumer<LoadTargets> load) {
         super(owner, "Load Act");
         this.load = load;
-        choice = new MemberChoice(members, current);
+        choice = new MemberChoice(members, chosen);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
         content.add(label("Robot", choice));
         content.add(choice, "wmin 260");
@@ -34,19 +36,11 @@ public final class LoadActDialog extends MajicDialog {
     }
 
     private void chosen() {
-        LoadTarget target = LoadTarget.of(choice.chosen());
+        LoadTargets targets = LoadTargets.of(choice.allChosen());
         dispose();
-        if (target.ends() == null) {
-            load.accept(target);
-        } else {
-            Confirm.ask(getOwner(), question(target.member()), "Yes", () -> load.accept(target));
-        }
-    }
-
-    private static String question(Member member) {
-        Owner lender = member.lender();
-        String within = lender == null ? "" : ", part of the script " + Html.escaped(lender.name());
-        return "<html>Robot " + member.number() + " is " + Html.escaped(BotStatus.owner(member)) + within
-                + ". End it and load another act?<br>It continues until the new act starts.";
+        targets.question()
+                .ifPresentOrElse(
+                        question -> Confirm.ask(getOwner(), question, "Yes", () -> load.accept(targets)),
+                        () -> load.accept(targets));
     }
 }

@@ -2,6 +2,7 @@ package majic.gui.kit;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import javax.swing.JComboBox;
 import majic.team.Member;
 
@@ -9,11 +10,18 @@ import majic.team.Member;
 public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
     private static final long serialVersionUID = 1L;
 
-    /** A robot as the list shows it. */
-    public record Entry(Member member) {
+    /** One robot, or several together, as the list shows them. */
+    public record Entry(List<Member> members) {
+        public Entry(Member member) {
+            this(List.of(member));
+        }
+
         @Override
         public String toString() {
-            return member.number() + "  " + member.bot().type().label();
+            String numbers =
+                    members.stream().map(member -> "" + member.number()).collect(Collectors.joining(", "));
+            return numbers + "  "
+                    + (members.size() == 1 ? members.get(0).bot().type().label() : "the selected robots");
         }
     }
 
@@ -23,12 +31,31 @@ public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
      * @param first the one selected initially, if any
      */
     public MemberChoice(List<Member> members, Optional<Member> first) {
-        setName("robot");
-        members.forEach(member -> addItem(new Entry(member)));
-        first.map(Entry::new).ifPresent(this::setSelectedItem);
+        this(members, first.stream().toList());
     }
 
+    /**
+     * Creates a list of these robots.
+     *
+     * @param chosen those selected initially; if there are several, the list has a further entry for all of them
+     */
+    public MemberChoice(List<Member> members, List<Member> chosen) {
+        setName("robot");
+        if (chosen.size() > 1) {
+            addItem(new Entry(chosen));
+        }
+        members.forEach(member -> addItem(new Entry(member)));
+        if (!chosen.isEmpty()) {
+            setSelectedItem(new Entry(chosen));
+        }
+    }
+
+    /** Returns the chosen robot, the first one of several. */
     public Member chosen() {
-        return getItemAt(getSelectedIndex()).member();
+        return allChosen().get(0);
+    }
+
+    public List<Member> allChosen() {
+        return getItemAt(getSelectedIndex()).members();
     }
 }
