@@ -66,7 +66,7 @@ class RolesWindowTest {
         window.add("two");
         choose("Trio");
         window.click("loadChosen");
-        window.await("the words", () -> window.text("rolesOutcome").startsWith("One robot cannot play two parts"));
+        window.await("the words", () -> window.text("rolesOutcome").startsWith("One robot cannot have two roles"));
         assertThat(window.parser.commands()).isEmpty();
     }
 
