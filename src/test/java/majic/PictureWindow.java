@@ -3,6 +3,7 @@ package majic;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Window;
+import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Objects;
@@ -70,9 +71,18 @@ final class PictureWindow {
 
     /** Selects a robot by a click on its card. */
     static void select(Container frame, int robot) throws Exception {
-        Component card = find(frame, "card" + robot);
+        click(find(frame, "card" + robot), 0);
+    }
+
+    /** Adds a robot to the selection by a click with Ctrl. */
+    static void addToSelection(Container frame, int robot) throws Exception {
+        click(find(frame, "card" + robot), InputEvent.CTRL_DOWN_MASK);
+    }
+
+    private static void click(Component card, int modifiers) throws Exception {
+        int mask = InputEvent.BUTTON1_DOWN_MASK | modifiers;
         SwingUtilities.invokeAndWait(() -> card.dispatchEvent(new MouseEvent(
-                card, MouseEvent.MOUSE_PRESSED, System.currentTimeMillis(), 0, 5, 5, 1, false, MouseEvent.BUTTON1)));
+                card, MouseEvent.MOUSE_PRESSED, System.currentTimeMillis(), mask, 5, 5, 1, false, MouseEvent.BUTTON1)));
     }
 
     /** Waits for a dialog of the window. */

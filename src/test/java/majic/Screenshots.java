@@ -1,5 +1,6 @@
 package majic;
 
+import static majic.PictureWindow.addToSelection;
 import static majic.PictureWindow.awaitDialog;
 import static majic.PictureWindow.awaitWindow;
 import static majic.PictureWindow.click;
@@ -43,6 +44,7 @@ class Screenshots {
     private static final Path IMAGES = Path.of("docs", "images");
     private static final LabOptions OPTIONS =
             LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7);
+    private static final int AIBO = 1;
     private static final int PIONEER = 2;
 
     @Test
@@ -55,6 +57,7 @@ class Screenshots {
             select(frame, PIONEER);
             awaitWindow(new Settled());
             WindowPicture.save(frame, IMAGES.resolve("main.png"));
+            compare(frame);
             withDialog(frame, "Add Bot", "add-bot.png");
             withDialog(frame, "Help", "help.png");
             wrongLine(frame);
@@ -82,6 +85,15 @@ class Screenshots {
             WindowPicture.save(frame, IMAGES.resolve("start-page.png"));
             SwingUtilities.invokeAndWait(frame::dispose);
         }
+    }
+
+    private static void compare(MajicFrame frame) throws Exception {
+        select(frame, AIBO);
+        addToSelection(frame, PIONEER);
+        awaitWindow(new Settled());
+        WindowPicture.save(frame, IMAGES.resolve("compare.png"));
+        select(frame, PIONEER);
+        awaitWindow(new Settled());
     }
 
     private static void drive(Program program, MajicParser parser) {
