@@ -155,6 +155,29 @@ class RecordingInLabTest {
     }
 
     @Test
+    void aFullFileIsFollowedByOneThatCanBeReadAlone() throws Exception {
+        RecordingFolder small = new RecordingFolder(folder.resolve("small"), 1_000_000, 1000);
+        try (Recorder second = new Recorder(rig.team(), rig.session().factory(), small, troubles::add)) {
+            second.start();
+            rig.run("2 move 100");
+            second.history().marks(0);
+            rig.run("2 move 100");
+            Series x = second.history().series(2, "x", 0);
+            assertThat(x.values()[0]).isZero();
+            assertThat(x.values()[x.size() - 1]).isBetween(185.0, 215.0);
+            assertThat(x.seconds()).isSorted();
+            assertThat(small.files()).hasSize(2);
+        }
+        Recording last = Recording.read(small.files().get(1));
+        assertThat(last.head().part()).isEqualTo(2);
+        assertThat(last.robots()).hasSize(3);
+        assertThat(last.room().walls()).isNotEmpty();
+        assertThat(last.series(2, "x", 0).values()[0]).isBetween(85.0, 115.0);
+        assertThat(last.series(3, "x", 0).values()).isNotEmpty();
+        recorder.close();
+    }
+
+    @Test
     void thePageShowsTheProgramInPythonAsItIs() throws Exception {
         assertThat(Files.readString(Path.of("docs", "recordings.md"))).contains(Files.readString(PYTHON));
     }

@@ -1,6 +1,7 @@
 package majic.recorder;
 
 import java.util.Base64;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -21,9 +22,9 @@ public final class RobotTracks {
     private final RecordedRobot robot;
     private final Map<String, Parameter> parameters = new LinkedHashMap<>();
     private final Map<String, Boolean> estimates = new TreeMap<>();
-    private final Map<String, Track> values = new TreeMap<>();
-    private final Map<String, Track> status = new TreeMap<>();
-    private final Map<String, Track> reports = new TreeMap<>();
+    private final Map<String, Track> values = new HashMap<>();
+    private final Map<String, Track> status = new HashMap<>();
+    private final Map<String, Track> reports = new HashMap<>();
     private final Track pictures = new Track();
     private final Track changes = new Track();
     private double removedS = Double.POSITIVE_INFINITY;
@@ -42,7 +43,7 @@ public final class RobotTracks {
         String key = kind == Kind.VALUE ? key(name) : name;
         tracks.computeIfAbsent(key, missing -> new Track()).add(seconds, text);
         if (changes.size() == 0 || changes.seconds(changes.size() - 1) < seconds) {
-            changes.add(seconds, "0");
+            changes.add(seconds, 0);
         }
     }
 
@@ -110,8 +111,8 @@ public final class RobotTracks {
      */
     public Optional<Double> number(String parameter, double seconds) {
         Track track = values.get(key(parameter));
-        String text = track == null ? null : track.at(seconds);
-        return Optional.ofNullable(text).map(ValueText::amount).filter(Double::isFinite);
+        double number = track == null ? Double.NaN : track.numberAt(seconds);
+        return Double.isFinite(number) ? Optional.of(number) : Optional.empty();
     }
 
     /**

@@ -22,14 +22,20 @@ final class Track {
 
     /** Adds a value at a time that is not before the last one. */
     void add(double seconds, String text) {
+        double exact = ValueText.exact(text);
+        if (Double.isNaN(exact)) {
+            texts.put(size, text);
+            add(seconds, ValueText.amount(text));
+        } else {
+            add(seconds, exact);
+        }
+    }
+
+    /** Adds a number. */
+    void add(double seconds, double number) {
         if (size == atMs.length) {
             atMs = Arrays.copyOf(atMs, 2 * size);
             numbers = Arrays.copyOf(numbers, 2 * size);
-        }
-        double number = ValueText.amount(text);
-        boolean plain = Double.isFinite(number) && ValueText.of(number).equals(text);
-        if (!plain) {
-            texts.put(size, text);
         }
         atMs[size] = ms(seconds);
         numbers[size] = number;
@@ -58,6 +64,12 @@ final class Track {
     String at(double seconds) {
         int index = indexAt(seconds);
         return index < 0 ? null : text(index);
+    }
+
+    /** The number in force at a time; NaN before the first, and for what is no number. */
+    double numberAt(double seconds) {
+        int index = indexAt(seconds);
+        return index < 0 ? Double.NaN : numbers[index];
     }
 
     /** The index of the value in force at a time; -1 before the first. */
