@@ -11,11 +11,13 @@ import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Frame;
 import java.awt.Window;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
+import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
@@ -23,6 +25,8 @@ import javax.swing.SwingUtilities;
 import majic.PictureWindow.Settled;
 import majic.bot.BotType;
 import majic.gui.MajicFrame;
+import majic.gui.editor.EditorContext;
+import majic.gui.editor.EditorWindow;
 import majic.gui.replay.ReplayWindow;
 import majic.program.Program;
 import majic.program.UserFolder;
@@ -60,6 +64,7 @@ class Screenshots {
             compare(frame);
             withDialog(frame, "Add Bot", "add-bot.png");
             withDialog(frame, "Help", "help.png");
+            editor(program, frame, home.resolve("lap.majic"));
             wrongLine(frame);
             parser.parseText("stop");
             awaitWindow(() -> find(frame, "release").isVisible());
@@ -117,6 +122,43 @@ class Screenshots {
         awaitWindow(new Settled());
         WindowPicture.save(frame, IMAGES.resolve(picture));
         SwingUtilities.invokeAndWait(dialog::dispose);
+    }
+
+    /** Steps through a script, so that one line runs and the next one waits. */
+    private static void editor(Program program, MajicFrame frame, Path file) throws Exception {
+        Files.writeString(
+                file,
+                """
+                # Two robots side by side; the Hemisson follows at the end.
+                repeat 4
+                  1,2 move 300mm
+                  if 2 distanceFront < 800 or any bumped == yes
+                    1,2 turn 90deg   # away from the wall
+                  else
+                    2 turn 20deg
+                  end
+                end
+                wait 2s
+                3 drive 60mm/s 20deg/s for 3s
+                """);
+        EditorContext context = new EditorContext(program.session(), program.settings(), () -> {}, act -> {});
+        EditorWindow[] made = new EditorWindow[1];
+        SwingUtilities.invokeAndWait(() -> {
+            made[0] = new EditorWindow(context, frame);
+            made[0].setSize(1000, 480);
+            made[0].open(file);
+        });
+        EditorWindow editor = made[0];
+        JLabel status = (JLabel) find(editor, "scriptStatus");
+        awaitWindow(() -> status.getText().equals("No mistakes"));
+        for (String state : List.of("Paused before line 2", "Paused before line 3", "Paused before line 4, line 3")) {
+            click(editor, "editor Step");
+            awaitWindow(() -> status.getText().startsWith(state));
+        }
+        WindowPicture.save(editor, IMAGES.resolve("editor.png"));
+        click(editor, "editor End");
+        awaitIdle(program);
+        SwingUtilities.invokeAndWait(editor::dispose);
     }
 
     private static void wrongLine(MajicFrame frame) throws Exception {
