@@ -42,8 +42,12 @@ final class ReconnectCountdown extends JPanel {
         });
     }
 
-    /** Puts the state of the attempts into words. */
-    static String text(AutoReconnect.Status status) {
+    /** Puts the state of the attempts into a few words, for a card. */
+    static String shortText(AutoReconnect.Status status) {
+        return status.connecting() ? "reconnecting" : "retry in " + status.seconds() + " s";
+    }
+
+    private static String text(AutoReconnect.Status status) {
         return status.connecting() ? "reconnecting …" : "reconnecting in " + status.seconds() + " s";
     }
 }

@@ -211,7 +211,7 @@ final class RobotCard extends JPanel {
     }
 
     private String countdown() {
-        return actions.attempts(member).map(ReconnectCountdown::text).orElse("");
+        return actions.attempts(member).map(ReconnectCountdown::shortText).orElse("");
     }
 
     private void describe() {

@@ -18,7 +18,7 @@ import majic.team.StopStatus;
  * @param name the label of its type
  * @param condition whether it moves; if it is not connected, the state of its connection
  * @param problem what needs attention, in a few words; empty if nothing does
- * @param activity the act with its time, what else owns the robot, or when it is reconnected; empty if nothing does
+ * @param activity the act with its time, or what else owns the robot; empty if nothing does
  * @param battery its charge
  * @param bars the quality of its connection, 0 to 3
  * @param isLost whether it can be reconnected
@@ -37,7 +37,7 @@ record RobotSummary(
     /**
      * Describes a robot as it is now.
      *
-     * @param countdown when it is reconnected; empty if nothing is tried
+     * @param countdown when a lost robot is reconnected, in a few words; empty if nothing is tried
      */
     static RobotSummary of(
             Member member, StopStatus stops, RunningAct act, LinkMeter link, BatteryLevel battery, String countdown) {
@@ -55,8 +55,8 @@ record RobotSummary(
                 StateIcon.of(member, stops),
                 bot.type().label(),
                 connected ? motion(bot) : BotStatus.condition(member),
-                problem(unconfirmed, lost, link, now),
-                countdown.isEmpty() ? activity(member, act) : countdown,
+                problem(unconfirmed, lost, countdown, link, now),
+                activity(member, act),
                 connected ? battery : BatteryLevel.UNKNOWN,
                 connected ? link.bars(now) : 0,
                 lost,
@@ -67,12 +67,13 @@ record RobotSummary(
         return bot.state().moving() ? "moving" : "stationary";
     }
 
-    private static String problem(boolean unconfirmed, boolean lost, LinkMeter link, long nowNanos) {
+    private static String problem(
+            boolean unconfirmed, boolean lost, String countdown, LinkMeter link, long nowNanos) {
         if (unconfirmed) {
             return "stop not confirmed";
         }
         if (lost) {
-            return "connection lost";
+            return countdown.isEmpty() ? "connection lost" : "lost, " + countdown;
         }
         return link.overdueS(nowNanos).stream()
                 .mapToObj(age -> String.format(Locale.ROOT, "no report for %.0f s", Math.max(1, age)))

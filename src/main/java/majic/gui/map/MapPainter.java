@@ -72,9 +72,11 @@ public final class MapPainter {
         g.setComposite(AlphaComposite.SrcOver);
         glyph.paintSelection(g);
         Point2D at = view.pixel(robot.reported().xMm(), robot.reported().yMm());
-        float left = (float) (at.getX() + robot.bodyMm() * view.pxPerMm() + INSET);
+        double aside = robot.bodyMm() * view.pxPerMm() + INSET;
+        int width = g.getFontMetrics().stringWidth(place);
+        boolean fits = at.getX() + aside + width <= view.width();
         g.setColor(Palette.text());
-        g.drawString(place, left, (float) at.getY());
+        g.drawString(place, (float) (fits ? at.getX() + aside : at.getX() - aside - width), (float) at.getY());
     }
 
     private void paintWall(Wall wall) {

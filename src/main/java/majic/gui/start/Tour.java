@@ -23,7 +23,11 @@ import net.miginfocom.swing.MigLayout;
 public final class Tour extends MajicDialog {
     private static final long serialVersionUID = 1L;
     private static final int LOOK_MS = 200;
-    private static final int GAP = 24;
+
+    /** The share of the window's width to the left of the panel, which has the pad. */
+    private static final double MAP_SHARE = 0.57;
+
+    private static final int COMMAND_LINE_PX = 90;
 
     private final transient TourEvents events;
     private final JLabel count = new PlainLabel("tourCount", "");
@@ -106,7 +110,7 @@ public final class Tour extends MajicDialog {
         skip.setVisible(!done);
     }
 
-    /** Places the tour beside the window where the screen has room, otherwise over the lower part of the map. */
+    /** Places the tour beside the window where the screen has room, otherwise where it hides neither cards nor pad. */
     private void placeBeside(Window owner) {
         GraphicsConfiguration screen = owner.getGraphicsConfiguration();
         if (screen == null) {
@@ -115,13 +119,14 @@ public final class Tour extends MajicDialog {
         Rectangle area = screen.getBounds();
         Rectangle main = owner.getBounds();
         int right = main.x + main.width;
-        int bottom = Math.max(main.y, main.y + main.height * 2 / 3 - getHeight());
         if (right + getWidth() <= area.x + area.width) {
             setLocation(new Point(right, main.y));
         } else if (main.x - getWidth() >= area.x) {
             setLocation(new Point(main.x - getWidth(), main.y));
         } else {
-            setLocation(new Point(main.x + GAP, bottom));
+            int left = main.x + (int) (main.width * MAP_SHARE) - getWidth();
+            int bottom = main.y + main.height - COMMAND_LINE_PX - getHeight();
+            setLocation(new Point(Math.max(main.x, left), Math.max(main.y, bottom)));
         }
     }
 
