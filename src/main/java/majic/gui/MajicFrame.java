@@ -227,8 +227,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                 quitting = true;
                 setTitle("MAJIC: stopping and closing all robots …");
                 EventThread.background("quit", () -> {
-                    teams.last().keep();
+                    Runnable keepTeam = teams.last().snapshot();
                     services.quit().run();
+                    keepTeam.run();
                 });
             }
         });

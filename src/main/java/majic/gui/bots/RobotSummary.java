@@ -67,8 +67,7 @@ record RobotSummary(
         return bot.state().moving() ? "moving" : "stationary";
     }
 
-    private static String problem(
-            boolean unconfirmed, boolean lost, String countdown, LinkMeter link, long nowNanos) {
+    private static String problem(boolean unconfirmed, boolean lost, String countdown, LinkMeter link, long nowNanos) {
         if (unconfirmed) {
             return "stop not confirmed";
         }

@@ -27,7 +27,7 @@ public final class LastTeam implements TeamListener {
     private final Session session;
     private final Settings settings;
     private final RecentRobots recent;
-    private final Timer soon = new Timer(COLLECT_MS, event -> EventThread.background("keeping the team", this::keep));
+    private final Timer soon = new Timer(COLLECT_MS, event -> EventThread.background("keeping the team", snapshot()));
     private Consumer<List<String>> shown = names -> {};
 
     public LastTeam(Session session, Settings settings) {
@@ -75,23 +75,33 @@ public final class LastTeam implements TeamListener {
         soon.restart();
     }
 
-    private void keepAddresses() {
+    private void keepAddresses(List<String> addresses) {
         try {
-            recent.keep(session.team().members().stream()
-                    .flatMap(member -> session.address(member).stream())
-                    .toList());
+            recent.keep(addresses);
         } catch (BotException e) {
             LOG.log(Level.DEBUG, "the addresses are not kept after the end", e);
         }
     }
 
-    /** Keeps the team as it is now, unless it is empty. Callable from any thread; may block. */
-    public void keep() {
+    /**
+     * Takes note of the team as it is now. Callable from any thread; does not block.
+     *
+     * @return keeps it, unless it is empty; may block
+     */
+    public Runnable snapshot() {
         String script = session.teamScript();
-        keepAddresses();
-        if (SavedTeam.parse(script).isEmpty()) {
-            return;
-        }
+        List<String> addresses = session.team().members().stream()
+                .flatMap(member -> session.address(member).stream())
+                .toList();
+        return () -> {
+            if (!addresses.isEmpty()) {
+                keepAddresses(addresses);
+                keep(script);
+            }
+        };
+    }
+
+    private void keep(String script) {
         try {
             if (!settings.get(KEY).equals(Optional.of(script))) {
                 settings.put(KEY, script);

@@ -4,7 +4,6 @@ import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
-import majic.gui.kit.EventThread;
 import majic.gui.kit.Icons;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
@@ -16,6 +15,7 @@ final class StartButton extends JButton {
     private static final int ICON = 26;
 
     private final String title;
+    private final transient Icon picture;
     private final JLabel detail;
     private final JLabel heading;
 
@@ -28,7 +28,7 @@ final class StartButton extends JButton {
         super.setLayout(new MigLayout("insets 5 4 5 8, gap 10 0, novisualpadding", "[][grow, fill]", "[][]"));
         this.title = title;
         setName(title);
-        Icon picture = Icons.later(icon, ICON);
+        picture = Icons.later(icon, ICON);
         heading = new JLabel(title);
         heading.putClientProperty("FlatLaf.styleClass", "h4");
         this.detail = new PlainLabel(title + " detail", "");
@@ -37,18 +37,19 @@ final class StartButton extends JButton {
         add(heading, "wmin 0, wrap");
         add(this.detail, "wmin 0");
         addActionListener(event -> action.run());
-        EventThread.background("reading a picture", () -> {
-            Icons.read(picture);
-            EventThread.later(this::repaint);
-        });
         describe(detail);
         updateUI();
+    }
+
+    /** Reads the picture from its file; may block. */
+    void readPicture() {
+        Icons.read(picture);
     }
 
     /** Shows another explanation. */
     void describe(String text) {
         detail.setText(text);
-        detail.setToolTipText(text);
+        setToolTipText(text);
         getAccessibleContext().setAccessibleName(title);
         getAccessibleContext().setAccessibleDescription(text);
     }

@@ -7,6 +7,7 @@ import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import net.miginfocom.swing.MigLayout;
@@ -20,6 +21,7 @@ public final class StartPage extends JPanel {
     private final transient StartActions actions;
     private final StartButton lab;
     private final StartButton team;
+    private final transient List<StartButton> buttons;
     private final JLabel welcome = new JLabel("Welcome to MAJIC");
     private final JLabel hint = new PlainLabel("startHint", "No robot is connected yet.");
 
@@ -39,11 +41,14 @@ public final class StartPage extends JPanel {
         welcome.putClientProperty("FlatLaf.styleClass", "h2");
         add(welcome);
         add(hint, "gapbottom 8");
-        add(lab);
-        add(new StartButton("Add a robot", "By its address, or found on the network", "add", actions.addBot()));
-        add(team);
-        add(new StartButton("Open a session", "A saved session or another script", "session", actions.openSession()));
-        add(new StartButton("Tour", "Five minutes with the robots of the lab", "tour", actions.startTour()));
+        buttons = List.of(
+                lab,
+                new StartButton("Add a robot", "By its address, or found on the network", "add", actions.addBot()),
+                team,
+                new StartButton(
+                        "Open a session", "A saved session or another script", "session", actions.openSession()),
+                new StartButton("Tour", "Five minutes with the robots of the lab", "tour", actions.startTour()));
+        buttons.forEach(this::add);
         showTeam(List.of());
         lastTeam.onChange(this::showTeam);
         updateUI();
@@ -67,6 +72,10 @@ public final class StartPage extends JPanel {
         super.addNotify();
         showLab();
         lastTeam.read();
+        EventThread.background("reading pictures", () -> {
+            buttons.forEach(StartButton::readPicture);
+            EventThread.later(this::repaint);
+        });
     }
 
     @Override
