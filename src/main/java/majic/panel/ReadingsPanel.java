@@ -6,6 +6,7 @@ import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
@@ -80,6 +81,7 @@ public final class ReadingsPanel<S> extends JPanel {
     public ReadingsPanel<S> with(String name, Function<? super S, String> text) {
         JLabel value = new JLabel(NONE, SwingConstants.TRAILING);
         value.setName(name);
+        value.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, SLACK / 2));
         value.setToolTipText(ReadingText.tip(name));
         JLabel label = new JLabel(ReadingText.label(name));
         label.setToolTipText(ReadingText.tip(name));

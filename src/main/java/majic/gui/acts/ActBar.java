@@ -35,7 +35,7 @@ public final class ActBar extends JPanel {
      * @param end ends the act
      */
     public ActBar(Member member, Runnable end) {
-        super(new MigLayout("insets 6 10 6 8, gap 10 0", "[][grow, fill][]", "[][]"));
+        super(new MigLayout("insets 4 10 4 8, gap 10 0", "[][][grow, fill][]"));
         act = new RunningAct(member);
         setOpaque(false);
         name = new PlainLabel("act" + member.number(), "");
@@ -50,8 +50,8 @@ public final class ActBar extends JPanel {
         off.addActionListener(event -> end.run());
         add(name, "wmin 40");
         add(time);
-        add(off, "spany 2, aligny center, wrap");
-        add(message, "spanx 2, growx, wmin 0");
+        add(message, "wmin 0");
+        add(off);
         setVisible(false);
     }
 

@@ -21,7 +21,7 @@ final class ActCell extends DefaultListCellRenderer {
             JList<?> list, Object value, int index, boolean selected, boolean focused) {
         super.getListCellRendererComponent(list, value, index, selected, focused);
         if (targets.unfit((ActEntry) value).isPresent()) {
-            setText(value + " \u2013 not for " + (targets.all().size() == 1 ? "this robot" : "these robots"));
+            setText(value + " \u2013 does not fit");
             setForeground(selected ? getForeground() : Palette.faint());
         }
         return this;

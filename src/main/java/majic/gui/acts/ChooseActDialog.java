@@ -65,7 +65,7 @@ final class ChooseActDialog extends MajicDialog {
             }
         });
         JPanel panel = new JPanel(new MigLayout(
-                "insets 0, gap 14 8", "[180:200:, fill][320:360:, grow, fill]", "[][240::, grow, fill][]"));
+                "insets 0, gap 14 8", "[200:230:, fill][320:360:, grow, fill]", "[][240::, grow, fill][]"));
         panel.add(new JLabel("An act for " + targets.names()), "spanx 2, wrap");
         panel.add(new JScrollPane(list));
         panel.add(summary, "wmin 0, wrap");

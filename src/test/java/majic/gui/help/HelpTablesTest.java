@@ -2,7 +2,12 @@ package majic.gui.help;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.swing.table.TableModel;
 import majic.act.NoActs;
@@ -32,13 +37,29 @@ class HelpTablesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"commands", "keys"})
+    @ValueSource(strings = {"commands", "keys", "libraries"})
     void everyRowHasTwoColumns(String name) {
         TableModel table = HelpTables.file(name, "left", "right");
 
         assertThat(table.getRowCount()).isPositive();
         assertThat(column(table, 0)).doesNotContainNull().noneMatch(String::isBlank);
         assertThat(column(table, 1)).doesNotContainNull().noneMatch(String::isBlank);
+    }
+
+    @Test
+    void theLibrariesAreThoseOfTheBuild() throws IOException {
+        String pom = Files.readString(Path.of("pom.xml"));
+        String dependencies = pom.substring(pom.indexOf("</dependencyManagement>"), pom.indexOf("<build>"));
+        List<String> used = Pattern.compile("(?s)<dependency>.*?</dependency>")
+                .matcher(dependencies)
+                .results()
+                .map(MatchResult::group)
+                .filter(dependency -> !dependency.contains("<scope>test</scope>"))
+                .map(dependency -> dependency.replaceAll("(?s).*<artifactId>(.*?)</artifactId>.*", "$1"))
+                .toList();
+        assertThat(used).isNotEmpty();
+        assertThat(column(HelpTables.file("libraries", "Library", "Licence"), 0))
+                .containsAll(used);
     }
 
     /** Returns the topics that the command line offers after the word help. */
