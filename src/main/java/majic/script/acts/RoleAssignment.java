@@ -35,7 +35,7 @@ public final class RoleAssignment {
             Member member = robots.get(index);
             check(act, role, member);
             if (robots.indexOf(member) < index) {
-                throw new BotException(act + ": robot " + member.number() + " cannot play two parts");
+                throw new BotException(act + ": robot " + member.number() + " cannot have two roles");
             }
             cast.computeIfAbsent(role.name(), key -> new ArrayList<>()).add(member);
         }
