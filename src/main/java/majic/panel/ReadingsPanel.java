@@ -37,6 +37,7 @@ public final class ReadingsPanel<S> extends JPanel {
     private final transient List<Function<? super S, String>> texts = new ArrayList<>();
     private final transient List<JLabel> names = new ArrayList<>();
     private final transient List<JLabel> values = new ArrayList<>();
+    private final transient ReadingKeys keys = new ReadingKeys();
 
     /**
      * Creates a panel without rows.
@@ -72,13 +73,26 @@ public final class ReadingsPanel<S> extends JPanel {
     }
 
     /**
-     * Adds a row below the others. Its label is the name in plain words; the tool tips show the name itself.
+     * Adds a row below the others. Its label is the name in plain words; the tool tips show the name itself. A click on
+     * the value plots the parameter.
      *
      * @param name of the reading; the parameter's, if there is one
      * @param text formats the value
      * @return this panel
      */
     public ReadingsPanel<S> with(String name, Function<? super S, String> text) {
+        return with(name, name, text);
+    }
+
+    /**
+     * Adds a row below the others, for a reading that has another name than its parameter.
+     *
+     * @param name of the reading
+     * @param parameter name of the parameter that a click on the value plots
+     * @param text formats the value
+     * @return this panel
+     */
+    public ReadingsPanel<S> with(String name, String parameter, Function<? super S, String> text) {
         JLabel value = new JLabel(NONE, SwingConstants.TRAILING);
         value.setName(name);
         value.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, SLACK / 2));
@@ -86,6 +100,8 @@ public final class ReadingsPanel<S> extends JPanel {
         JLabel label = new JLabel(ReadingText.label(name));
         label.setToolTipText(ReadingText.tip(name));
         names.add(label);
+        keys.add(value, parameter);
+        PlotLink.install(value, List.of(parameter));
         values.add(value);
         texts.add(text);
         add(names.get(names.size() - 1));
@@ -104,6 +120,13 @@ public final class ReadingsPanel<S> extends JPanel {
             values.get(index).setText(texts.get(index).apply(source));
             values.get(index).setEnabled(current);
         }
+    }
+
+    /** Lets the keys reach the values that can be plotted where the panel is. */
+    @Override
+    public void addNotify() {
+        super.addNotify();
+        keys.update();
     }
 
     /** Returns its height within an area of this size; 0 if the area is too small for it. */

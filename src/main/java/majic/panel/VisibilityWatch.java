@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * Reports when a component becomes visible to the user or is hidden: a component on a hidden tab is not visible, nor is
  * one in an iconified window, which Swing reports as showing. Must be used on the event dispatch thread.
  */
-final class VisibilityWatch {
+public final class VisibilityWatch {
     private final Component component;
     private final Consumer<Boolean> listener;
     private final WindowStateListener states = this::changed;
@@ -24,9 +24,10 @@ final class VisibilityWatch {
     /**
      * Creates a watch for a component that is not visible yet.
      *
-     * @param listener receives each change
+     * @param component the component to watch
+     * @param listener receives each change: whether it is visible now
      */
-    VisibilityWatch(Component component, Consumer<Boolean> listener) {
+    public VisibilityWatch(Component component, Consumer<Boolean> listener) {
         this.component = component;
         this.listener = listener;
         component.addHierarchyListener(change -> {

@@ -33,8 +33,11 @@ final class HemissonReadings {
                 .with("heading", view -> about("deg", view.state().pose().headingDeg()))
                 .with("switches", HemissonReadings::switches)
                 .with("beep", view -> view.buzzing() ? "on" : "off")
-                .with("round trip", view -> milliseconds("", view.line().quality()))
-                .with("missed", view -> missed(view.line().quality()))
+                .with(
+                        "round trip",
+                        "roundTrip",
+                        view -> milliseconds("", view.line().quality()))
+                .with("missed", "missedAnswers", view -> missed(view.line().quality()))
                 .with("repeated", view -> String.valueOf(view.line().quality().repeats()));
     }
 

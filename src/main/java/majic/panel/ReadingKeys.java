@@ -1,0 +1,71 @@
+package majic.panel;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.AbstractAction;
+import javax.swing.JLabel;
+import javax.swing.KeyStroke;
+
+/**
+ * Makes the values of a panel that can be plotted usable by keyboard: together they are one stop of the Tab key, Up and
+ * Down move among them. Must be used on the event dispatch thread.
+ */
+final class ReadingKeys {
+    private final List<JLabel> values = new ArrayList<>();
+    private final List<String> parameters = new ArrayList<>();
+
+    /** Adds the value of a parameter, below the others. */
+    void add(JLabel value, String parameter) {
+        values.add(value);
+        parameters.add(parameter);
+        bind(value, KeyEvent.VK_UP, -1);
+        bind(value, KeyEvent.VK_DOWN, 1);
+    }
+
+    private void bind(JLabel value, int key, int step) {
+        String name = "reading " + step;
+        value.getInputMap().put(KeyStroke.getKeyStroke(key, 0), name);
+        value.getActionMap().put(name, new AbstractAction() {
+            private static final long serialVersionUID = 1;
+
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                move(value, step);
+            }
+        });
+    }
+
+    private void move(JLabel from, int step) {
+        int count = values.size();
+        int start = values.indexOf(from);
+        for (int distance = 1; distance < count; distance++) {
+            int index = Math.floorMod(start + step * distance, count);
+            JLabel next = values.get(index);
+            if (next.isVisible() && isPlottable(index)) {
+                next.setFocusable(true);
+                next.requestFocusInWindow();
+                from.setFocusable(false);
+                return;
+            }
+        }
+    }
+
+    private boolean isPlottable(int index) {
+        return PlotLink.isPlottable(values.get(index), parameters.get(index));
+    }
+
+    /** Makes the first value that can be plotted the one that Tab reaches. */
+    void update() {
+        boolean found = false;
+        for (int index = 0; index < values.size(); index++) {
+            boolean first = !found && isPlottable(index);
+            values.get(index).setFocusable(first);
+            values.get(index)
+                    .getAccessibleContext()
+                    .setAccessibleDescription(isPlottable(index) ? "Enter plots " + parameters.get(index) : null);
+            found |= first;
+        }
+    }
+}
