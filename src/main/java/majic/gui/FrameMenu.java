@@ -103,6 +103,9 @@ final class FrameMenu extends JMenuBar {
         JMenuItem all = new JMenuItem("Show the whole map");
         all.addActionListener(event -> frame.showWholeMap());
         view.add(all);
+        JMenuItem plot = new JMenuItem("New plot…");
+        plot.addActionListener(event -> frame.newPlot());
+        view.add(plot);
         view.addSeparator();
         ButtonGroup group = new ButtonGroup();
         for (boolean dark : List.of(false, true)) {

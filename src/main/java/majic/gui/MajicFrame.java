@@ -31,17 +31,23 @@ import majic.gui.kit.IconAction;
 import majic.gui.kit.Icons;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
+import majic.gui.kit.StopButton;
 import majic.gui.map.MapFeed;
 import majic.gui.map.TeamMap;
+import majic.gui.plot.LiveSource;
+import majic.gui.plot.Plots;
 import majic.gui.start.StartActions;
 import majic.gui.start.StartPage;
 import majic.log.Line;
 import majic.panel.PictureView;
 import majic.panel.PictureViewer;
+import majic.recorder.RecordedHistory;
+import majic.recorder.Recorder;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majic.team.Member;
 import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The main window: buttons and STOP above, cards of the robots, team map and panels of the selected robots side by side, messages and command line below. Places
@@ -62,6 +68,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient FrameLab lab;
     private final transient FrameReconnect reconnect;
     private final transient CommandChannel channel = new Channel();
+    private final transient Plots plots;
     private final transient RobotSelection selection = new RobotSelection();
     private final TeamMap map;
     private final TeamStrip strip;
@@ -82,14 +89,19 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         this.parser = parser;
         this.services = services;
         commands = new CommandPane(parser);
+        plots = new Plots(
+                this,
+                services.settings(),
+                () -> new LiveSource(session.team(), history(services.recorder())),
+                () -> new StopButton(session.team(), this::stopAll));
         reconnect = new FrameReconnect(session.team(), services.settings(), this::attemptsChanged);
         parser.useDefaultRobots(selection::numbers);
         dialogs = new FrameDialogs(this, session, services, selection, channel);
         editor = new FrameEditor(this, session, services, this::stopAll, dialogs);
         lab = new FrameLab(session, services, channel);
         teams = new FrameTeams(this, session, services, channel);
-        RobotActions actions =
-                new RobotActions(session.team(), channel, dialogs::loadAct, dialogs::removeBot, reconnect.attempts());
+        RobotActions actions = new RobotActions(
+                session.team(), channel, plots, dialogs::loadAct, dialogs::removeBot, reconnect.attempts());
         panels = new RobotPanels(session.team(), selection, actions, startPage());
         strip = new TeamStrip(session.team(), selection, actions, panels::openWindow);
         map = new TeamMap();
@@ -243,6 +255,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         mapFeed.close();
         panels.close();
         reconnect.close();
+        plots.close();
         super.dispose();
     }
 
@@ -265,6 +278,15 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     void showWholeMap() {
         map.fit();
+    }
+
+    private static @Nullable RecordedHistory history(@Nullable Recorder recorder) {
+        return recorder == null ? null : recorder.history();
+    }
+
+    /** Opens an empty plot, and asks what it is to show. */
+    void newPlot() {
+        plots.openEmpty();
     }
 
     void look(boolean dark) {

@@ -3,6 +3,7 @@ package majic.gui.bots;
 import java.awt.BorderLayout;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -14,16 +15,19 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.gui.kit.UpdateThrottle;
+import majic.gui.plot.Quantity;
+import majic.panel.PlotHost;
 import majic.team.Member;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /** Shows one robot large: its status strip, and the display that its class provides. */
-final class BotPanel extends JPanel {
+final class BotPanel extends JPanel implements PlotHost {
     private static final long serialVersionUID = 1L;
     private static final Logger LOG = System.getLogger(BotPanel.class.getName());
 
     private final transient Member member;
+    private final transient RobotActions actions;
     private final StatusStrip strip;
     private final transient UpdateThrottle throttle;
     private final transient BotListener listener = new ChangeListener();
@@ -37,6 +41,7 @@ final class BotPanel extends JPanel {
     BotPanel(Team team, Member member, RobotActions actions, Consumer<Member> move, Runnable changed) {
         super(new BorderLayout());
         this.member = member;
+        this.actions = actions;
         setName("bot" + member.number());
         strip = new StatusStrip(team, member, actions, () -> move.accept(member));
         throttle = new UpdateThrottle(() -> {
@@ -46,6 +51,17 @@ final class BotPanel extends JPanel {
         add(strip, BorderLayout.NORTH);
         add(display(), BorderLayout.CENTER);
         member.bot().addListener(listener);
+    }
+
+    @Override
+    public boolean canPlot(String parameter) {
+        return member.bot().parameters().stream()
+                .anyMatch(known -> known.name().equalsIgnoreCase(parameter) && Quantity.isPlottable(known));
+    }
+
+    @Override
+    public void plot(List<String> parameters, boolean add) {
+        actions.plot(member, parameters, add);
     }
 
     Member member() {

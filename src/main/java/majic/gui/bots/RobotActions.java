@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
+import majic.gui.plot.Plots;
 import majic.team.AutoReconnect;
 import majic.team.Member;
 import majic.team.Team;
@@ -14,6 +15,7 @@ import majic.team.Team;
 public final class RobotActions {
     private final Team team;
     private final CommandChannel channel;
+    private final Plots plots;
     private final Consumer<Member> loadAct;
     private final Consumer<Member> kill;
     private final AutoReconnect attempts;
@@ -22,6 +24,7 @@ public final class RobotActions {
      * Creates the actions.
      *
      * @param channel submits lines and shows messages
+     * @param plots shows plots of what the robots report
      * @param loadAct opens the dialog that loads an act onto a robot
      * @param kill opens the dialog that removes a robot
      * @param attempts connects lost robots again
@@ -29,11 +32,13 @@ public final class RobotActions {
     public RobotActions(
             Team team,
             CommandChannel channel,
+            Plots plots,
             Consumer<Member> loadAct,
             Consumer<Member> kill,
             AutoReconnect attempts) {
         this.team = team;
         this.channel = channel;
+        this.plots = plots;
         this.loadAct = loadAct;
         this.kill = kill;
         this.attempts = attempts;
@@ -82,6 +87,11 @@ public final class RobotActions {
 
     void kill(Member member) {
         kill.accept(member);
+    }
+
+    /** Shows curves of parameters in a new plot, or adds them to the one used last. */
+    void plot(Member member, List<String> parameters, boolean add) {
+        plots.plot(member.number(), parameters, add);
     }
 
     /** Shows a message that does not come from the session. */

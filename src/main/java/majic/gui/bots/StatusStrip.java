@@ -1,7 +1,11 @@
 package majic.gui.bots;
 
 import java.awt.Container;
+import java.awt.FontMetrics;
+import java.awt.Point;
+import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -13,6 +17,7 @@ import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import majic.gui.kit.StateIcon;
+import majic.panel.PlotLink;
 import majic.team.Member;
 import majic.team.Team;
 import net.miginfocom.swing.MigLayout;
@@ -51,6 +56,8 @@ final class StatusStrip extends JPanel {
         stopProblem.setIcon(StateIcon.UNCONFIRMED);
         stopProblem.putClientProperty("FlatLaf.style", "font: bold");
         pose.setName("pose" + member.number());
+        pose.setFocusable(true);
+        PlotLink.install(pose, List.of("x", "y", "heading"), this::poseAt);
         JLabel title =
                 new JLabel(member.bot().type().make(), new NumberBadge(member.number(), 22), SwingConstants.LEADING);
         title.putClientProperty("FlatLaf.styleClass", "h4");
@@ -93,6 +100,21 @@ final class StatusStrip extends JPanel {
         condition.setText(BotStatus.condition(member) + (owner.isEmpty() ? "" : ", " + owner));
         pose.setText(BotStatus.pose(member));
         reconnect.setVisible(member.bot().connection() == MajicBot.Connection.LOST);
+    }
+
+    /** Returns the parameter that the pose's text shows at a point. */
+    private List<String> poseAt(Point point) {
+        FontMetrics metrics = pose.getFontMetrics(pose.getFont());
+        int left = 0;
+        for (String part : pose.getText().split("(?<=   )")) {
+            left += metrics.stringWidth(part);
+            if (point.x < left) {
+                return Stream.of("x", "y", "heading")
+                        .filter(List.of(part.split(" "))::contains)
+                        .toList();
+            }
+        }
+        return List.of();
     }
 
     private void showStop() {

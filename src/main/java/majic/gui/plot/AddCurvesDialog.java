@@ -1,0 +1,148 @@
+package majic.gui.plot;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.DefaultListCellRenderer;
+import javax.swing.DefaultListModel;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import majic.bot.Parameter;
+import majic.bot.Unit;
+import majic.gui.kit.Html;
+import majic.gui.kit.MajicDialog;
+import net.miginfocom.swing.MigLayout;
+
+/** Chooses parameters of robots whose curves are added to a plot. */
+final class AddCurvesDialog extends MajicDialog {
+    private static final long serialVersionUID = 1L;
+
+    private final transient PlotModel model;
+    private final transient List<Entry> all;
+    private final DefaultListModel<Entry> shown = new DefaultListModel<>();
+    private final JList<Entry> list = new JList<>(shown);
+    private final JTextField filter = new JTextField();
+    private final JButton add = button("Add", this::addSelected);
+
+    /** A parameter of a robot. */
+    private record Entry(PlotSource.Robot robot, Parameter parameter) {
+        @Override
+        public String toString() {
+            String unit =
+                    parameter.unit() == Unit.NONE ? "" : " (" + parameter.unit().symbol() + ")";
+            return robot.number() + " " + parameter.name() + unit;
+        }
+
+        boolean matches(String words) {
+            String text = (this + " " + robot.label() + " " + parameter.help()).toLowerCase(Locale.ROOT);
+            return List.of(words.toLowerCase(Locale.ROOT).strip().split("\\s+")).stream()
+                    .allMatch(text::contains);
+        }
+    }
+
+    AddCurvesDialog(Window owner, PlotModel model) {
+        super(owner, "Add Curves");
+        this.model = model;
+        this.all = model.source().robots().stream()
+                .flatMap(robot -> robot.parameters().stream().map(parameter -> new Entry(robot, parameter)))
+                .toList();
+        filter.setName("curveFilter");
+        filter.putClientProperty("JTextField.placeholderText", "part of a name or of its explanation");
+        filter.getDocument().addDocumentListener(new Filtering());
+        list.setName("parameters");
+        list.setCellRenderer(new Renderer());
+        list.addListSelectionListener(event -> add.setEnabled(!list.isSelectionEmpty()));
+        list.addMouseListener(new MouseAdapter() {
+            @Override
+            public void mouseClicked(MouseEvent event) {
+                if (event.getClickCount() == 2 && !list.isSelectionEmpty()) {
+                    addSelected();
+                }
+            }
+        });
+        filter.registerKeyboardAction(
+                event -> list.requestFocusInWindow(),
+                KeyStroke.getKeyStroke(KeyEvent.VK_DOWN, 0),
+                JComponent.WHEN_FOCUSED);
+        fill(content(), add, closing("Close"));
+        filter();
+    }
+
+    private JPanel content() {
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 8, wrap 2", "[][grow, fill]", "[][grow, fill][]"));
+        JLabel label = new JLabel("Find");
+        label.setLabelFor(filter);
+        label.setDisplayedMnemonic('F');
+        JScrollPane scroll = new JScrollPane(list);
+        scroll.setPreferredSize(new Dimension(560, 320));
+        list.getAccessibleContext().setAccessibleName("Parameters of all robots");
+        content.add(label);
+        content.add(filter);
+        content.add(scroll, "spanx 2, grow");
+        content.add(new JLabel("Ctrl or Shift selects several."), "spanx 2");
+        return content;
+    }
+
+    private void filter() {
+        shown.clear();
+        all.stream().filter(entry -> entry.matches(filter.getText())).forEach(shown::addElement);
+        if (!shown.isEmpty()) {
+            list.setSelectedIndex(0);
+        }
+        add.setEnabled(!shown.isEmpty());
+    }
+
+    private void addSelected() {
+        model.add(list.getSelectedValuesList().stream()
+                .flatMap(entry -> model
+                        .source()
+                        .quantities(entry.robot().number(), entry.parameter().name())
+                        .stream())
+                .toList());
+        dispose();
+    }
+
+    private final class Filtering implements DocumentListener {
+        @Override
+        public void insertUpdate(DocumentEvent event) {
+            filter();
+        }
+
+        @Override
+        public void removeUpdate(DocumentEvent event) {
+            filter();
+        }
+
+        @Override
+        public void changedUpdate(DocumentEvent event) {
+            filter();
+        }
+    }
+
+    /** Shows the explanation behind the name. */
+    private static final class Renderer extends DefaultListCellRenderer {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public Component getListCellRendererComponent(
+                JList<?> list, Object value, int index, boolean selected, boolean focused) {
+            Entry entry = (Entry) value;
+            String text = "<html><b>" + Html.escaped(entry.toString()) + "</b> &nbsp; "
+                    + Html.escaped(entry.parameter().help());
+            return super.getListCellRendererComponent(list, text, index, selected, focused);
+        }
+    }
+}

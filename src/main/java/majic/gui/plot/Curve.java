@@ -1,0 +1,11 @@
+package majic.gui.plot;
+
+/**
+ * A curve of a plot. Immutable except for its samples.
+ *
+ * @param quantity what it shows
+ * @param style how it is drawn
+ * @param samples its readings
+ * @param feed adds readings to the samples until it is closed
+ */
+record Curve(Quantity quantity, CurveStyle style, Samples samples, PlotSource.Feed feed) {}

@@ -1,0 +1,151 @@
+package majic.gui.plot;
+
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.Rectangle;
+import java.awt.event.ActionEvent;
+import java.util.ArrayList;
+import java.util.List;
+import javax.swing.AbstractAction;
+import javax.swing.Icon;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import javax.swing.Scrollable;
+import javax.swing.SwingConstants;
+import majic.panel.DrawingColors;
+import net.miginfocom.swing.MigLayout;
+
+/**
+ * The legend of a plot: for each curve its line, its name, the newest value, and a button that removes it. Must be used
+ * on the event dispatch thread.
+ */
+final class CurveList extends JPanel implements Scrollable {
+    private static final long serialVersionUID = 1L;
+    private static final int STEP = 16;
+
+    private final transient PlotModel model;
+    private transient List<Row> rows = List.of();
+
+    /** The label that shows the newest value of a curve. */
+    private record Row(Curve curve, JLabel value) {
+        void update() {
+            String text = curve.quantity().text(curve.samples().newest());
+            if (!text.equals(value.getText())) {
+                value.setText(text);
+            }
+        }
+    }
+
+    CurveList(PlotModel model) {
+        super(new MigLayout("insets 8 10 8 6, gap 6 2, wrap 4, fillx", "[][grow, fill][right][]"));
+        this.model = model;
+        setName("curves");
+        model.addListener(this::curvesChanged);
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+        return getPreferredSize();
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+        return STEP;
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+        return 10 * STEP;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+        return false;
+    }
+
+    private void curvesChanged() {
+        List<Curve> curves = model.curves();
+        if (!curves.equals(rows.stream().map(Row::curve).toList())) {
+            removeAll();
+            List<Row> added = new ArrayList<>();
+            curves.forEach(curve -> added.add(row(curve)));
+            rows = added;
+            revalidate();
+            repaint();
+        }
+        update();
+    }
+
+    /** Shows the newest values. */
+    void update() {
+        rows.forEach(Row::update);
+    }
+
+    private Row row(Curve curve) {
+        String label = curve.quantity().label();
+        JLabel name = new JLabel(label);
+        name.setName("curve " + label);
+        JLabel value = new JLabel("–", SwingConstants.TRAILING);
+        value.setName("value " + label);
+        add(new JLabel(new Line(curve.style())));
+        add(name, "wmin 0");
+        add(value);
+        add(remover(curve));
+        return new Row(curve, value);
+    }
+
+    private JButton remover(Curve curve) {
+        String label = curve.quantity().label();
+        JButton button = new JButton("×");
+        button.setName("remove " + label);
+        button.setToolTipText("Remove");
+        button.getAccessibleContext().setAccessibleName("Remove " + label);
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.addActionListener(event -> model.remove(curve));
+        button.getInputMap().put(KeyStroke.getKeyStroke("DELETE"), "remove");
+        button.getActionMap().put("remove", new AbstractAction() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                model.remove(curve);
+            }
+        });
+        return button;
+    }
+
+    /** A piece of a curve's line. */
+    private record Line(CurveStyle style) implements Icon {
+        private static final int WIDTH = 26;
+        private static final int HEIGHT = 12;
+
+        @Override
+        public void paintIcon(Component component, Graphics graphics, int x, int y) {
+            Graphics2D pen = (Graphics2D) graphics.create();
+            DrawingColors.prepare(pen);
+            pen.setColor(style.color());
+            pen.setStroke(style.stroke());
+            pen.drawLine(x + 1, y + HEIGHT / 2, x + WIDTH - 2, y + HEIGHT / 2);
+            pen.dispose();
+        }
+
+        @Override
+        public int getIconWidth() {
+            return WIDTH;
+        }
+
+        @Override
+        public int getIconHeight() {
+            return HEIGHT;
+        }
+    }
+}

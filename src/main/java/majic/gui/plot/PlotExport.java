@@ -1,0 +1,65 @@
+package majic.gui.plot;
+
+import java.io.BufferedWriter;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+
+/** Writes files of plots. Every method blocks, and returns why it failed; empty if it did not. */
+final class PlotExport {
+    private static final String HEADER = "time_s,robot,parameter,value,unit";
+
+    private PlotExport() {}
+
+    /**
+     * Writes all readings of a span of time as comma-separated values, one curve after the other; a reading without a
+     * value has an empty field.
+     */
+    static Optional<String> csv(List<Curve> curves, Span time, Path file) {
+        try (BufferedWriter out = Files.newBufferedWriter(file)) {
+            out.write(HEADER);
+            out.newLine();
+            for (Curve curve : curves) {
+                write(curve, time, out);
+            }
+            return Optional.empty();
+        } catch (IOException e) {
+            return Optional.of(problem(file, e));
+        }
+    }
+
+    private static void write(Curve curve, Span time, BufferedWriter out) throws IOException {
+        Points points = curve.samples().within(time);
+        Quantity quantity = curve.quantity();
+        for (int index = 0; index < points.size(); index++) {
+            double value = points.values()[index];
+            out.write(String.format(
+                    Locale.ROOT,
+                    "%.3f,%d,%s,%s,%s",
+                    points.times()[index],
+                    quantity.robot(),
+                    quantity.name(),
+                    Double.isNaN(value) ? "" : String.valueOf(value),
+                    quantity.unit().symbol()));
+            out.newLine();
+        }
+    }
+
+    /** Paints a chart into a PNG file. */
+    static Optional<String> png(ChartJob job, Path file) {
+        try {
+            ImageIO.write(ChartPainter.paint(job, job.newImage()).image(), "png", file.toFile());
+            return Optional.empty();
+        } catch (IOException e) {
+            return Optional.of(problem(file, e));
+        }
+    }
+
+    private static String problem(Path file, IOException cause) {
+        return file + " cannot be written: " + cause.getMessage();
+    }
+}

@@ -1,0 +1,151 @@
+package majic.gui.plot;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The state of one plot: its curves and the part of them that is shown. Must be used on the event dispatch thread,
+ * except for the samples of the curves.
+ */
+final class PlotModel {
+    static final int MOST_CURVES = 24;
+
+    /** Shorter spans cannot be told apart: robots report at most some hundred times a second. */
+    private static final double SHORTEST_S = 0.05;
+
+    private final PlotSource source;
+    private final List<Curve> curves = new ArrayList<>();
+    private final List<Runnable> listeners = new ArrayList<>();
+    private TimeLength length = TimeLength.MINUTE;
+    private @Nullable Double pausedAt;
+    private @Nullable Zoom zoom;
+
+    /**
+     * A magnified part.
+     *
+     * @param time the time shown
+     * @param axes the axes with a fixed range; the others fit the readings
+     */
+    record Zoom(Span time, List<ValueAxis> axes) {}
+
+    PlotModel(PlotSource source) {
+        this.source = source;
+    }
+
+    PlotSource source() {
+        return source;
+    }
+
+    /** Adds a listener that runs after every change except new readings. */
+    void addListener(Runnable listener) {
+        listeners.add(listener);
+    }
+
+    private void changed() {
+        listeners.forEach(Runnable::run);
+    }
+
+    List<Curve> curves() {
+        return List.copyOf(curves);
+    }
+
+    /** Adds curves of the quantities that have none yet, up to {@value #MOST_CURVES} curves in all. */
+    void add(List<Quantity> quantities) {
+        for (Quantity quantity : quantities) {
+            if (curves.size() < MOST_CURVES && !hasCurve(quantity)) {
+                Samples samples = new Samples();
+                curves.add(new Curve(quantity, freeStyle(), samples, source.feed(quantity, samples)));
+            }
+        }
+        changed();
+    }
+
+    boolean hasCurve(Quantity quantity) {
+        return curves.stream().anyMatch(curve -> curve.quantity().equals(quantity));
+    }
+
+    private CurveStyle freeStyle() {
+        return IntStream.range(0, MOST_CURVES)
+                .mapToObj(CurveStyle::new)
+                .filter(style ->
+                        curves.stream().noneMatch(curve -> curve.style().equals(style)))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    void remove(Curve curve) {
+        if (curves.remove(curve)) {
+            curve.feed().close();
+            changed();
+        }
+    }
+
+    /** Ends the feeds of all curves. */
+    void close() {
+        curves.forEach(curve -> curve.feed().close());
+    }
+
+    TimeLength length() {
+        return length;
+    }
+
+    /** Shows the newest readings of this length of time; ends a zoom. */
+    void show(TimeLength newLength) {
+        length = newLength;
+        zoom = null;
+        changed();
+    }
+
+    boolean isPaused() {
+        return pausedAt != null;
+    }
+
+    /** Holds the picture or lets it follow the time again; readings are collected all the time. */
+    void pause(boolean paused) {
+        pausedAt = paused ? Double.valueOf(source.now()) : null;
+        changed();
+    }
+
+    boolean isZoomed() {
+        return zoom != null;
+    }
+
+    @Nullable
+    Zoom zoom() {
+        return zoom;
+    }
+
+    /** Shows a fixed part; null shows the newest readings again. */
+    void zoom(@Nullable Zoom part) {
+        if (part == null || part.time().length() >= SHORTEST_S) {
+            zoom = part;
+            changed();
+        }
+    }
+
+    /** Returns whether the part that is shown stays the same as time passes. */
+    boolean isStill() {
+        return isPaused() || isZoomed();
+    }
+
+    /** Returns the time shown now. */
+    Span time() {
+        Zoom part = zoom;
+        if (part != null) {
+            return part.time();
+        }
+        Double paused = pausedAt;
+        double end = paused == null ? source.now() : paused;
+        return new Span(length == TimeLength.ALL ? start(end) : end - length.seconds(), end);
+    }
+
+    /** Returns the time of the first reading, at least one second before the end. */
+    private double start(double end) {
+        return curves.stream()
+                .mapToDouble(curve -> curve.samples().start())
+                .filter(start -> !Double.isNaN(start))
+                .reduce(end - 1, Math::min);
+    }
+}

@@ -1,0 +1,163 @@
+package majic.gui.plot;
+
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.List;
+import java.util.stream.Collectors;
+import javax.swing.BorderFactory;
+import javax.swing.ButtonGroup;
+import javax.swing.JButton;
+import javax.swing.JComponent;
+import javax.swing.JFrame;
+import javax.swing.JPanel;
+import javax.swing.JScrollPane;
+import javax.swing.JToggleButton;
+import javax.swing.Timer;
+import majic.bot.Settings;
+import majic.gui.kit.ChooseFile;
+import net.miginfocom.swing.MigLayout;
+
+/** A window with one plot. Must be used on the event dispatch thread. */
+final class PlotWindow extends JFrame {
+    private static final long serialVersionUID = 1L;
+    private static final int VALUES_MS = 250;
+
+    /** Pictures in files have twice the resolution of a usual screen. */
+    private static final double FILE_SCALE = 2;
+
+    private static final int MOST_IN_TITLE = 4;
+
+    private final transient PlotModel model;
+    private final transient Settings settings;
+    private final PlotView view;
+    private final CurveList curves;
+    private final Timer values;
+    private final JToggleButton pause = new JToggleButton("Pause");
+    private final JButton reset = button("Show newest", 'S', "End the zoom (double click on the chart, or 0)");
+
+    /**
+     * Creates a window, not yet visible.
+     *
+     * @param settings keep the folder of the last file
+     * @param stop stops all robots
+     */
+    PlotWindow(PlotModel model, Settings settings, JComponent stop) {
+        this.model = model;
+        this.settings = settings;
+        view = new PlotView(model);
+        curves = new CurveList(model);
+        values = new Timer(VALUES_MS, tick -> curves.update());
+        setName("plot");
+        setDefaultCloseOperation(DISPOSE_ON_CLOSE);
+        JPanel content = new JPanel(new BorderLayout());
+        content.add(tools(stop), BorderLayout.NORTH);
+        content.add(view, BorderLayout.CENTER);
+        content.add(side(), BorderLayout.EAST);
+        setContentPane(content);
+        setMinimumSize(new Dimension(520, 260));
+        pack();
+        model.addListener(this::modelChanged);
+        modelChanged();
+        values.start();
+        addWindowListener(new WindowAdapter() {
+            @Override
+            public void windowOpened(WindowEvent event) {
+                view.requestFocusInWindow();
+            }
+        });
+    }
+
+    PlotModel model() {
+        return model;
+    }
+
+    private JPanel tools(JComponent stop) {
+        JPanel tools = new JPanel(new MigLayout("insets 6 8 4 8, gap 6", "[]12[][][][]12[][]push[][]12[]"));
+        JButton add = button("Add…", 'A', "Add curves of further parameters");
+        add.addActionListener(event -> addCurves());
+        tools.add(add);
+        ButtonGroup lengths = new ButtonGroup();
+        for (TimeLength length : TimeLength.values()) {
+            tools.add(lengthButton(length, lengths));
+        }
+        pause.setName("pause");
+        pause.setMnemonic('P');
+        pause.setToolTipText("Hold the picture; readings are collected all the time (space on the chart)");
+        pause.addActionListener(event -> model.pause(pause.isSelected()));
+        reset.addActionListener(event -> model.zoom(null));
+        tools.add(pause);
+        tools.add(reset);
+        JButton png = button("Save PNG", 'G', "Save the chart as a picture");
+        png.addActionListener(event -> savePng());
+        JButton csv = button("Save CSV", 'C', "Save all readings of the time that is shown");
+        csv.addActionListener(event -> saveCsv());
+        tools.add(png);
+        tools.add(csv);
+        tools.add(stop, "h 34!, w 96!");
+        return tools;
+    }
+
+    private static JButton button(String text, char mnemonic, String tip) {
+        JButton button = new JButton(text);
+        button.setName(text);
+        button.setMnemonic(mnemonic);
+        button.setToolTipText(tip);
+        return button;
+    }
+
+    private JToggleButton lengthButton(TimeLength length, ButtonGroup group) {
+        JToggleButton button = new JToggleButton(length.text(), length == model.length());
+        button.setName(length.text());
+        button.setToolTipText("Time shown");
+        button.addActionListener(event -> model.show(length));
+        group.add(button);
+        return button;
+    }
+
+    private JComponent side() {
+        JScrollPane scroll = new JScrollPane(
+                curves, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setBorder(BorderFactory.createEmptyBorder());
+        scroll.setPreferredSize(new Dimension(270, 200));
+        return scroll;
+    }
+
+    private void modelChanged() {
+        reset.setEnabled(model.isZoomed());
+        pause.setSelected(model.isPaused());
+        setTitle(title(model.curves()));
+    }
+
+    private static String title(List<Curve> curves) {
+        String names = curves.stream()
+                .limit(MOST_IN_TITLE)
+                .map(curve -> curve.quantity().robot() + " " + curve.quantity().name())
+                .collect(Collectors.joining(", "));
+        String more = curves.size() > MOST_IN_TITLE ? ", …" : "";
+        return names.isEmpty() ? "Plot" : "Plot: " + names + more;
+    }
+
+    void addCurves() {
+        new AddCurvesDialog(this, model).setVisible(true);
+    }
+
+    private void savePng() {
+        ChartJob job = ChartJob.of(model, view.getWidth(), view.getHeight(), FILE_SCALE, true);
+        ChooseFile.toSave(this, settings, "Save PNG", "plot.png", file -> PlotExport.png(job, file));
+    }
+
+    private void saveCsv() {
+        List<Curve> saved = model.curves();
+        Span time = model.time();
+        ChooseFile.toSave(this, settings, "Save CSV", "plot.csv", file -> PlotExport.csv(saved, time, file));
+    }
+
+    @Override
+    public void dispose() {
+        values.stop();
+        model.close();
+        super.dispose();
+    }
+}

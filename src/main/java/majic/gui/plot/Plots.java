@@ -1,0 +1,107 @@
+package majic.gui.plot;
+
+import java.awt.Window;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import javax.swing.JComponent;
+import majic.bot.Settings;
+import org.jspecify.annotations.Nullable;
+
+/** The plots of one source, each in a window of its own. Must be used on the event dispatch thread. */
+public final class Plots implements AutoCloseable {
+    private static final int OFFSET_PX = 28;
+
+    private final Window owner;
+    private final Settings settings;
+    private final Supplier<PlotSource> sources;
+    private final Supplier<? extends JComponent> stopButtons;
+    private final List<PlotWindow> windows = new ArrayList<>();
+    private @Nullable PlotSource source;
+
+    /**
+     * Creates plots without windows.
+     *
+     * @param owner the window near which the plots are opened, and whose icons they have
+     * @param settings keep the folder of the last file
+     * @param sources makes the source of the readings, at the first plot
+     * @param stopButtons makes the STOP button of each window
+     */
+    public Plots(
+            Window owner, Settings settings, Supplier<PlotSource> sources, Supplier<? extends JComponent> stopButtons) {
+        this.owner = owner;
+        this.settings = settings;
+        this.sources = sources;
+        this.stopButtons = stopButtons;
+    }
+
+    /**
+     * Shows curves of parameters of a robot.
+     *
+     * @param robot the robot's number
+     * @param parameters their names; nothing happens for those that the robot does not have
+     * @param add whether the curves are added to the window that was used last, if there is one
+     */
+    public void plot(int robot, List<String> parameters, boolean add) {
+        List<Quantity> quantities = parameters.stream()
+                .flatMap(parameter -> source().quantities(robot, parameter).stream())
+                .toList();
+        windows.removeIf(window -> !window.isDisplayable());
+        if (!quantities.isEmpty()) {
+            PlotWindow window = add && !windows.isEmpty() ? windows.get(windows.size() - 1) : open();
+            window.model().add(quantities);
+            window.toFront();
+        }
+    }
+
+    /** Opens an empty plot and the dialog that adds curves to it. */
+    public void openEmpty() {
+        open().addCurves();
+    }
+
+    private PlotSource source() {
+        PlotSource made = source;
+        if (made == null) {
+            made = sources.get();
+            source = made;
+        }
+        return made;
+    }
+
+    private PlotWindow open() {
+        windows.removeIf(window -> !window.isDisplayable());
+        PlotWindow window = new PlotWindow(new PlotModel(source()), settings, stopButtons.get());
+        window.setIconImages(owner.getIconImages());
+        int offset = OFFSET_PX * (windows.size() % 8 + 1);
+        window.setLocation(owner.getX() + offset, owner.getY() + offset);
+        windows.add(window);
+        window.addWindowListener(new LastUsed(window));
+        window.setVisible(true);
+        return window;
+    }
+
+    /** Closes all windows. */
+    @Override
+    public void close() {
+        windows.forEach(Window::dispose);
+        windows.clear();
+    }
+
+    /** Moves a window that becomes active to the end of the list. */
+    private final class LastUsed extends WindowAdapter {
+        private final PlotWindow window;
+
+        LastUsed(PlotWindow window) {
+            this.window = window;
+        }
+
+        @Override
+        public void windowActivated(WindowEvent event) {
+            if (windows.remove(window)) {
+                windows.add(window);
+            }
+        }
+    }
+}

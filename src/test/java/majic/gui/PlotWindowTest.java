@@ -1,0 +1,130 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import java.awt.Window;
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import majic.bot.Pose;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+@Tag("jdk")
+@Timeout(60)
+class PlotWindowTest {
+    @TempDir
+    private Path folder;
+
+    @AutoClose
+    private final TestWindow window = TestWindow.open();
+
+    private void plotPose() {
+        window.awaitShowing("pose1", JLabel.class);
+        window.focus("pose1");
+        window.press(KeyEvent.VK_ENTER);
+        window.awaitShowing("plot", JFrame.class);
+    }
+
+    private List<String> curves() {
+        JPanel list = window.awaitShowing("curves", JPanel.class);
+        return Stream.of(list.getComponents())
+                .map(Component::getName)
+                .filter(name -> name != null && name.startsWith("curve "))
+                .map(name -> name.substring("curve ".length()))
+                .toList();
+    }
+
+    @Test
+    void aClickOnANumberPlotsIt() {
+        window.add("one");
+        window.awaitShowing("pose1", JLabel.class);
+        window.await("its place", () -> window.text("pose1").startsWith("x "));
+        window.run(window.frame::validate);
+        window.holdMouse("pose1");
+        window.letGoMouse();
+        window.await("a plot", () -> window.isShowing("plot"));
+        assertThat(curves()).containsExactly("1 x (mm)");
+    }
+
+    @Test
+    void enterPlotsTheReadingsThatHaveTheFocus() {
+        window.add("one");
+        plotPose();
+        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (deg)");
+    }
+
+    @Test
+    void thePlotFollowsTheReports() {
+        ToyBot bot = window.add("one");
+        plotPose();
+        bot.at(new Pose(120, -30, 45), true);
+        window.await("the newest value", () -> window.text("value 1 x (mm)").equals("120 mm"));
+    }
+
+    @Test
+    void curvesOfSeveralRobotsAreAddedAndRemoved() {
+        window.add("one");
+        window.add("two");
+        plotPose();
+        window.push("Add…");
+        window.write("curveFilter", "2 turn");
+        window.push("Add");
+        window.await("the curve", () -> curves().contains("2 turnRate (deg/s)"));
+        window.push("remove 1 y (mm)");
+        assertThat(curves()).containsExactly("1 x (mm)", "1 heading (deg)", "2 turnRate (deg/s)");
+    }
+
+    @Test
+    void csvContainsTheReadingsOfTheTimeShown() throws IOException {
+        ToyBot bot = window.add("one");
+        plotPose();
+        bot.at(new Pose(120, -30, 45), true);
+        window.await("the newest value", () -> window.text("value 1 x (mm)").equals("120 mm"));
+        window.push("Save CSV");
+        window.chooseFile(folder.resolve("plot.csv"));
+        window.await("the file", () -> !window.isShowing("files"));
+        List<String> lines = Files.readAllLines(folder.resolve("plot.csv"));
+        assertThat(lines.get(0)).isEqualTo("time_s,robot,parameter,value,unit");
+        assertThat(lines).anyMatch(line -> line.matches("\\d+\\.\\d{3},1,x,120\\.0,mm"));
+        assertThat(lines).anyMatch(line -> line.matches("\\d+\\.\\d{3},1,heading,45\\.0,deg"));
+    }
+
+    @Test
+    void pngIsAPictureOfTheChart() throws IOException {
+        window.add("one");
+        plotPose();
+        window.push("Save PNG");
+        window.chooseFile(folder.resolve("plot.png"));
+        window.await("the file", () -> !window.isShowing("files"));
+        assertThat(ImageIO.read(folder.resolve("plot.png").toFile()).getWidth()).isGreaterThan(400);
+    }
+
+    @Test
+    void stopKeysStopTheRobotsInThePlotToo() {
+        ToyBot bot = window.add("one");
+        plotPose();
+        window.press(KeyEvent.VK_F12);
+        window.await("the stop", () -> bot.told.contains("halt"));
+    }
+
+    @Test
+    void closingTheWindowClosesItsPlots() {
+        window.add("one");
+        plotPose();
+        Window plot = window.awaitShowing("plot", JFrame.class);
+        window.run(window.frame::dispose);
+        assertThat(plot.isDisplayable()).isFalse();
+    }
+}
