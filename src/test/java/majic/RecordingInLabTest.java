@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import majic.bot.Parameter;
+import majic.bot.Pose;
 import majic.bot.Value;
 import majic.recorder.Mark;
 import majic.recorder.RecordedHistory;
@@ -140,6 +141,14 @@ class RecordingInLabTest {
         RobotTracks pioneer = recording.tracks().get(1);
         assertThat(pioneer.status("connection", recording.endS())).isEqualTo("lost");
         assertThat(recording.marks(0)).extracting(Mark::kind).contains(Mark.Kind.LOST);
+    }
+
+    @Test
+    void aRobotThatWasPlacedHasThePoseOfTheMap() throws Exception {
+        rig.run("2 set pose 700 300 90");
+        RobotTracks pioneer = closed().tracks().get(1);
+        assertThat(pioneer.origin(pioneer.robot().addedS())).isEqualTo(pioneer.robot().origin());
+        assertThat(pioneer.origin(recorder.seconds())).isEqualTo(Pose.START);
     }
 
     @Test

@@ -75,6 +75,7 @@ final class RobotSampler {
         }
         bot.displayState().forEach((name, text) -> note(lines, Kind.REPORT, name, VisibleText.of(text)));
         note(lines, Kind.STATUS, "connection", bot.connection().name().toLowerCase(Locale.ROOT));
+        note(lines, Kind.STATUS, "placed", bot.placedAt().isPresent() ? "yes" : "");
         note(lines, Kind.STATUS, "owner", owner(member.owner()));
         note(
                 lines,

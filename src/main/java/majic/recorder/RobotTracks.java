@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.bot.Parameter;
+import majic.bot.Pose;
 import majic.bot.Value;
 import majic.recorder.RecordingFormat.Kind;
 
@@ -118,7 +119,7 @@ public final class RobotTracks {
     /**
      * Returns what the team knew of the robot at a time.
      *
-     * @param name {@code connection}, {@code owner}, {@code running} or {@code stop}
+     * @param name {@code connection}, {@code owner}, {@code placed} or {@code stop}
      * @param seconds time of the recording
      * @return the text; empty if there was none
      */
@@ -126,6 +127,26 @@ public final class RobotTracks {
         Track track = status.get(name);
         String text = track == null ? null : track.at(seconds);
         return text == null ? "" : text;
+    }
+
+    /**
+     * Returns where the robot's own frame lay on the map at a time.
+     *
+     * @param seconds time of the recording
+     * @return the frame of the map once a user has placed the robot, until then where it was added
+     */
+    public Pose origin(double seconds) {
+        return isPlaced(seconds) ? Pose.START : robot.origin();
+    }
+
+    /**
+     * Returns whether a user has placed the robot on the map.
+     *
+     * @param seconds time of the recording
+     * @return true from the first time on
+     */
+    public boolean isPlaced(double seconds) {
+        return !status("placed", seconds).isEmpty();
     }
 
     /**

@@ -104,7 +104,7 @@ final class ReplayRobot implements AutoCloseable {
     }
 
     private Pose place(double atS) {
-        return robot().origin().plus(pose(atS));
+        return tracks.origin(atS).plus(pose(atS));
     }
 
     private Pose pose(double atS) {

@@ -165,7 +165,7 @@ public final class ReplayWindow extends JFrame {
             if (robot.isPresent(atS)) {
                 shown.add(robot.onMap(recording, atS));
                 others.remove(robot.robot().inLab());
-                guessed |= robot.robot().inLab().isEmpty();
+                guessed |= robot.robot().inLab().isEmpty() && !robot.tracks().isPlaced(atS);
             }
         }
         return new MapScene(
