@@ -147,7 +147,8 @@ class RecordingInLabTest {
     void aRobotThatWasPlacedHasThePoseOfTheMap() throws Exception {
         rig.run("2 set pose 700 300 90");
         RobotTracks pioneer = closed().tracks().get(1);
-        assertThat(pioneer.origin(pioneer.robot().addedS())).isEqualTo(pioneer.robot().origin());
+        assertThat(pioneer.origin(pioneer.robot().addedS()))
+                .isEqualTo(pioneer.robot().origin());
         assertThat(pioneer.origin(recorder.seconds())).isEqualTo(Pose.START);
     }
 

@@ -1,6 +1,7 @@
 package majic.gui.replay;
 
 import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics;
@@ -23,9 +24,9 @@ final class ReplayBand extends JPanel {
         title.setName("replayBand");
         title.putClientProperty("FlatLaf.styleClass", "h4");
         title.setForeground(ink());
-        JLabel note = new JLabel("No robot is reached from this window; F12 still stops the team.");
+        JLabel note = new JLabel("No robot can be reached from here; STOP keys stop the team.");
         note.setForeground(ink());
-        add(title, "wmin 0");
+        add(title, "wmin pref");
         add(note, "wmin 0");
     }
 
@@ -57,18 +58,20 @@ final class ReplayBand extends JPanel {
         pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         pen.setColor(stripe());
         paintStripes(pen, 0);
-        paintStripes(pen, getWidth() - STRIPES_WIDTH_PX);
+        paintStripes(pen, getWidth() - UIScale.scale(STRIPES_WIDTH_PX));
         pen.dispose();
     }
 
     private void paintStripes(Graphics2D pen, int left) {
-        Graphics2D part = (Graphics2D) pen.create(left, 0, STRIPES_WIDTH_PX, getHeight());
-        for (int x = -getHeight(); x < STRIPES_WIDTH_PX; x += 2 * STRIPE_PX) {
+        int width = UIScale.scale(STRIPES_WIDTH_PX);
+        int stripeWidth = UIScale.scale(STRIPE_PX);
+        Graphics2D part = (Graphics2D) pen.create(left, 0, width, getHeight());
+        for (int x = -getHeight(); x < width; x += 2 * stripeWidth) {
             Path2D stripe = new Path2D.Double();
             stripe.moveTo(x, getHeight());
             stripe.lineTo(x + getHeight(), 0);
-            stripe.lineTo(x + getHeight() + STRIPE_PX, 0);
-            stripe.lineTo(x + STRIPE_PX, getHeight());
+            stripe.lineTo(x + getHeight() + stripeWidth, 0);
+            stripe.lineTo(x + stripeWidth, getHeight());
             stripe.closePath();
             part.fill(stripe);
         }

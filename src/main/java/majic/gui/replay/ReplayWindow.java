@@ -18,6 +18,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import javax.swing.BorderFactory;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -29,6 +30,7 @@ import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.Pose;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.NumberBadge;
 import majic.gui.map.MapScene;
 import majic.gui.map.TeamMap;
 import majic.panel.map.ZoomableMap;
@@ -42,6 +44,7 @@ import majic.text.IoReason;
  */
 public final class ReplayWindow extends JFrame {
     private static final long serialVersionUID = 1L;
+    private static final int BADGE_PX = 18;
 
     private final transient Recording recording;
     private final transient List<ReplayRobot> robots;
@@ -130,7 +133,7 @@ public final class ReplayWindow extends JFrame {
         setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
         setMinimumSize(new Dimension(700, 520));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
-        setSize(Math.min(1200, screen.width), Math.min(780, screen.height));
+        setSize(Math.min(UIScale.scale(1200), screen.width), Math.min(UIScale.scale(780), screen.height));
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
@@ -142,11 +145,12 @@ public final class ReplayWindow extends JFrame {
     private void addTab(ReplayRobot robot) {
         JLabel words = new JLabel(" ");
         words.setName("replayStatus" + robot.robot().number());
+        words.setBorder(BorderFactory.createEmptyBorder(6, 8, 0, 8));
         status.put(robot, words);
         JPanel tab = new JPanel(new BorderLayout(0, 6));
         tab.add(words, BorderLayout.NORTH);
         tab.add(robot.display().component(), BorderLayout.CENTER);
-        panels.addTab(robot.robot().number() + " " + robot.robot().label(), tab);
+        panels.addTab(robot.robot().label(), new NumberBadge(robot.robot().number(), BADGE_PX), tab);
     }
 
     /** Ends the replay. */

@@ -1,7 +1,7 @@
 package majic.gui.replay;
 
 import com.formdev.flatlaf.ui.FlatSliderUI;
-import java.awt.Color;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -130,13 +130,13 @@ final class Timeline extends JSlider {
         @Override
         public Dimension getPreferredSize(JComponent component) {
             Dimension size = super.getPreferredSize(component);
-            return new Dimension(size.width, size.height + MARKS_PX);
+            return new Dimension(size.width, size.height + UIScale.scale(MARKS_PX));
         }
 
         @Override
         protected void calculateTrackRect() {
             super.calculateTrackRect();
-            trackRect.y += MARKS_PX / 2;
+            trackRect.y += UIScale.scale(MARKS_PX) / 2;
         }
 
         @Override
@@ -148,40 +148,48 @@ final class Timeline extends JSlider {
             }
             Graphics2D pen = (Graphics2D) graphics.create();
             DrawingColors.prepare(pen);
-            double y = trackRect.getCenterY() - MARKS_PX;
-            all.forEach(mark -> paint(pen, mark, xPositionForValue(timeline.value(mark)), y));
+            double y = trackRect.getCenterY() - UIScale.scale(MARKS_PX);
+            all.forEach(mark -> paintScaled(pen, mark, xPositionForValue(timeline.value(mark)), y));
             pen.dispose();
         }
 
-        private static void paint(Graphics2D pen, Mark mark, double x, double y) {
-            Color calm = Palette.mixed(0.75);
-            pen.setStroke(DrawingColors.stroke(1.4));
-            switch (sign(mark)) {
+        /** Paints a mark around a point, 8 pixels wide at the normal font size. */
+        private static void paintScaled(Graphics2D pen, Mark mark, double x, double y) {
+            Graphics2D scaled = (Graphics2D) pen.create();
+            scaled.translate(x, y);
+            scaled.scale(UIScale.getUserScaleFactor(), UIScale.getUserScaleFactor());
+            scaled.setStroke(DrawingColors.stroke(1.4));
+            paint(scaled, sign(mark));
+            scaled.dispose();
+        }
+
+        private static void paint(Graphics2D pen, Sign sign) {
+            switch (sign) {
                 case LINE -> {
                     pen.setColor(Palette.command());
-                    pen.draw(new Line2D.Double(x, y - 4, x, y + 5));
+                    pen.draw(new Line2D.Double(0, -4, 0, 5));
                 }
                 case SQUARE -> {
                     pen.setColor(Palette.error());
-                    pen.fill(new Rectangle2D.Double(x - 4, y - 4, 8, 8));
+                    pen.fill(new Rectangle2D.Double(-4, -4, 8, 8));
                 }
                 case TRIANGLE -> {
                     pen.setColor(Palette.error());
-                    pen.fill(triangle(x, y));
+                    pen.fill(triangle());
                 }
                 case RING -> {
-                    pen.setColor(calm);
-                    pen.draw(new Ellipse2D.Double(x - 3, y - 3, 6, 6));
+                    pen.setColor(Palette.mixed(0.75));
+                    pen.draw(new Ellipse2D.Double(-3, -3, 6, 6));
                 }
                 case NONE -> {}
             }
         }
 
-        private static Path2D triangle(double x, double y) {
+        private static Path2D triangle() {
             Path2D shape = new Path2D.Double();
-            shape.moveTo(x - 5, y - 4);
-            shape.lineTo(x + 5, y - 4);
-            shape.lineTo(x, y + 5);
+            shape.moveTo(-5, -4);
+            shape.lineTo(5, -4);
+            shape.lineTo(0, 5);
             shape.closePath();
             return shape;
         }
