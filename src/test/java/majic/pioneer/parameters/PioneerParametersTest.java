@@ -67,7 +67,7 @@ class PioneerParametersTest {
 
         bot.move(300);
 
-        assertThat(refused).singleElement().asString().contains("is in a motion");
+        assertThat(refused).singleElement().asString().contains("is moving");
         assertThat(bot.get("deceleration")).hasToString("500 mm/s²");
     }
 
