@@ -9,8 +9,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class PoseOffset {
     private BotState own = BotState.UNKNOWN;
-    private Pose odometry = Pose.START;
-    private Pose shown = Pose.START;
+    private Pose origin = Pose.START;
     private @Nullable Pose start;
     private boolean reconnected;
 
@@ -21,7 +20,7 @@ final class PoseOffset {
      */
     synchronized BotState reported(BotState state) {
         if (reconnected && start != null) {
-            shift(state.pose(), of(own.pose()));
+            origin = origin.plus(own.pose()).originOf(state.pose());
         }
         reconnected = false;
         own = state;
@@ -35,7 +34,7 @@ final class PoseOffset {
      */
     synchronized BotState place(Pose place) {
         start = place;
-        shift(own.pose(), place);
+        origin = place.originOf(own.pose());
         return shown();
     }
 
@@ -49,25 +48,10 @@ final class PoseOffset {
         reconnected = true;
     }
 
-    private void shift(Pose newOdometry, Pose newShown) {
-        odometry = newOdometry;
-        shown = newShown;
-    }
-
     private BotState shown() {
         return start == null
                 ? own
                 : new BotState(
-                        of(own.pose()), own.speedMmPerSec(), own.turnRateDegPerSec(), own.moving(), own.atNanos());
-    }
-
-    private Pose of(Pose pose) {
-        double turn = Math.toRadians(shown.headingDeg() - odometry.headingDeg());
-        double dx = pose.xMm() - odometry.xMm();
-        double dy = pose.yMm() - odometry.yMm();
-        return new Pose(
-                shown.xMm() + dx * Math.cos(turn) - dy * Math.sin(turn),
-                shown.yMm() + dx * Math.sin(turn) + dy * Math.cos(turn),
-                pose.headingDeg() + shown.headingDeg() - odometry.headingDeg());
+                        origin.plus(own.pose()), own.speedMmPerSec(), own.turnRateDegPerSec(), own.moving(), own.atNanos());
     }
 }
