@@ -88,7 +88,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         this.session = session;
         this.parser = parser;
         this.services = services;
-        commands = new CommandPane(parser);
+        commands = new CommandPane(parser, services);
         plots = new Plots(
                 this,
                 services.settings(),

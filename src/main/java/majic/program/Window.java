@@ -103,7 +103,8 @@ public final class Window {
                 program::quit,
                 program.settings(),
                 program.recordings(),
-                program.recorder().orElse(null));
+                program.recorder().orElse(null),
+                program.folder().file("command-history"));
         return new MajicFrame(program.session(), parser, services);
     }
 

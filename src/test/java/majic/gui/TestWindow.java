@@ -33,6 +33,7 @@ import majic.bot.Settings;
 import majic.gui.kit.EventThreadGuard;
 import majic.gui.kit.ProgramServices;
 import majic.log.SessionLog;
+import majic.recorder.RecordingFolder;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majic.team.BotFactory;
@@ -59,10 +60,12 @@ public final class TestWindow implements AutoCloseable {
     final Session session;
     final MajicParser parser;
     final MajicFrame frame;
+    private final @Nullable Path history;
     private final Robot robot;
     private final EventThreadGuard guard = EventThreadGuard.install();
 
-    private TestWindow(ActCatalog acts, Map<String, String> kept) {
+    private TestWindow(ActCatalog acts, Map<String, String> kept, @Nullable Path history) {
+        this.history = history;
         settings.put("robots.reconnect", "off");
         kept.forEach(settings::put);
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
@@ -75,23 +78,35 @@ public final class TestWindow implements AutoCloseable {
     }
 
     public static TestWindow open() {
-        return new TestWindow(NoActs.here(), Map.of());
+        return new TestWindow(NoActs.here(), Map.of(), null);
     }
 
     /** Opens a window with a setting from an earlier start. */
     static TestWindow openWith(String key, String value) {
-        return new TestWindow(NoActs.here(), Map.of(key, value));
+        return new TestWindow(NoActs.here(), Map.of(key, value), null);
     }
 
     /** Opens a window with the user's own acts. */
-    static TestWindow open(ActCatalog acts) {
-        return new TestWindow(acts, Map.of());
+    public static TestWindow open(ActCatalog acts) {
+        return new TestWindow(acts, Map.of(), null);
+    }
+
+    /** Opens a window that keeps the typed lines in a file. */
+    public static TestWindow withHistory(Path history) {
+        return new TestWindow(NoActs.here(), Map.of(), history);
     }
 
     private MajicFrame makeFrame() {
         MajicFrame.installLook(settings);
         ProgramServices services =
-                new ProgramServices(List::of, () -> factory.useLab(new ToyLab()), this::quit, settings);
+                new ProgramServices(
+                List::of,
+                () -> factory.useLab(new ToyLab()),
+                this::quit,
+                settings,
+                new RecordingFolder(Path.of("no recordings")),
+                null,
+                history);
         return new MajicFrame(session, parser, services);
     }
 
@@ -141,10 +156,14 @@ public final class TestWindow implements AutoCloseable {
         return awaitShowing(title + " dialog", Dialog.class);
     }
 
-    boolean isShowing(String name) {
+    public boolean isShowing(String name) {
         return !robot.finder()
                 .findAll(found -> name.equals(found.getName()) && found.isShowing())
                 .isEmpty();
+    }
+
+    public boolean isStopLatched() {
+        return team.isLatched();
     }
 
     /** Returns whether a window has the keyboard focus. */
@@ -178,6 +197,13 @@ public final class TestWindow implements AutoCloseable {
         robot.waitForIdle();
     }
 
+    /** Dispatches the event of a typed character with a given time, ms since 1970. */
+    public void typeAsOf(long whenMs, String name, char character) {
+        Component component = find(name, Component.class);
+        run(() -> component.dispatchEvent(
+                new KeyEvent(component, KeyEvent.KEY_TYPED, whenMs, 0, KeyEvent.VK_UNDEFINED, character)));
+    }
+
     /** Types a line of commands and presses Enter. */
     public void command(String line) {
         focus("commandLine");
@@ -190,7 +216,7 @@ public final class TestWindow implements AutoCloseable {
         robot.waitForIdle();
     }
 
-    void pressWithCtrl(int keyCode) {
+    public void pressWithCtrl(int keyCode) {
         with(KeyEvent.VK_CONTROL, () -> press(keyCode));
     }
 

@@ -1,7 +1,10 @@
 package majic.gui.command;
 
+import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.ActionEvent;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.Set;
@@ -15,56 +18,94 @@ import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.EventThread;
 import majic.script.MajicParser;
 import majic.script.Refusal;
+import majic.script.help.Completion;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The field where commands are typed. An accepted line is removed; a wrong one stays, is marked, and its error message
- * is shown until the line is changed. Up and Down recall earlier lines, Tab completes. The line can be edited at all
- * times: files that a line names are read on another thread, and if the line is refused because of them it is restored,
- * unless another one is being typed.
+ * The field where commands are typed. An accepted line is removed; a wrong one stays with the wrong word selected and
+ * underlined, and its error message is shown until the line is changed. A popup completes what is typed; Up and Down
+ * recall earlier lines, Ctrl R searches them. The line can be edited at all times: files that a line names are read on
+ * another thread, and if it is refused because of them it returns only if nothing has been typed since.
  */
 public final class CommandLine extends JTextField implements ClosesByEsc {
     private static final long serialVersionUID = 1L;
 
+    /** A key that follows the return of a refused line sooner than this was typed for a new line. */
+    private static final long NEW_LINE_WITHIN_MS = 700;
+
     private final transient MajicParser parser;
     private final transient Consumer<String> hint;
     private final transient History history = new History();
+    private final transient @Nullable HistoryFile file;
     private final transient KeysHeldElsewhere heldKeys = new KeysHeldElsewhere(this);
+    private final transient TypingToLine typing = new TypingToLine(this);
+    private final transient WrongWord wrongWord = new WrongWord(this);
+    private final transient ChoicePopup popup = new ChoicePopup(this, this::use);
+    private final transient LineCompleter completer;
+    private final transient HistorySearch search;
+    private transient PopupUse popupUse;
+    private transient @Nullable RefusedLater refusedLater;
+    private boolean putting;
+    private boolean edited;
+    private boolean editPending;
+    private long newLineUntilMs;
+
+    private record RefusedLater(String line, Refusal why) {}
 
     /**
      * Creates an empty line.
      *
-     * @param hint shows a message, the possible completions, or an empty text
+     * @param file where earlier lines are kept; null if they are not kept
+     * @param hint shows a message, or an empty text
      */
-    CommandLine(MajicParser parser, Consumer<String> hint) {
+    CommandLine(MajicParser parser, @Nullable HistoryFile file, Consumer<String> hint) {
         this.parser = parser;
+        this.file = file;
         this.hint = hint;
+        completer = new LineCompleter(this, parser, popup);
+        search = new HistorySearch(this, history, popup, hint);
+        popupUse = completer;
         setName("commandLine");
         getAccessibleContext().setAccessibleName("Command line");
         putClientProperty("JTextField.placeholderText", "a command, for instance: 1 move 500");
+        putClientProperty("JTextField.selectAllOnFocusPolicy", "never");
         putClientProperty("FlatLaf.styleClass", "monospaced");
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of());
         addActionListener(event -> enter());
-        bind(KeyEvent.VK_UP, "older line", () -> setText(history.older(getText())));
-        bind(KeyEvent.VK_DOWN, "newer line", () -> setText(history.newer(getText())));
-        bind(KeyEvent.VK_TAB, "complete", this::complete);
-        bind(KeyEvent.VK_ESCAPE, "unmark", this::unmark);
-        getDocument().addDocumentListener(new Mending());
+        bind(KeyEvent.VK_UP, 0, "older line", this::up);
+        bind(KeyEvent.VK_DOWN, 0, "newer line", this::down);
+        bind(KeyEvent.VK_TAB, 0, "complete", this::tab);
+        bind(KeyEvent.VK_ESCAPE, 0, "close", this::escape);
+        bind(KeyEvent.VK_R, KeyEvent.CTRL_DOWN_MASK, "search earlier lines", this::searchOrNext);
+        getDocument().addDocumentListener(new Edits());
+        addCaretListener(event -> caretMoved());
+        addFocusListener(new FocusAdapter() {
+            @Override
+            public void focusLost(FocusEvent event) {
+                closePopup();
+            }
+        });
+        if (file != null) {
+            file.read(history::addOlder);
+        }
     }
 
     @Override
     public void addNotify() {
         super.addNotify();
         heldKeys.install();
+        typing.install();
     }
 
     @Override
     public void removeNotify() {
+        typing.remove();
         heldKeys.remove();
         super.removeNotify();
     }
 
-    private void bind(int key, String name, Runnable action) {
-        getInputMap().put(KeyStroke.getKeyStroke(key, 0), name);
+    private void bind(int key, int modifiers, String name, Runnable action) {
+        getInputMap().put(KeyStroke.getKeyStroke(key, modifiers), name);
         getActionMap().put(name, new AbstractAction(name) {
             private static final long serialVersionUID = 1L;
 
@@ -76,97 +117,199 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     }
 
     private void enter() {
-        String line = getText();
-        if (line.isBlank()) {
-            setText("");
-            return;
+        Optional<Completion> chosen = popup.chosen();
+        if (chosen.isPresent()) {
+            use(chosen.get());
+        } else if (popupUse == completer) {
+            run(getText());
         }
-        Optional<Refusal> wrong =
-                parser.submit(line, why -> EventThread.later(() -> refusedLater(line, why.message())));
-        if (wrong.isEmpty()) {
+    }
+
+    private void run(String line) {
+        popupUse.close();
+        edited = false;
+        Optional<Refusal> refusal = line.isBlank()
+                ? Optional.empty()
+                : parser.submit(line, why -> EventThread.later(() -> refusedLater(line, why)));
+        if (refusal.isPresent()) {
+            mark(refusal.get());
+        } else {
+            remember(line);
+            put(new CompletedLine("", 0));
+        }
+    }
+
+    private void remember(String line) {
+        history.add(line);
+        if (file != null && !line.isBlank()) {
+            file.append(line);
+        }
+    }
+
+    /** Brings a line back that was refused after its files were read, unless another one has been begun; Up recalls it then. */
+    private void refusedLater(String line, Refusal why) {
+        if (edited || !getText().isEmpty()) {
             history.add(line);
-            setText("");
+            refusedLater = new RefusedLater(line, why);
+            hint.accept(why.message() + "   Up: the line");
         } else {
-            mark(wrong.get().message());
-        }
-    }
-
-    /** Restores a line that was refused after its files were read; never overwrites what was typed since. */
-    private void refusedLater(String line, String why) {
-        if (getText().isEmpty()) {
-            setText(line);
+            put(new CompletedLine(line, line.length()));
             mark(why);
-        } else {
-            hint.accept(why);
+            newLineUntilMs = System.currentTimeMillis() + NEW_LINE_WITHIN_MS;
         }
     }
 
-    /** Returns whether the line is marked as wrong; Esc removes the mark then. */
+    /** Begins a new line with a key that was typed before the return of a refused line could be noticed. */
+    @Override
+    protected void processKeyEvent(KeyEvent event) {
+        boolean character = !Character.isISOControl(event.getKeyChar()) && !event.isActionKey();
+        if (character && event.getID() == KeyEvent.KEY_TYPED && event.getWhen() < newLineUntilMs) {
+            put(new CompletedLine("", 0));
+        }
+        if (event.getID() == KeyEvent.KEY_TYPED || (!character && event.getID() == KeyEvent.KEY_PRESSED)) {
+            newLineUntilMs = 0;
+        }
+        super.processKeyEvent(event);
+    }
+
+    /** Replaces the text, as the keys of history and completion do. */
+    void put(CompletedLine line) {
+        putting = true;
+        try {
+            unmark();
+            setText(line.text());
+            setCaretPosition(line.caret());
+        } finally {
+            putting = false;
+        }
+    }
+
+    private void up() {
+        if (!popup.move(-1)) {
+            recall(history.older(getText()));
+        }
+    }
+
+    private void down() {
+        if (!popup.move(1)) {
+            recall(history.newer(getText()));
+        }
+    }
+
+    private void recall(String line) {
+        popupUse.close();
+        put(new CompletedLine(line, line.length()));
+        RefusedLater refused = refusedLater;
+        if (refused != null && refused.line().equals(line)) {
+            mark(refused.why());
+        }
+    }
+
+    private void tab() {
+        Optional<Completion> chosen = popup.chosen();
+        if (chosen.isPresent()) {
+            use(chosen.get());
+        } else if (getText().isBlank()) {
+            transferFocus();
+        } else if (popupUse == completer) {
+            completer.tab();
+        }
+    }
+
+    private void searchOrNext() {
+        if (popupUse == search) {
+            popup.move(1);
+        } else {
+            completer.close();
+            unmark();
+            popupUse = search;
+            search.start();
+        }
+    }
+
+    private void use(Completion entry) {
+        PopupUse present = popupUse;
+        popupUse = completer;
+        present.use(entry);
+    }
+
+    private void escape() {
+        if (popup.isShowing()) {
+            closePopup();
+        } else {
+            unmark();
+        }
+    }
+
+    private void closePopup() {
+        PopupUse present = popupUse;
+        popupUse = completer;
+        present.close();
+    }
+
+    /** Returns whether the popup is open or the line is marked as wrong; Esc closes the popup or removes the mark. */
     @Override
     public boolean hasToClose() {
-        return getClientProperty("JComponent.outline") != null;
+        return popup.isShowing() || getClientProperty("JComponent.outline") != null;
     }
 
     /** Removes the mark and its message; the text stays. */
     private void unmark() {
         putClientProperty("JComponent.outline", null);
+        wrongWord.set(0, 0);
         hint.accept("");
     }
 
-    private void mark(String why) {
+    private void mark(Refusal why) {
         putClientProperty("JComponent.outline", "error");
-        hint.accept(why);
+        wrongWord.set(why.from(), why.to());
+        select(why.from(), why.to());
+        hint.accept(why.message());
     }
 
-    private void complete() {
-        if (getText().isBlank()) {
-            transferFocus();
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        super.paintComponent(graphics);
+        wrongWord.paint(graphics);
+    }
+
+    /** Closes the completions when the caret leaves the place for which they were found. */
+    private void caretMoved() {
+        if (!putting && !editPending && popupUse == completer && popup.isShowing()) {
+            completer.close();
+        }
+    }
+
+    private void changed() {
+        if (putting) {
             return;
         }
-        String text = getText();
-        int caret = getCaretPosition();
-        if (!MajicParser.readsFiles(text)) {
-            complete(CompletedLine.complete(
-                    text, caret, parser.complete(text, caret).words()));
-            return;
-        }
-        EventThread.background("reading for the command line", () -> {
-            CompletedLine done = CompletedLine.complete(
-                    text, caret, parser.complete(text, caret).words());
-            EventThread.later(() -> completeIfSame(text, caret, done));
-        });
-    }
-
-    /** Applies the completion unless the text or the caret changed while files were read. */
-    private void completeIfSame(String text, int caret, CompletedLine done) {
-        if (getText().equals(text) && getCaretPosition() == caret) {
-            complete(done);
+        edited = true;
+        unmark();
+        if (!editPending) {
+            editPending = true;
+            EventThread.later(() -> {
+                editPending = false;
+                popupUse.edited();
+            });
         }
     }
 
-    private void complete(CompletedLine done) {
-        if (!done.text().equals(getText())) {
-            setText(done.text());
-        }
-        setCaretPosition(done.caret());
-        hint.accept(String.join("   ", done.choices()));
-    }
-
-    /** Removes the mark as soon as the line is edited. */
-    private final class Mending implements DocumentListener {
+    /** Follows what is typed. */
+    private final class Edits implements DocumentListener {
         @Override
         public void insertUpdate(DocumentEvent event) {
-            unmark();
+            changed();
         }
 
         @Override
         public void removeUpdate(DocumentEvent event) {
-            unmark();
+            changed();
         }
 
         @Override
         public void changedUpdate(DocumentEvent event) {
-            unmark();
+            changed();
         }
     }
 }

@@ -1,12 +1,14 @@
 package majic.gui.command;
 
+import java.nio.file.Path;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.Palette;
+import majic.gui.kit.ProgramServices;
 import majic.script.MajicParser;
 import net.miginfocom.swing.MigLayout;
 
-/** Holds the message area, the command line, and below it the line's error or its possible completions. */
+/** Holds the message area, the command line, and below it the line's error or a hint. */
 public final class CommandPane extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -14,9 +16,15 @@ public final class CommandPane extends JPanel {
     private final JLabel hint = new JLabel();
     private final CommandLine line;
 
-    public CommandPane(MajicParser parser) {
+    /**
+     * Creates an empty pane.
+     *
+     * @param services the settings, and the file of the lines typed earlier
+     */
+    public CommandPane(MajicParser parser, ProgramServices services) {
         super(new MigLayout("insets 0, gap 4 4", "[][grow, fill]", "[grow, fill][][]"));
-        line = new CommandLine(parser, this::showHint);
+        Path history = services.history();
+        line = new CommandLine(parser, history == null ? null : new HistoryFile(history), this::showHint);
         hint.setName("hint");
         hint.putClientProperty("html.disable", true);
         JLabel prompt = new JLabel("Command");
@@ -41,7 +49,10 @@ public final class CommandPane extends JPanel {
     private void showHint(String text) {
         boolean wrong = "error".equals(line == null ? null : line.getClientProperty("JComponent.outline"));
         hint.setForeground(wrong ? Palette.error() : Palette.text());
-        hint.setText(text.isEmpty() ? "Up and Down: earlier commands   Tab: complete   help: all commands" : text);
+        hint.setText(
+                text.isEmpty()
+                        ? "Up and Down: earlier commands   Ctrl R: search them   Tab: complete   help: all commands"
+                        : text);
         hint.setToolTipText(text.isEmpty() ? null : text);
         hint.setEnabled(!text.isEmpty());
     }

@@ -4,38 +4,39 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * The result of completing a line with the Tab key. Immutable.
+ * A line after a word of it was completed. Immutable.
  *
- * @param text the line afterwards
- * @param caret position of the caret afterwards
- * @param choices the words to choose from; empty when there was one or none
+ * @param text the line
+ * @param caret position of the caret
  */
-record CompletedLine(String text, int caret, List<String> choices) {
+record CompletedLine(String text, int caret) {
 
-    /** Completes the word before the caret with the longest common prefix of all candidates. */
-    static CompletedLine complete(String text, int caret, List<String> candidates) {
+    /**
+     * Completes a begun word with the longest common beginning of all candidates; with a single one, with that.
+     *
+     * @param start where the begun word starts
+     * @param caret where it ends
+     */
+    static CompletedLine complete(String text, int start, int caret, List<String> candidates) {
         if (candidates.isEmpty()) {
-            return new CompletedLine(text, caret, List.of());
+            return new CompletedLine(text, caret);
         }
-        int start = wordStart(text, caret);
-        String typed = text.substring(start, caret);
-        boolean one = candidates.size() == 1;
-        String word = one ? candidates.get(0) : commonStart(candidates);
-        if (word.length() < typed.length()) {
-            word = typed;
+        if (candidates.size() == 1) {
+            return with(text, start, caret, candidates.get(0));
         }
-        String tail = text.substring(caret);
-        String gap = one && !tail.startsWith(" ") ? " " : "";
-        String line = text.substring(0, start) + word + gap + tail;
-        return new CompletedLine(line, start + word.length() + gap.length(), one ? List.of() : List.copyOf(candidates));
+        String common = commonStart(candidates);
+        return common.length() < caret - start ? new CompletedLine(text, caret) : put(text, start, caret, common);
     }
 
-    private static int wordStart(String text, int caret) {
-        int start = caret;
-        while (start > 0 && " \t,(.".indexOf(text.charAt(start - 1)) < 0) {
-            start--;
-        }
-        return start;
+    /** Puts a whole word in place of a begun one, and a blank behind it unless the word or the line goes on. */
+    static CompletedLine with(String text, int start, int caret, String word) {
+        boolean ended = word.endsWith(":") || text.startsWith(" ", caret);
+        return put(text, start, caret, ended ? word : word + " ");
+    }
+
+    /** Puts a text in place of a begun word. */
+    static CompletedLine put(String text, int start, int caret, String word) {
+        return new CompletedLine(text.substring(0, start) + word + text.substring(caret), start + word.length());
     }
 
     private static String commonStart(List<String> words) {

@@ -18,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param settings the stored settings
  * @param recordings the recordings of this and earlier sessions
  * @param recorder what records this session; null if it is not recorded
+ * @param history the file of the command line's earlier lines; null if they are not kept
  */
 public record ProgramServices(
         Supplier<List<SerialPortChoice>> serialPorts,
@@ -25,15 +26,16 @@ public record ProgramServices(
         Runnable quit,
         Settings settings,
         RecordingFolder recordings,
-        @Nullable Recorder recorder) {
+        @Nullable Recorder recorder,
+        @Nullable Path history) {
 
-    /** Creates services without a recorder, for tests. */
+    /** Creates services without a recorder and a history, for tests. */
     public ProgramServices(
             Supplier<List<SerialPortChoice>> serialPorts,
             @Nullable Runnable startLab,
             Runnable quit,
             Settings settings) {
-        this(serialPorts, startLab, quit, settings, new RecordingFolder(Path.of("no recordings")), null);
+        this(serialPorts, startLab, quit, settings, new RecordingFolder(Path.of("no recordings")), null, null);
     }
 
     /**

@@ -5,8 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.swing.JList;
+import javax.swing.JTextField;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
+import majic.script.help.Completion;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -53,7 +59,9 @@ class CommandLineWindowTest {
         window.command("1 act Nowhere");
         window.await("the check", () -> window.text("hint").contains("there is no act Nowhere"));
         assertThat(window.text("commandLine")).isEqualTo("1 act Nowhere");
+        assertThat(selected()).isEqualTo("Nowhere");
         window.focus("commandLine");
+        window.press(KeyEvent.VK_END);
         window.type(" ");
         window.await("the line to be mended", () -> window.text("commandLine").equals("1 act Nowhere "));
     }
@@ -97,5 +105,131 @@ class CommandLineWindowTest {
         window.type("1 get cruiseT");
         window.press(KeyEvent.VK_TAB);
         assertThat(window.text("commandLine").strip()).isEqualTo("1 get cruiseTurn");
+    }
+
+    @Test
+    void theWrongWordIsSelectedSoThatTypingReplacesIt() {
+        window.command("1 mvoe 50");
+        assertThat(selected()).isEqualTo("mvoe");
+        window.type("move");
+        assertThat(window.text("commandLine")).isEqualTo("1 move 50");
+    }
+
+    @Test
+    void theWordsThatFitAreShownWhileALineIsTyped() {
+        window.focus("commandLine");
+        window.type("1 set cru");
+        window.await("the completions", () -> choices().contains("cruise"));
+        assertThat(choices()).contains("cruiseTurn");
+    }
+
+    @Test
+    void enterRunsTheLineUnlessAnEntryWasChosen() {
+        window.focus("commandLine");
+        window.type("1 mo");
+        window.await("the completions", () -> choices().contains("move"));
+        window.press(KeyEvent.VK_DOWN);
+        window.press(KeyEvent.VK_ENTER);
+        assertThat(window.text("commandLine")).isEqualTo("1 move ");
+        window.type("50");
+        window.await("the hint", () -> choices().equals(List.of("")));
+        window.press(KeyEvent.VK_ENTER);
+        window.awaitMessage("1 move 50: done");
+        assertThat(window.isShowing("choices")).isFalse();
+    }
+
+    @Test
+    void tabPutsOneCompletionAfterTheOtherIntoTheLine() {
+        window.focus("commandLine");
+        window.type("1 get cr");
+        window.press(KeyEvent.VK_TAB);
+        assertThat(window.text("commandLine")).isEqualTo("1 get cruise");
+        window.press(KeyEvent.VK_TAB);
+        window.press(KeyEvent.VK_TAB);
+        assertThat(window.text("commandLine")).isEqualTo("1 get cruiseTurn");
+        window.press(KeyEvent.VK_ENTER);
+        window.awaitMessage("1 get cruiseTurn");
+    }
+
+    @Test
+    void escClosesTheCompletionsWithoutStopping() {
+        window.focus("commandLine");
+        window.type("1 mo");
+        window.await("the completions", () -> window.isShowing("choices"));
+        window.press(KeyEvent.VK_ESCAPE);
+        assertThat(window.isShowing("choices")).isFalse();
+        assertThat(window.text("commandLine")).isEqualTo("1 mo");
+        assertThat(window.isStopLatched()).isFalse();
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window::isStopLatched);
+    }
+
+    @Test
+    void f12StopsWhileTheCompletionsAreShown() {
+        window.focus("commandLine");
+        window.type("1 mo");
+        window.await("the completions", () -> window.isShowing("choices"));
+        window.press(KeyEvent.VK_F12);
+        window.await("the latch", window::isStopLatched);
+    }
+
+    @Test
+    void earlierLinesAreFoundByAPartOfThemAndTakenWithoutRunning() {
+        window.command("1 move 11");
+        window.command("1 turn 22");
+        window.command("1 move 33");
+        window.pressWithCtrl(KeyEvent.VK_R);
+        window.type("mov");
+        window.await("the lines", () -> choices().equals(List.of("1 move 33", "1 move 11")));
+        window.pressWithCtrl(KeyEvent.VK_R);
+        window.press(KeyEvent.VK_ENTER);
+        assertThat(window.text("commandLine")).isEqualTo("1 move 11");
+        assertThat(bot.told.stream().filter("move 11"::equals)).hasSize(1);
+    }
+
+    @Test
+    void escEndsTheSearchAndBringsTheTypedTextBack() {
+        window.command("1 move 11");
+        window.type("1 tu");
+        window.pressWithCtrl(KeyEvent.VK_R);
+        window.type("x");
+        window.press(KeyEvent.VK_ESCAPE);
+        assertThat(window.text("commandLine")).isEqualTo("1 tu");
+        assertThat(window.isStopLatched()).isFalse();
+    }
+
+    @Test
+    void lettersAndDigitsTypedOnAnotherComponentGoToTheCommandLine() {
+        window.focus("drivePad");
+        window.type("1 move 50");
+        assertThat(window.text("commandLine")).isEqualTo("1 move 50");
+        window.press(KeyEvent.VK_ENTER);
+        window.awaitMessage("1 move 50: done");
+    }
+
+    @Test
+    void lettersTypedOnTheMessagesGoToTheCommandLine() {
+        window.focus("messages");
+        window.type("bots");
+        assertThat(window.text("commandLine")).isEqualTo("bots");
+    }
+
+    private String selected() {
+        JTextField line = window.find("commandLine", JTextField.class);
+        String[] text = new String[1];
+        window.run(() -> text[0] = line.getSelectedText());
+        return text[0];
+    }
+
+    /** Returns the words in the popup; empty while it is hidden. */
+    private List<String> choices() {
+        if (!window.isShowing("choices")) {
+            return List.of();
+        }
+        JList<?> list = window.find("choices", JList.class);
+        List<String> words = new ArrayList<>();
+        window.run(() -> IntStream.range(0, list.getModel().getSize())
+                .forEach(index -> words.add(((Completion) list.getModel().getElementAt(index)).text())));
+        return words;
     }
 }

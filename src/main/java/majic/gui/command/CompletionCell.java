@@ -1,0 +1,98 @@
+package majic.gui.command;
+
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.Toolkit;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import javax.swing.JLabel;
+import javax.swing.JList;
+import javax.swing.ListCellRenderer;
+import javax.swing.UIManager;
+import javax.swing.plaf.basic.BasicGraphicsUtils;
+import majic.gui.kit.Palette;
+import majic.script.help.Completion;
+import org.jspecify.annotations.Nullable;
+
+/** Paints a completion in three columns: the word, what it takes, and its explanation. */
+final class CompletionCell extends JLabel implements ListCellRenderer<Completion> {
+    private static final long serialVersionUID = 1L;
+    private static final int MARGIN = 8;
+    private static final int GAP = 16;
+    private static final int WIDEST_VALUES = 260;
+    private static final int WIDEST = 760;
+
+    private transient Completion entry = new Completion("", "", "");
+    private boolean selected;
+    private int words;
+    private int values;
+
+    /** Sets the widths of the columns and the preferred size, so that the entries fit. */
+    void measure(List<Completion> entries, Font font) {
+        setFont(font);
+        FontMetrics plain = getFontMetrics(font);
+        words = widest(entries, Completion::text, getFontMetrics(font.deriveFont(Font.BOLD)));
+        values = Math.min(WIDEST_VALUES, widest(entries, Completion::values, plain));
+        int explanations = widest(entries, Completion::explanation, plain);
+        int width = 2 * MARGIN + column(words) + column(values) + explanations;
+        setPreferredSize(new Dimension(Math.min(WIDEST, width), plain.getHeight() + 4));
+    }
+
+    private static int widest(List<Completion> entries, Function<Completion, String> column, FontMetrics metrics) {
+        return entries.stream().map(column).mapToInt(metrics::stringWidth).max().orElse(0);
+    }
+
+    private static int column(int width) {
+        return width == 0 ? 0 : width + GAP;
+    }
+
+    @Override
+    public Component getListCellRendererComponent(
+            JList<? extends Completion> list, Completion value, int index, boolean isSelected, boolean hasFocus) {
+        entry = value;
+        selected = isSelected;
+        getAccessibleContext()
+                .setAccessibleName((value.text() + " " + value.values() + " " + value.explanation()).strip());
+        return this;
+    }
+
+    @Override
+    protected void paintComponent(Graphics graphics) {
+        Graphics2D pen = (Graphics2D) graphics.create();
+        useDesktopHints(pen);
+        pen.setColor(UIManager.getColor(selected ? "List.selectionBackground" : "List.background"));
+        pen.fillRect(0, 0, getWidth(), getHeight());
+        Color text = UIManager.getColor(selected ? "List.selectionForeground" : "List.foreground");
+        Color side = selected ? text : Palette.faint();
+        int x = MARGIN;
+        draw(pen, entry.text(), x, words, Font.BOLD, text);
+        x += column(words);
+        draw(pen, entry.values(), x, values, Font.PLAIN, selected ? text : Palette.command());
+        x += column(values);
+        draw(pen, entry.explanation(), x, getWidth() - MARGIN - x, Font.PLAIN, side);
+        pen.dispose();
+    }
+
+    private static void useDesktopHints(Graphics2D pen) {
+        pen.setRenderingHint(RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+        @Nullable Object hints = Toolkit.getDefaultToolkit().getDesktopProperty("awt.font.desktophints");
+        if (hints instanceof Map<?, ?> map) {
+            pen.addRenderingHints(map);
+        }
+    }
+
+    private void draw(Graphics2D pen, String text, int x, int width, int style, Color color) {
+        pen.setFont(getFont().deriveFont(style));
+        pen.setColor(color);
+        FontMetrics metrics = pen.getFontMetrics();
+        String clipped = BasicGraphicsUtils.getClippedString(this, metrics, text, width);
+        BasicGraphicsUtils.drawString(this, pen, clipped, x, 2f + metrics.getAscent());
+    }
+}

@@ -1,0 +1,52 @@
+package majic.gui.command;
+
+import java.util.List;
+import java.util.function.Consumer;
+import majic.script.help.Completion;
+
+/**
+ * Searches the history for lines that contain the typed text. Enter takes the chosen line without running it; Esc
+ * brings the typed text back. Must be used on the event dispatch thread.
+ */
+final class HistorySearch implements PopupUse {
+    private final CommandLine line;
+    private final History history;
+    private final ChoicePopup popup;
+    private final Consumer<String> hint;
+    private String before = "";
+
+    HistorySearch(CommandLine line, History history, ChoicePopup popup, Consumer<String> hint) {
+        this.line = line;
+        this.history = history;
+        this.popup = popup;
+        this.hint = hint;
+    }
+
+    /** Starts with the text that is in the line. */
+    void start() {
+        before = line.getText();
+        edited();
+    }
+
+    @Override
+    public void edited() {
+        List<Completion> found = history.containing(line.getText()).stream()
+                .map(text -> new Completion(text, "", ""))
+                .toList();
+        popup.show(0, found.isEmpty() ? List.of(new Completion("", "", "no earlier command has this text")) : found);
+        popup.choose(found.isEmpty() ? -1 : 0);
+        hint.accept("Earlier commands with this text   Enter: take it   Ctrl R: the next   Esc: back");
+    }
+
+    @Override
+    public void use(Completion entry) {
+        popup.hide();
+        line.put(new CompletedLine(entry.text(), entry.text().length()));
+    }
+
+    @Override
+    public void close() {
+        popup.hide();
+        line.put(new CompletedLine(before, before.length()));
+    }
+}
