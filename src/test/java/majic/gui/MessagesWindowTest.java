@@ -2,8 +2,14 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Point;
+import java.awt.event.KeyEvent;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.swing.JScrollBar;
+import javax.swing.JTextPane;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.Element;
 import majic.gui.command.MessageArea;
 import majic.log.Line;
 import org.junit.jupiter.api.AutoClose;
@@ -51,6 +57,105 @@ class MessagesWindowTest {
         window.run(() -> assertThat(area.getViewport().getView().getWidth())
                 .isLessThanOrEqualTo(area.getViewport().getWidth()));
         window.await("the newest line", this::isBroken);
+    }
+
+    @Test
+    void theAreaStaysWhereItWasScrolledAlthoughTheOldestLinesAreRemoved() {
+        MessageArea area = window.find("messageArea", MessageArea.class);
+        add(area, 0, 2000);
+        window.await("the lines", () -> window.text("messages").endsWith("line 1999"));
+        window.await("the newest line", this::isAtEnd);
+        window.run(() -> bar().setValue(bar().getMaximum() / 2));
+        String before = firstInView();
+        add(area, 2000, 2300);
+        window.await("the lines", () -> window.text("messages").endsWith("line 2299"));
+        assertThat(firstInView()).isEqualTo(before);
+    }
+
+    @Test
+    void aFoundTextIsCountedAndSelectedFromTheNewestOn() {
+        MessageArea area = window.find("messageArea", MessageArea.class);
+        add(area, 0, 30);
+        window.awaitMessage("line 29");
+        window.focus("commandLine");
+        window.pressWithCtrl(KeyEvent.VK_F);
+        window.type("LINE 1");
+        window.await("the count", () -> window.text("foundCount").equals("11 found"));
+        window.press(KeyEvent.VK_ENTER);
+        assertThat(window.text("foundCount")).isEqualTo("11 of 11");
+        assertThat(selection()).isEqualTo("line 1");
+        window.press(KeyEvent.VK_F3);
+        assertThat(window.text("foundCount")).isEqualTo("10 of 11");
+        window.press(KeyEvent.VK_ESCAPE);
+        assertThat(window.text("findMessage")).isEmpty();
+        assertThat(window.team.isLatched()).isFalse();
+        window.type("bots");
+        assertThat(window.text("commandLine")).isEqualTo("bots");
+    }
+
+    @Test
+    void onlyTheMessagesOfOneRobotAreShownAndTheOthersReturn() {
+        window.add("one");
+        window.add("two");
+        window.command("1 move 5");
+        window.command("2 move 5");
+        window.awaitMessage("2 move 5: done");
+        window.click("messageRobots");
+        window.press(KeyEvent.VK_DOWN);
+        window.press(KeyEvent.VK_DOWN);
+        window.press(KeyEvent.VK_ENTER);
+        window.await("the filter", () -> window.text("messageRobots").startsWith("Only robot 1"));
+        assertThat(window.text("messages")).contains("1 move 5: done").doesNotContain("2 move 5");
+        window.click("messageRobots");
+        window.press(KeyEvent.VK_DOWN);
+        window.press(KeyEvent.VK_ENTER);
+        window.awaitMessage("2 move 5: done");
+    }
+
+    @Test
+    void theSizeOfTheTextIsChangedByKeyAndKept() {
+        float usual = fontSize();
+        window.focus("commandLine");
+        window.pressWithCtrl(KeyEvent.VK_PLUS);
+        window.pressWithCtrl(KeyEvent.VK_PLUS);
+        assertThat(fontSize()).isEqualTo(usual + 2);
+        window.await(
+                "the setting",
+                () -> window.settings.get("window.messages.larger").equals(Optional.of("2")));
+        window.pressWithCtrl(KeyEvent.VK_0);
+        assertThat(fontSize()).isEqualTo(usual);
+    }
+
+    private void add(MessageArea area, int from, int to) {
+        IntStream.range(from, to).forEach(index -> area.line(new Line(Line.Kind.NOTICE, "line " + index)));
+    }
+
+    private JTextPane text() {
+        return window.find("messages", JTextPane.class);
+    }
+
+    private float fontSize() {
+        return text().getFont().getSize2D();
+    }
+
+    private String selection() {
+        return text().getSelectedText();
+    }
+
+    private String firstInView() {
+        String[] line = new String[1];
+        window.run(() -> {
+            JTextPane text = text();
+            int top = text.viewToModel2D(new Point(10, text.getVisibleRect().y + 8));
+            Element root = text.getDocument().getDefaultRootElement();
+            Element found = root.getElement(root.getElementIndex(top));
+            try {
+                line[0] = text.getText(found.getStartOffset(), found.getEndOffset() - found.getStartOffset());
+            } catch (BadLocationException e) {
+                throw new AssertionError(e);
+            }
+        });
+        return line[0];
     }
 
     /** Whether the message area needs more than a line of text for what it contains. */

@@ -12,7 +12,7 @@ import net.miginfocom.swing.MigLayout;
 public final class CommandPane extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private final MessageArea messages = new MessageArea();
+    private final MessagePane messages;
     private final JLabel hint = new JLabel();
     private final CommandLine line;
 
@@ -25,6 +25,7 @@ public final class CommandPane extends JPanel {
         super(new MigLayout("insets 0, gap 4 4", "[][grow, fill]", "[grow, fill][][]"));
         Path history = services.history();
         line = new CommandLine(parser, history == null ? null : new HistoryFile(history), this::showHint);
+        messages = new MessagePane(services.settings(), line::requestFocusInWindow);
         hint.setName("hint");
         hint.putClientProperty("html.disable", true);
         JLabel prompt = new JLabel("Command");
@@ -38,7 +39,7 @@ public final class CommandPane extends JPanel {
     }
 
     public MessageArea messages() {
-        return messages;
+        return messages.area();
     }
 
     public CommandLine line() {

@@ -1,54 +1,110 @@
 package majic.gui.command;
 
 import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.geom.Rectangle2D;
+import java.time.LocalTime;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Deque;
 import java.util.List;
-import javax.swing.BorderFactory;
+import java.util.Set;
+import java.util.TreeSet;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
-import javax.swing.JTextPane;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.Position;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.UpdateThrottle;
 import majic.log.Line;
 import majic.log.SessionListener;
 
 /**
- * Shows the lines of the session: the newest one at the bottom, in view unless the area is scrolled up. Lines may
- * arrive from any thread and at any rate; they are shown ten times a second, and the oldest are removed.
+ * Shows the lines of the session that a filter accepts: the newest one at the bottom, in view unless the area is scrolled
+ * up. Lines may arrive from any thread and at any rate; they are shown ten times a second, and the oldest are removed.
  */
 public final class MessageArea extends JScrollPane implements SessionListener {
     private static final long serialVersionUID = 1L;
-    private static final int MOST_WAITING = 2 * MessageDocument.MOST_LINES;
+    private static final int MOST_KEPT = 2 * MessageDocument.MOST_LINES;
 
-    private final transient List<Line> waiting = new ArrayList<>();
+    private final transient List<Message> waiting = new ArrayList<>();
+    private final transient Deque<Message> kept = new ArrayDeque<>();
     private final transient UpdateThrottle throttle = new UpdateThrottle(this::showWaiting);
-    private final transient MessageDocument document = new MessageDocument();
-    private final JTextPane text = new JTextPane();
+    private final MessageText text = new MessageText();
+    private transient MessageDocument document = new MessageDocument(false);
+    private transient MessageFilter filter = MessageFilter.EVERYTHING;
+    private transient Runnable changed = () -> {};
+    private boolean withTimes;
 
     MessageArea() {
-        text.setEditorKit(new WrappingKit());
         text.setDocument(document);
         setViewportView(text);
         setName("messageArea");
-        text.setName("messages");
-        text.setEditable(false);
-        text.setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
-        text.putClientProperty("FlatLaf.styleClass", "monospaced");
-        text.getAccessibleContext().setAccessibleName("Messages");
         setPreferredSize(new Dimension(600, 150));
         setMinimumSize(new Dimension(200, 70));
+    }
+
+    MessageText text() {
+        return text;
+    }
+
+    MessageFilter filter() {
+        return filter;
+    }
+
+    boolean hasTimes() {
+        return withTimes;
+    }
+
+    /** Sets what runs after messages were added or removed, on the event dispatch thread. */
+    void onChange(Runnable listener) {
+        changed = listener;
     }
 
     /** Queues a line for display; callable from any thread. */
     @Override
     public void line(Line line) {
         synchronized (waiting) {
-            if (waiting.size() == MOST_WAITING) {
+            if (waiting.size() == MOST_KEPT) {
                 waiting.subList(0, MessageDocument.MOST_LINES).clear();
             }
-            waiting.add(line);
+            waiting.add(new Message(LocalTime.now(), line));
         }
         throttle.changed();
+    }
+
+    /** Shows the messages that a filter accepts, among them those that were hidden. */
+    void show(MessageFilter accepted) {
+        filter = accepted;
+        showKept();
+    }
+
+    void showTimes(boolean shown) {
+        withTimes = shown;
+        showKept();
+    }
+
+    /** Removes all messages. */
+    void clear() {
+        kept.clear();
+        showKept();
+    }
+
+    /** Returns the numbers of the robots with which messages begin. */
+    Set<Integer> robots() {
+        Set<Integer> robots = new TreeSet<>();
+        kept.forEach(message -> robots.addAll(message.robots()));
+        return robots;
+    }
+
+    /** Returns the message at a place of the text; the document must not be empty. */
+    Message messageAt(int offset) {
+        return document.messageAt(offset);
+    }
+
+    boolean isEmpty() {
+        return document.isEmpty();
     }
 
     /** Updates the colours for the look and feel. */
@@ -71,16 +127,54 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     }
 
     private void showWaiting() {
-        List<Line> lines;
+        List<Message> added;
         synchronized (waiting) {
-            lines = List.copyOf(waiting);
+            added = List.copyOf(waiting);
             waiting.clear();
         }
-        boolean follow = isAtEnd();
-        document.append(lines);
-        if (follow) {
-            EventThread.later(this::toEnd);
+        kept.addAll(added);
+        while (kept.size() > MOST_KEPT) {
+            kept.removeFirst();
         }
+        if (isAtEnd()) {
+            document.append(accepted(added));
+            EventThread.later(this::toEnd);
+        } else {
+            appendAbove(accepted(added));
+        }
+        changed.run();
+    }
+
+    private List<Message> accepted(Collection<Message> messages) {
+        return messages.stream().filter(filter::accepts).toList();
+    }
+
+    /** Appends messages; keeps the text in view at its place although older lines are removed above it. */
+    private void appendAbove(List<Message> added) {
+        Point view = getViewport().getViewPosition();
+        try {
+            Position top = document.createPosition(text.viewToModel2D(view));
+            double before = y(top);
+            document.append(added);
+            validate();
+            double moved = y(top) - before;
+            getViewport().setViewPosition(new Point(view.x, (int) Math.max(0, Math.round(view.y + moved))));
+        } catch (BadLocationException e) {
+            throw new IllegalStateException("the place is in the text", e);
+        }
+    }
+
+    private double y(Position place) throws BadLocationException {
+        Rectangle2D character = text.modelToView2D(place.getOffset());
+        return character == null ? 0 : character.getY();
+    }
+
+    private void showKept() {
+        document = new MessageDocument(withTimes);
+        document.append(accepted(kept));
+        text.setDocument(document);
+        EventThread.later(this::toEnd);
+        changed.run();
     }
 
     private boolean isAtEnd() {

@@ -1,11 +1,11 @@
 package majic.gui.command;
 
 import java.awt.Color;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultStyledDocument;
-import javax.swing.text.Element;
 import javax.swing.text.SimpleAttributeSet;
 import javax.swing.text.Style;
 import javax.swing.text.StyleConstants;
@@ -14,14 +14,23 @@ import majic.gui.kit.Palette;
 import majic.log.Line;
 
 /**
- * The text of the message area: a limited number of lines, each marked by its kind with a sign in front and a colour.
- * Must be used on the event dispatch thread.
+ * The text of the message area: a limited number of messages with one line each, marked by its kind with a sign in front
+ * and a colour. Must be used on the event dispatch thread.
  */
 final class MessageDocument extends DefaultStyledDocument {
     static final int MOST_LINES = 2000;
     private static final long serialVersionUID = 1L;
 
-    MessageDocument() {
+    private final boolean withTimes;
+    private final transient List<Message> messages = new ArrayList<>();
+
+    /**
+     * Creates an empty document.
+     *
+     * @param withTimes whether each line begins with the time of day
+     */
+    MessageDocument(boolean withTimes) {
+        this.withTimes = withTimes;
         for (Line.Kind kind : Line.Kind.values()) {
             Style style = addStyle(kind.name(), getStyle(StyleContext.DEFAULT_STYLE));
             StyleConstants.setBold(style, kind == Line.Kind.COMMAND || kind == Line.Kind.ALARM);
@@ -37,56 +46,57 @@ final class MessageDocument extends DefaultStyledDocument {
         StyleConstants.setBackground(getStyle(Line.Kind.ALARM.name()), Palette.error());
     }
 
-    /** Appends lines; lines that would be removed at once are left out. */
-    void append(List<Line> lines) {
-        List<Line> newest = lines.subList(Math.max(0, lines.size() - MOST_LINES), lines.size());
+    /** Returns the message at a place of the text; the last one behind the end. The document must not be empty. */
+    Message messageAt(int offset) {
+        return messages.get(
+                Math.min(messages.size() - 1, getDefaultRootElement().getElementIndex(offset)));
+    }
+
+    boolean isEmpty() {
+        return messages.isEmpty();
+    }
+
+    /** Appends messages and removes the oldest ones; those that would be removed at once are left out. */
+    void append(List<Message> added) {
+        List<Message> newest = added.subList(Math.max(0, added.size() - MOST_LINES), added.size());
         try {
             for (int from = 0, to; from < newest.size(); from = to) {
                 to = endOfRun(newest, from);
                 appendRun(newest.subList(from, to));
             }
-            forgetOldest();
+            removeOldest();
         } catch (BadLocationException e) {
             throw new IllegalStateException("lines go to the end", e);
         }
     }
 
-    private static int endOfRun(List<Line> lines, int from) {
+    private static int endOfRun(List<Message> added, int from) {
         int to = from + 1;
-        while (to < lines.size() && lines.get(to).kind() == lines.get(from).kind()) {
+        while (to < added.size()
+                && added.get(to).line().kind() == added.get(from).line().kind()) {
             to++;
         }
         return to;
     }
 
     /**
-     * Inserts consecutive lines of one kind as one text, so that the event dispatch thread can handle a click on STOP
-     * during a flood of lines.
+     * Inserts consecutive messages of one kind as one text, so that the event dispatch thread can handle a click on STOP
+     * during a flood of messages.
      */
-    private void appendRun(List<Line> run) throws BadLocationException {
-        Line.Kind kind = run.get(0).kind();
-        String text = run.stream().map(line -> sign(kind) + line.text()).collect(Collectors.joining("\n"));
+    private void appendRun(List<Message> run) throws BadLocationException {
+        String text = run.stream().map(message -> message.text(withTimes)).collect(Collectors.joining("\n"));
         SimpleAttributeSet look = new SimpleAttributeSet();
-        look.setResolveParent(getStyle(kind.name()));
-        insertString(getLength(), getLength() == 0 ? text : "\n" + text, look);
+        look.setResolveParent(getStyle(run.get(0).line().kind().name()));
+        insertString(getLength(), messages.isEmpty() ? text : "\n" + text, look);
+        messages.addAll(run);
     }
 
-    private void forgetOldest() throws BadLocationException {
-        Element root = getDefaultRootElement();
-        int tooMany = root.getElementCount() - MOST_LINES;
+    private void removeOldest() throws BadLocationException {
+        int tooMany = messages.size() - MOST_LINES;
         if (tooMany > 0) {
-            remove(0, root.getElement(tooMany - 1).getEndOffset());
+            remove(0, getDefaultRootElement().getElement(tooMany - 1).getEndOffset());
+            messages.subList(0, tooMany).clear();
         }
-    }
-
-    private static String sign(Line.Kind kind) {
-        return switch (kind) {
-            case COMMAND -> "> ";
-            case ANSWER -> "  ";
-            case NOTICE -> "* ";
-            case FAILURE, ERROR -> "! ";
-            case ALARM -> "\u203c ";
-        };
     }
 
     private static Color color(Line.Kind kind) {

@@ -3,8 +3,10 @@ package majic.gui.command;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
+import java.time.LocalTime;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.StyleConstants;
@@ -13,11 +15,11 @@ import majic.log.Line;
 import org.junit.jupiter.api.Test;
 
 class MessageDocumentTest {
-    private final MessageDocument document = new MessageDocument();
+    private final MessageDocument document = new MessageDocument(false);
 
     @Test
     void kindsDifferBySignAndNotByColourAlone() throws BadLocationException {
-        document.append(List.of(
+        document.append(messages(
                 new Line(Line.Kind.COMMAND, "1 move 5"),
                 new Line(Line.Kind.ANSWER, "1 move 5: done"),
                 new Line(Line.Kind.NOTICE, "1: motors are on"),
@@ -46,7 +48,7 @@ class MessageDocumentTest {
 
     @Test
     void linesThatAreThereFollowAChangeOfTheLook() {
-        document.append(List.of(new Line(Line.Kind.ERROR, "one"), new Line(Line.Kind.ANSWER, "two")));
+        document.append(messages(new Line(Line.Kind.ERROR, "one"), new Line(Line.Kind.ANSWER, "two")));
         StyleConstants.setForeground(document.getStyle(Line.Kind.ERROR.name()), Color.PINK);
         assertThat(colorAt(1)).isEqualTo(Color.PINK);
         assertThat(colorAt(document.getLength() - 1)).isEqualTo(Palette.text());
@@ -54,16 +56,37 @@ class MessageDocumentTest {
 
     @Test
     void anAlarmIsShownOnTheColourOfErrors() {
-        document.append(List.of(new Line(Line.Kind.ALARM, "1: connection lost")));
+        document.append(messages(new Line(Line.Kind.ALARM, "1: connection lost")));
         AttributeSet look = document.getCharacterElement(3).getAttributes();
         assertThat(StyleConstants.getBackground(look)).isEqualTo(Palette.error());
         assertThat(StyleConstants.getForeground(look)).isEqualTo(Palette.paper());
         assertThat(StyleConstants.isBold(look)).isTrue();
     }
 
-    private static List<Line> answers(int first, int last) {
+    @Test
+    void eachLineBeginsWithItsTimeIfWanted() throws BadLocationException {
+        MessageDocument timed = new MessageDocument(true);
+        timed.append(messages(new Line(Line.Kind.ANSWER, "one"), new Line(Line.Kind.NOTICE, "two")));
+        assertThat(timed.getText(0, timed.getLength())).isEqualTo("12:30:05   one\n12:30:05 * two");
+    }
+
+    @Test
+    void aPlaceOfTheTextLeadsToItsMessage() {
+        document.append(answers(1, MessageDocument.MOST_LINES + 3));
+        assertThat(document.messageAt(3).line().text()).isEqualTo("line 4");
+        assertThat(document.messageAt(document.getLength()).line().text()).isEqualTo("line 2003");
+    }
+
+    private static List<Message> messages(Line... lines) {
+        return Stream.of(lines)
+                .map(line -> new Message(LocalTime.of(12, 30, 5), line))
+                .toList();
+    }
+
+    private static List<Message> answers(int first, int last) {
         return IntStream.rangeClosed(first, last)
                 .mapToObj(number -> new Line(Line.Kind.ANSWER, "line " + number))
+                .flatMap(line -> messages(line).stream())
                 .toList();
     }
 

@@ -1,0 +1,188 @@
+package majic.gui.command;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import javax.swing.AbstractAction;
+import javax.swing.JButton;
+import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
+import javax.swing.JLabel;
+import javax.swing.JMenuItem;
+import javax.swing.JPanel;
+import javax.swing.JPopupMenu;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import majic.gui.kit.ClosesByEsc;
+import net.miginfocom.swing.MigLayout;
+
+/** The controls above the messages: which robots and kinds are shown, and the search. */
+final class MessageBar extends JPanel implements ClosesByEsc {
+    private static final long serialVersionUID = 1L;
+
+    private final MessageArea area;
+    private final transient MessageSearch search;
+    private final transient Runnable toCommandLine;
+    private final JButton robots = new JButton();
+    private final JButton kinds = new JButton();
+    private final JTextField find = new JTextField(14);
+    private final JLabel count = new JLabel();
+    private final JButton previous = button("\u2191", "Previous place found (Shift F3)");
+    private final JButton next = button("\u2193", "Next place found (F3)");
+
+    /**
+     * Creates the controls of an area.
+     *
+     * @param toCommandLine gives the focus to the command line
+     */
+    MessageBar(MessageArea area, Runnable toCommandLine) {
+        super(new MigLayout("insets 0, gap 4 0", "[][]push[][60::][][]"));
+        this.area = area;
+        this.toCommandLine = toCommandLine;
+        search = new MessageSearch(area.text());
+        prepare(robots, "messageRobots", "Robots whose messages are shown");
+        prepare(kinds, "messageKinds", "Kinds of messages that are shown");
+        robots.addActionListener(event -> robotMenu().show(robots, 0, robots.getHeight()));
+        kinds.addActionListener(event -> kindMenu().show(kinds, 0, kinds.getHeight()));
+        prepareFind();
+        previous.addActionListener(event -> move(-1));
+        next.addActionListener(event -> move(1));
+        add(robots);
+        add(kinds);
+        add(find, "wmin 60");
+        add(count);
+        add(previous);
+        add(next);
+        update();
+    }
+
+    private static void prepare(JButton button, String name, String purpose) {
+        button.setName(name);
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.setToolTipText(purpose);
+        button.getAccessibleContext().setAccessibleDescription(purpose);
+    }
+
+    private static JButton button(String sign, String purpose) {
+        JButton button = new JButton(sign);
+        button.putClientProperty("JButton.buttonType", "toolBarButton");
+        button.setToolTipText(purpose);
+        button.getAccessibleContext().setAccessibleName(purpose);
+        return button;
+    }
+
+    private void prepareFind() {
+        find.setName("findMessage");
+        find.putClientProperty("JTextField.placeholderText", "Find (Ctrl F)");
+        find.putClientProperty("JTextField.showClearButton", true);
+        find.getAccessibleContext().setAccessibleName("Find in the messages");
+        count.setName("foundCount");
+        find.addActionListener(event -> move(-1));
+        bind(find, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, KeyEvent.SHIFT_DOWN_MASK), () -> move(1));
+        bind(find, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), this::endFind);
+        find.getDocument().addDocumentListener(new DocumentListener() {
+            @Override
+            public void insertUpdate(DocumentEvent event) {
+                findText();
+            }
+
+            @Override
+            public void removeUpdate(DocumentEvent event) {
+                findText();
+            }
+
+            @Override
+            public void changedUpdate(DocumentEvent event) {
+                findText();
+            }
+        });
+    }
+
+    private static void bind(JComponent component, KeyStroke key, Runnable action) {
+        component.getInputMap().put(key, key);
+        component.getActionMap().put(key, new AbstractAction() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+
+    /** Gives the focus to the field for the search. */
+    void startFind() {
+        find.requestFocusInWindow();
+        find.selectAll();
+    }
+
+    private void endFind() {
+        find.setText("");
+        toCommandLine.run();
+    }
+
+    private void findText() {
+        search.find(find.getText());
+        showCount();
+    }
+
+    /** Selects the previous or the next place found. */
+    void move(int step) {
+        search.move(step);
+        showCount();
+    }
+
+    private void showCount() {
+        count.setText(search.count());
+        previous.setEnabled(!find.getText().isEmpty());
+        next.setEnabled(!find.getText().isEmpty());
+    }
+
+    /** Follows a change of the messages or the filter. */
+    void update() {
+        MessageFilter filter = area.filter();
+        robots.setText((filter.robot() == MessageFilter.ALL_ROBOTS ? "All robots" : "Only robot " + filter.robot())
+                + " \u25be");
+        boolean all = filter.shown().size() == MessageFilter.Group.values().length;
+        kinds.setText((all ? "All messages" : "Some messages") + " \u25be");
+        search.repeat();
+        showCount();
+    }
+
+    private JPopupMenu robotMenu() {
+        JPopupMenu menu = new JPopupMenu();
+        SortedSet<Integer> numbers = new TreeSet<>(area.robots());
+        numbers.add(MessageFilter.ALL_ROBOTS);
+        for (int number : numbers) {
+            String label = number == MessageFilter.ALL_ROBOTS ? "All robots" : "Only robot " + number;
+            JCheckBoxMenuItem item = new JCheckBoxMenuItem(label, area.filter().robot() == number);
+            item.addActionListener(event -> area.show(area.filter().forRobot(number)));
+            menu.add(item);
+        }
+        return menu;
+    }
+
+    private JPopupMenu kindMenu() {
+        JPopupMenu menu = new JPopupMenu();
+        for (MessageFilter.Group group : MessageFilter.Group.values()) {
+            JCheckBoxMenuItem item =
+                    new JCheckBoxMenuItem(group.label(), area.filter().shown().contains(group));
+            item.addActionListener(event -> area.show(area.filter().with(group, item.isSelected())));
+            menu.add(item);
+        }
+        JMenuItem note = new JMenuItem("Lost connections and failed stops are always shown");
+        note.setEnabled(false);
+        menu.addSeparator();
+        menu.add(note);
+        return menu;
+    }
+
+    /** Returns true while the search has the focus: Esc ends it. */
+    @Override
+    public boolean hasToClose() {
+        return find.isFocusOwner();
+    }
+}

@@ -1,0 +1,87 @@
+package majic.gui.command;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.InputEvent;
+import java.awt.event.KeyEvent;
+import javax.swing.AbstractAction;
+import javax.swing.JPanel;
+import javax.swing.KeyStroke;
+import majic.bot.Settings;
+import majic.gui.kit.EventThread;
+import net.miginfocom.swing.MigLayout;
+
+/** The messages with their controls and keys. The size of the text and the times of day are kept in the settings. */
+final class MessagePane extends JPanel {
+    private static final long serialVersionUID = 1L;
+    private static final String SIZE = "window.messages.larger";
+    private static final String TIMES = "window.messages.times";
+
+    private final transient Settings settings;
+    private final MessageArea area = new MessageArea();
+    private final MessageBar bar;
+
+    /**
+     * Creates an empty pane.
+     *
+     * @param toCommandLine gives the focus to the command line
+     */
+    MessagePane(Settings settings, Runnable toCommandLine) {
+        super(new MigLayout("insets 0, gap 0 2, wrap 1", "[grow, fill]", "[][grow, fill]"));
+        this.settings = settings;
+        bar = new MessageBar(area, toCommandLine);
+        area.onChange(bar::update);
+        area.text().setComponentPopupMenu(new MessageMenu(area, bar::startFind, this::resize, this::keepTimes));
+        settings.get(SIZE).ifPresent(points -> area.text().setLarger(number(points)));
+        area.showTimes(settings.get(TIMES).filter("yes"::equals).isPresent());
+        add(bar, "wmin 0");
+        add(area, "hmin 0");
+        bind(KeyEvent.VK_F, InputEvent.CTRL_DOWN_MASK, bar::startFind);
+        bind(KeyEvent.VK_F3, 0, () -> bar.move(-1));
+        bind(KeyEvent.VK_F3, InputEvent.SHIFT_DOWN_MASK, () -> bar.move(1));
+        for (int key : new int[] {KeyEvent.VK_PLUS, KeyEvent.VK_EQUALS, KeyEvent.VK_ADD}) {
+            bind(key, InputEvent.CTRL_DOWN_MASK, () -> resize(1));
+        }
+        for (int key : new int[] {KeyEvent.VK_MINUS, KeyEvent.VK_SUBTRACT}) {
+            bind(key, InputEvent.CTRL_DOWN_MASK, () -> resize(-1));
+        }
+        bind(KeyEvent.VK_0, InputEvent.CTRL_DOWN_MASK, () -> resize(0));
+    }
+
+    MessageArea area() {
+        return area;
+    }
+
+    private void bind(int key, int modifiers, Runnable action) {
+        KeyStroke stroke = KeyStroke.getKeyStroke(key, modifiers);
+        getInputMap(WHEN_IN_FOCUSED_WINDOW).put(stroke, stroke);
+        getActionMap().put(stroke, new AbstractAction() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                action.run();
+            }
+        });
+    }
+
+    private void resize(int step) {
+        area.text().setLarger(step == 0 ? 0 : area.text().larger() + step);
+        keep(SIZE, String.valueOf(area.text().larger()));
+    }
+
+    private void keepTimes() {
+        keep(TIMES, area.hasTimes() ? "yes" : "no");
+    }
+
+    private void keep(String key, String value) {
+        EventThread.background("keeping a setting", () -> settings.put(key, value), failed -> {});
+    }
+
+    private static int number(String kept) {
+        try {
+            return Integer.parseInt(kept);
+        } catch (NumberFormatException e) {
+            return 0;
+        }
+    }
+}
