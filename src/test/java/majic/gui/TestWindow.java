@@ -98,8 +98,7 @@ public final class TestWindow implements AutoCloseable {
 
     private MajicFrame makeFrame() {
         MajicFrame.installLook(settings);
-        ProgramServices services =
-                new ProgramServices(
+        ProgramServices services = new ProgramServices(
                 List::of,
                 () -> factory.useLab(new ToyLab()),
                 this::quit,
