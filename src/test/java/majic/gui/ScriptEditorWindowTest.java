@@ -19,6 +19,7 @@ import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JRootPane;
 import javax.swing.JTabbedPane;
+import javax.swing.JTextField;
 import javax.swing.TransferHandler.TransferSupport;
 import majic.gui.kit.FileDrop;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
@@ -322,6 +323,23 @@ class ScriptEditorWindowTest {
                         == Stream.of(Window.getWindows())
                                 .anyMatch(found -> found.isShowing()
                                         && found.getClass().getSimpleName().startsWith("AutoComplete")));
+    }
+
+    @Test
+    void aTextIsFoundAndEscClosesTheBar() throws IOException {
+        ToyBot bot = window.add("one");
+        RSyntaxTextArea area = drop(script("lap.majic", "1 move 30", "1 turn 30", "1 stop"));
+        window.pressWithCtrl(KeyEvent.VK_F);
+        window.awaitShowing("find", JTextField.class);
+        window.focus("find");
+        window.type("30");
+        window.press(KeyEvent.VK_ENTER);
+        window.press(KeyEvent.VK_ENTER);
+        assertThat(window.text("findCount")).isEqualTo("2 found");
+        assertThat(area.getSelectionStart()).isEqualTo(area.getText().lastIndexOf("30"));
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the bar to close", () -> !window.isShowing("find"));
+        assertThat(bot.told).isEmpty();
     }
 
     @Test

@@ -2,6 +2,7 @@ package majic.gui.editor;
 
 import java.awt.Color;
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Font;
 import javax.swing.JLabel;
 import javax.swing.JList;
@@ -18,15 +19,21 @@ import org.fife.ui.autocomplete.CompletionProvider;
 final class CompletionCell extends JPanel implements ListCellRenderer<Object> {
     private static final long serialVersionUID = 1L;
 
-    private final JLabel word = new PlainLabel("completionWord", "");
+    private final JLabel word = new PlainLabel("completionWord", " ");
     private final JLabel values = new PlainLabel("completionValues", "");
     private final JLabel explanation = new PlainLabel("completionExplanation", "");
 
     CompletionCell() {
-        super(new MigLayout("insets 2 6 2 6, gap 10", "[110!][130!][grow, fill]"));
-        add(word, "wmin 0, wmax 110");
-        add(values, "wmin 0, wmax 130");
+        super(new MigLayout("insets 2 6 2 6, gap 10", "[140!][120!][grow, fill]"));
+        add(word, "wmin 0, wmax 140");
+        add(values, "wmin 0, wmax 120");
         add(explanation, "wmin 0");
+    }
+
+    /** Is never wider than the list, so that the list needs no bar. */
+    @Override
+    public Dimension getPreferredSize() {
+        return new Dimension(0, super.getPreferredSize().height);
     }
 
     /** A completion in the list. */

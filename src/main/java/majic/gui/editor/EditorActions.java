@@ -18,6 +18,7 @@ final class EditorActions {
     final IconAction saveAs;
     final IconAction makeAct;
     final IconAction close;
+    final IconAction find;
     final IconAction run;
     final IconAction runSelection;
     final IconAction step;
@@ -43,6 +44,12 @@ final class EditorActions {
         makeAct = new IconAction("Make Act…", "act", "Make an act of the script", window.onTab(window::makeAct));
         close = new IconAction("Close", "quit", "Close the script", window.onTab(tab -> window.close(tab, () -> {})))
                 .withKey(KeyEvent.VK_W);
+        find = new IconAction(
+                        "Find…",
+                        "find",
+                        "Find a text in the script",
+                        window.onTab(tab -> tab.find().open()))
+                .withKey(KeyEvent.VK_F);
         run = running(window, "Run", "run", "Run the script, or go on after a pause", TabRun::run)
                 .withKey(key(KeyEvent.VK_F5, 0));
         runSelection = running(

@@ -90,6 +90,7 @@ record EditorColors(Color paper, Color running, Color next, Map<Integer, Color> 
         area.setSelectedTextColor(UIManager.getColor("TextArea.selectionForeground"));
         area.setUseSelectedTextColor(true);
         area.setCurrentLineHighlightColor(DrawingColors.translucent(Palette.text(), 0.05));
+        area.setMarkAllHighlightColor(next);
         area.setMatchedBracketBGColor(Palette.mixed(0.2));
         area.setMatchedBracketBorderColor(Palette.mixed(0.4));
         gutter.setBackground(paper);

@@ -23,7 +23,7 @@ final class EditorMenu extends JMenuBar {
         file.addSeparator();
         file.add(item(actions.close, 'C'));
         add(file);
-        add(edit());
+        add(edit(actions));
         add(menu(
                 "Run",
                 'R',
@@ -34,7 +34,7 @@ final class EditorMenu extends JMenuBar {
                 item(actions.end, 'E')));
     }
 
-    private static JMenu edit() {
+    private static JMenu edit(EditorActions actions) {
         JMenu edit =
                 menu("Edit", 'E', text(RTextArea.UNDO_ACTION, "Undo", 'U'), text(RTextArea.REDO_ACTION, "Redo", 'R'));
         edit.addSeparator();
@@ -44,6 +44,8 @@ final class EditorMenu extends JMenuBar {
                         text(RTextArea.PASTE_ACTION, "Paste", 'P'),
                         text(RTextArea.SELECT_ALL_ACTION, "Select all", 'A'))
                 .forEach(edit::add);
+        edit.addSeparator();
+        edit.add(item(actions.find, 'F'));
         return edit;
     }
 

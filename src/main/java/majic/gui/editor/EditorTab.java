@@ -20,6 +20,7 @@ final class EditorTab extends JPanel {
 
     private final ScriptArea area;
     private final FileNotice notice = new FileNotice();
+    private final FindBar find;
     private final MistakeList mistakes;
     private final transient BackgroundCheck check;
     private final transient TabFile file;
@@ -38,12 +39,14 @@ final class EditorTab extends JPanel {
         super(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));
         this.changed = changed;
         area = new ScriptArea(runner);
+        find = new FindBar(area.text());
         mistakes = new MistakeList(mistake -> area.goTo(mistake.line(), mistake.column()));
         file = new TabFile(this, context, script, exists);
         run = new TabRun(this, runner);
         check = new BackgroundCheck(runner, this::text, this::show);
         add(notice, "wmin 0");
         add(area, "wmin 0, hmin 0, pushy, growy");
+        add(find, "wmin 0");
         add(mistakes, "wmin 0");
         file.showText();
         area.text().getDocument().addDocumentListener(new Edits());
@@ -57,6 +60,10 @@ final class EditorTab extends JPanel {
 
     FileNotice notice() {
         return notice;
+    }
+
+    FindBar find() {
+        return find;
     }
 
     TabFile file() {

@@ -1,5 +1,6 @@
 package majic.gui.editor;
 
+import java.util.ArrayList;
 import java.util.List;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -16,21 +17,40 @@ import net.miginfocom.swing.MigLayout;
 final class EditorToolbar extends JPanel {
     private static final long serialVersionUID = 1L;
 
+    private static final int COMMANDS_WIDTH = 190;
+
+    private final transient List<JButton> buttons = new ArrayList<>();
     private final JLabel caption = new JLabel("Commands");
     private final JLabel robots = new PlainLabel("scriptRobots", "");
+
+    private int wordsWidth;
 
     EditorToolbar(List<List<IconAction>> groups, StopButton stop) {
         super(new MigLayout("insets 6 8 6 8, gap 0", "", "[52!, fill]"));
         for (List<IconAction> group : groups) {
-            group.forEach(action -> add(button(action), "wmin 56"));
+            for (IconAction action : group) {
+                JButton button = button(action);
+                buttons.add(button);
+                add(button, "wmin pref");
+            }
             add(new JSeparator(SwingConstants.VERTICAL), "gap 6 6, h 36!, aligny center");
         }
         JPanel commands = new JPanel(new MigLayout("insets 0 6 0 6, gap 0, wrap 1, aligny center", "[grow, fill]"));
         commands.add(caption, "wmin 0");
         commands.add(robots, "wmin 0");
-        add(commands, "wmin 0, pushx, growx");
+        add(commands, "w 0:" + COMMANDS_WIDTH + ", pushx, growx");
         add(stop, "w 120!");
         caption.setForeground(Palette.faint());
+    }
+
+    /** Shows the icons alone where there is too little room for all texts. */
+    @Override
+    public void doLayout() {
+        if (!buttons.get(0).getHideActionText()) {
+            wordsWidth = getPreferredSize().width;
+        }
+        buttons.forEach(button -> button.setHideActionText(wordsWidth > getWidth()));
+        super.doLayout();
     }
 
     /** Updates the colours for the look and feel. */
@@ -53,7 +73,14 @@ final class EditorToolbar extends JPanel {
         button.setVerticalTextPosition(SwingConstants.BOTTOM);
         button.setHorizontalTextPosition(SwingConstants.CENTER);
         button.setFocusable(false);
+        nameFor(action, button);
+        action.addPropertyChangeListener(change -> nameFor(action, button));
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         return button;
+    }
+
+    /** Keeps the name for screen readers, also while the button shows its icon alone. */
+    private static void nameFor(IconAction action, JButton button) {
+        button.getAccessibleContext().setAccessibleName((String) action.getValue(IconAction.NAME));
     }
 }

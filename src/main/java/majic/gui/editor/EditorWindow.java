@@ -1,7 +1,10 @@
 package majic.gui.editor;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -64,8 +67,9 @@ public final class EditorWindow extends JFrame {
         place();
         listen();
         setIconImages(near.getIconImages());
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setMinimumSize(new Dimension(640, 400));
-        setSize(1000, 720);
+        setSize(Math.min(UIScale.scale(1000), screen.width), Math.min(UIScale.scale(720), screen.height));
         setLocationRelativeTo(near);
     }
 

@@ -1,5 +1,6 @@
 package majic.gui.editor;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
@@ -21,9 +22,9 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
  */
 final class ScriptCompletion extends CompletionProviderBase {
     private static final int DELAY_MS = 200;
-    private static final int WIDTH = 680;
+    private static final int WIDTH = 720;
     private static final int MOST_ROWS = 9;
-    private static final int FRAME = 4;
+    private static final int FRAME = 16;
     private static final Completions NONE = new Completions(0, List.of());
 
     private final RSyntaxTextArea area;
@@ -54,7 +55,7 @@ final class ScriptCompletion extends CompletionProviderBase {
         @Override
         protected int refreshPopupWindow() {
             int rows = Math.min(MOST_ROWS, getCompletions(area).size());
-            setChoicesWindowSize(WIDTH, rows * cell.getPreferredSize().height + FRAME);
+            setChoicesWindowSize(UIScale.scale(WIDTH), rows * cell.getPreferredSize().height + UIScale.scale(FRAME));
             return super.refreshPopupWindow();
         }
     }

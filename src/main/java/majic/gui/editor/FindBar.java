@@ -1,0 +1,95 @@
+package majic.gui.editor;
+
+import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
+import javax.swing.AbstractAction;
+import javax.swing.JButton;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTextField;
+import javax.swing.KeyStroke;
+import majic.gui.kit.ClosesByEsc;
+import majic.gui.kit.Palette;
+import net.miginfocom.swing.MigLayout;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.fife.ui.rtextarea.SearchContext;
+import org.fife.ui.rtextarea.SearchEngine;
+import org.fife.ui.rtextarea.SearchResult;
+
+/** Finds a text in a script and marks all its places. Hidden until it is asked for; Esc hides it. */
+final class FindBar extends JPanel implements ClosesByEsc {
+    private static final long serialVersionUID = 1L;
+
+    private final RSyntaxTextArea area;
+    private final JTextField field = new JTextField(24);
+    private final JLabel count = new JLabel();
+
+    FindBar(RSyntaxTextArea area) {
+        super(new MigLayout("insets 4 10 4 8, gap 6", "[][][][][grow, fill][]"));
+        this.area = area;
+        JLabel label = new JLabel("Find");
+        label.setLabelFor(field);
+        field.setName("find");
+        field.addActionListener(event -> find(true));
+        field.registerKeyboardAction(
+                event -> find(false),
+                KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, KeyEvent.SHIFT_DOWN_MASK),
+                WHEN_FOCUSED);
+        count.setName("findCount");
+        add(label);
+        add(field);
+        add(button("Previous", () -> find(false)));
+        add(button("Next", () -> find(true)));
+        add(count, "wmin 0");
+        add(button("Close", this::close));
+        getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "close");
+        getActionMap().put("close", new AbstractAction() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public void actionPerformed(ActionEvent event) {
+                close();
+            }
+        });
+        setVisible(false);
+    }
+
+    private static JButton button(String text, Runnable action) {
+        JButton button = new JButton(text);
+        button.setName("find " + text);
+        button.addActionListener(event -> action.run());
+        return button;
+    }
+
+    /** Shows the bar with the text that is selected, ready for another one. */
+    void open() {
+        String selected = area.getSelectedText();
+        if (selected != null && selected.indexOf('\n') < 0) {
+            field.setText(selected);
+        }
+        setVisible(true);
+        field.selectAll();
+        field.requestFocusInWindow();
+    }
+
+    private void close() {
+        setVisible(false);
+        SearchEngine.markAll(area, new SearchContext());
+        area.requestFocusInWindow();
+    }
+
+    @Override
+    public boolean hasToClose() {
+        return isVisible();
+    }
+
+    private void find(boolean forward) {
+        SearchContext context = new SearchContext(field.getText());
+        context.setSearchForward(forward);
+        context.setSearchWrap(true);
+        SearchResult result = SearchEngine.find(area, context);
+        boolean wrong = !result.wasFound() && !field.getText().isEmpty();
+        count.setForeground(wrong ? Palette.error() : Palette.text());
+        count.setText(field.getText().isEmpty() ? "" : wrong ? "Not found" : result.getMarkedCount() + " found");
+    }
+}
