@@ -109,10 +109,11 @@ class_data_archive() {
     echo "$(cache_folder)/majic-$major-$(id -u)-$(echo "$jar" | cksum | tr ' ' -).jsa"
 }
 
-# Makes the class data in the background, for the next start.
+# Makes the class data in the background, for the next start. Nothing is compiled meanwhile: a method that waits for
+# compilation when the archive is written would never be compiled in the programs that use the archive.
 make_class_data() {
     fresh=$archive.$$
-    (nice "$java" "-XX:ArchiveClassesAtExit=$fresh" $native -XX:+UseSerialGC -Xlog:disable -jar "$jar" class-data &&
+    (nice "$java" "-XX:ArchiveClassesAtExit=$fresh" $native -Xint -XX:+UseSerialGC -Xlog:disable -jar "$jar" class-data &&
         mv -f "$fresh" "$archive" || rm -f "$fresh") >/dev/null 2>&1 </dev/null &
 }
 
