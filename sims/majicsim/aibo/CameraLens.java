@@ -1,8 +1,11 @@
 package majicsim.aibo;
 
+import java.util.List;
 import majicsim.world.Body;
 import majicsim.world.Noise;
+import majicsim.world.Pose;
 import majicsim.world.World;
+import org.jspecify.annotations.Nullable;
 
 /** The lens and chip of the camera: makes a picture of the room ahead of the head. */
 final class CameraLens {
@@ -17,6 +20,17 @@ final class CameraLens {
     private final Head head;
     private final Noise noise;
     private final Colours colours;
+    private @Nullable Sight last;
+
+    /** What the chip receives through the lens before exposure, and everything that it depends on. */
+    private record Sight(CameraPose view, List<Pose> bodies, int width, int height, int[] rgb) {
+        boolean isOf(CameraPose newView, List<Pose> newBodies, CameraSettings settings) {
+            return view.equals(newView)
+                    && bodies.equals(newBodies)
+                    && width == settings.width()
+                    && height == settings.height();
+        }
+    }
 
     CameraLens(World world, Body body, Head head, Noise noise) {
         this.world = world;
@@ -27,21 +41,40 @@ final class CameraLens {
     }
 
     Picture take(CameraSettings settings) {
-        CameraPose view = head.view();
-        Scene scene = new Scene(world, body, view.at());
+        int[] seen = sight(settings).rgb();
         double[] exposure = settings.exposure();
-        int width = settings.width();
-        int height = settings.height();
+        int[] rgb = new int[seen.length];
+        for (int i = 0; i < rgb.length; i++) {
+            rgb[i] = exposed(seen[i], exposure, settings.gain());
+        }
+        return new Picture(settings.width(), settings.height(), rgb);
+    }
+
+    /** The room ahead; computed only if the head or a robot has moved since the last picture. */
+    private Sight sight(CameraSettings settings) {
+        CameraPose view = head.view();
+        List<Pose> bodies = world.bodies().stream().map(Body::pose).toList();
+        Sight sight = last;
+        if (sight == null || !sight.isOf(view, bodies, settings)) {
+            int width = settings.width();
+            int height = settings.height();
+            sight = new Sight(view, bodies, width, height, colours(view, width, height));
+            last = sight;
+        }
+        return sight;
+    }
+
+    private int[] colours(CameraPose view, int width, int height) {
+        Scene scene = new Scene(world, body, view.at());
         int[] rgb = new int[width * height];
         for (int row = 0; row < height; row++) {
             double tanUp = TAN_Y * (1 - (2 * row + 1.0) / height);
             for (int column = 0; column < width; column++) {
                 double tanLeft = TAN_X * (1 - (2 * column + 1.0) / width);
-                int seen = colour(scene, view.at(), view.ray(tanLeft, tanUp));
-                rgb[row * width + column] = exposed(seen, exposure, settings.gain());
+                rgb[row * width + column] = colour(scene, view.at(), view.ray(tanLeft, tanUp));
             }
         }
-        return new Picture(width, height, rgb);
+        return rgb;
     }
 
     private int colour(Scene scene, Vector at, Vector ray) {

@@ -1,6 +1,10 @@
 package majicsim.aibo;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBufferInt;
+import java.awt.image.DirectColorModel;
+import java.awt.image.Raster;
+import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -20,8 +24,6 @@ record Picture(int width, int height, int[] rgb) {
 
     /** As JFIF file; bytes are characters of the same number. */
     String jpeg(int factor) {
-        BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
-        image.setRGB(0, 0, width, height, rgb, 0, width);
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
         try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {
@@ -29,13 +31,21 @@ record Picture(int width, int height, int[] rgb) {
             param.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
             param.setCompressionQuality(factor / 100f);
             writer.setOutput(stream);
-            writer.write(null, new IIOImage(image, null, null), param);
+            writer.write(null, new IIOImage(image(), null, null), param);
         } catch (IOException e) {
             throw new UncheckedIOException("cannot write to memory", e);
         } finally {
             writer.dispose();
         }
         return bytes.toString(StandardCharsets.ISO_8859_1);
+    }
+
+    /** The pixels themselves as an image, not a copy. */
+    private BufferedImage image() {
+        DirectColorModel colors = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
+        WritableRaster raster = Raster.createPackedRaster(
+                new DataBufferInt(rgb, rgb.length), width, height, width, colors.getMasks(), null);
+        return new BufferedImage(colors, raster, false, null);
     }
 
     /** Three bytes a pixel: Y, Cb, Cr, all over the whole range of a byte as in JFIF. */

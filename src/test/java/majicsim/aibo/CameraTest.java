@@ -61,6 +61,20 @@ class CameraTest {
     }
 
     @Test
+    void aRobotThatHasMovedIsNoLongerAtItsOldPlaceInThePicture() throws IOException {
+        Body pioneer = Body.box("pioneer", 200, 200, 200, new Pose(1200, 300, 0));
+        bench.world().add(pioneer);
+        assertThat(isRed(picture().getRGB(60, 78))).isTrue();
+
+        pioneer.place(new Pose(1200, -300, 0));
+        client.ask("noop; noop;");
+
+        BufferedImage image = picture();
+        assertThat(isRed(image.getRGB(60, 78))).isFalse();
+        assertThat(isRed(image.getRGB(150, 78))).isTrue();
+    }
+
+    @Test
     void whatIsSeenGoesRightWhenTheHeadGoesLeft() throws IOException {
         bench.world().add(Body.box("pioneer", 200, 200, 200, new Pose(1500, 0, 0)));
         int before = redMiddle(picture());
