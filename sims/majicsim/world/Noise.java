@@ -32,7 +32,7 @@ public final class Noise {
      * @return a new source at its beginning
      */
     public static Noise seeded(long seed) {
-        return new Noise(seed, new Random(mixed(seed)));
+        return new Noise(seed, new UnsharedRandom(mixed(seed)));
     }
 
     /**
@@ -101,5 +101,30 @@ public final class Noise {
         z = (z ^ (z >>> 30)) * 0xBF58476D1CE4E5B9L;
         z = (z ^ (z >>> 27)) * 0x94D049BB133111EBL;
         return z ^ (z >>> 31);
+    }
+
+    /** Draws the same numbers as {@link Random}, without its protection against other threads: callers hold the lab's lock. */
+    private static final class UnsharedRandom extends Random {
+        private static final long serialVersionUID = 1;
+        private static final long MULTIPLIER = 0x5DEECE66DL;
+        private static final long MASK = (1L << 48) - 1;
+
+        private long state;
+
+        UnsharedRandom(long seed) {
+            super(seed);
+        }
+
+        @Override
+        public void setSeed(long seed) {
+            super.setSeed(seed);
+            state = (seed ^ MULTIPLIER) & MASK;
+        }
+
+        @Override
+        protected int next(int bits) {
+            state = (state * MULTIPLIER + 0xB) & MASK;
+            return (int) (state >>> (48 - bits));
+        }
     }
 }
