@@ -58,6 +58,10 @@ public interface Pacing {
     static Pacing scaled(double speed) {
         return new Pacing() {
             private static final long MOST_BEHIND_NANOS = 200_000_000;
+
+            /** Steps due within so much lab time are taken together, because each waking takes longer than a step. */
+            private static final long TOGETHER_NANOS = 12_000_000;
+
             private long originNanos = System.nanoTime();
 
             @Override
@@ -65,7 +69,7 @@ public interface Pacing {
                 long due = originNanos + (long) (nowNanos / speed);
                 long ahead = due - System.nanoTime();
                 if (ahead > 0) {
-                    LockSupport.parkNanos(ahead);
+                    LockSupport.parkNanos(Math.max(ahead, (long) (TOGETHER_NANOS / speed)));
                     return System.nanoTime() >= due;
                 }
                 if (-ahead > MOST_BEHIND_NANOS) {
