@@ -129,6 +129,12 @@ public final class ReadingsPanel<S> extends JPanel {
         keys.update();
     }
 
+    /** Its size does not depend on the values shown, so a new value needs no new layout of the window. */
+    @Override
+    public boolean isValidateRoot() {
+        return true;
+    }
+
     /** Returns its height within an area of this size; 0 if the area is too small for it. */
     int heightWithin(int width, int height) {
         Dimension least = getMinimumSize();

@@ -105,6 +105,6 @@ public final class AiboPanel extends RefreshingPanel {
         readings.show(bot, connected);
         banner.show(staleness(), false);
         drawing.setEnabled(connected);
-        drawing.repaint();
+        drawing.refresh();
     }
 }

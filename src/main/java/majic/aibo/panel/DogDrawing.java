@@ -1,11 +1,19 @@
 package majic.aibo.panel;
 
+import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
 import majic.aibo.body.DogState;
+import majic.aibo.body.LedNames;
+import majic.aibo.body.Sensor;
 import majic.panel.DrawingColors;
 
 /**
@@ -28,7 +36,12 @@ final class DogDrawing extends JPanel {
     private static final double NOSE_MM = 104;
     private static final double BEHIND_HEAD_MM = 270;
 
+    /** The distances alone do not change the figure, and the others are not drawn. */
+    private static final Set<Sensor> FIGURE = EnumSet.complementOf(
+            EnumSet.of(Sensor.NEAR, Sensor.FAR, Sensor.CHEST, Sensor.LEG_LOAD, Sensor.CHARGE, Sensor.POSTURE));
+
     private final transient DogState dog;
+    private transient List<Object> painted = List.of();
 
     DogDrawing(DogState dog) {
         this.dog = dog;
@@ -37,44 +50,80 @@ final class DogDrawing extends JPanel {
         setToolTipText("Rings: how far the infra-red sensors see. Blue pads are pressed, blue paws on the ground.");
     }
 
+    /** The areas of the three views. */
+    private record Views(Rectangle side, Rectangle above, Rectangle face) {}
+
+    /** Paints the views anew that have changed since the last call. */
+    void refresh() {
+        List<Object> now = figure();
+        if (!now.equals(painted)) {
+            painted = now;
+            repaint();
+        } else {
+            repaint(views().above());
+        }
+    }
+
+    /** Returns everything that the figure depends on; the view from above also has the beams of the distance sensors. */
+    private List<Object> figure() {
+        Stream<Object> senses = FIGURE.stream().map(dog.senses()::number);
+        Stream<Object> leds = LedNames.all().stream().map(dog.leds()::amount);
+        return Stream.concat(Stream.of(isEnabled()), Stream.concat(senses, leds))
+                .toList();
+    }
+
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D pen = (Graphics2D) graphics.create();
         DrawingColors.prepare(pen);
+        Views views = views();
+        paint(pen, views.side(), this::paintSide);
+        paint(pen, views.above(), this::paintAbove);
+        paint(pen, views.face(), this::paintFace);
+        pen.dispose();
+    }
+
+    private static void paint(Graphics2D pen, Rectangle view, BiConsumer<Graphics2D, Dimension> painter) {
+        if (pen.hitClip(view.x, view.y, view.width, view.height)) {
+            Graphics2D part = (Graphics2D) pen.create(view.x, view.y, view.width, view.height);
+            painter.accept(part, view.getSize());
+            part.dispose();
+        }
+    }
+
+    private Views views() {
         int width = getWidth();
         int height = getHeight();
         if (width > WIDE * height) {
             int each = (int) (0.36 * width);
-            paintSide(part(pen, new Rectangle(0, 0, each, height)));
-            paintAbove(part(pen, new Rectangle(each, 0, each, height)));
-            paintFace(part(pen, new Rectangle(2 * each, 0, width - 2 * each, height)));
-        } else if (height > NARROW * width) {
+            return new Views(
+                    new Rectangle(0, 0, each, height),
+                    new Rectangle(each, 0, each, height),
+                    new Rectangle(2 * each, 0, width - 2 * each, height));
+        }
+        if (height > NARROW * width) {
             int side = (int) (0.35 * height);
             int face = (int) (0.26 * height);
-            paintSide(part(pen, new Rectangle(0, 0, width, side)));
-            paintAbove(part(pen, new Rectangle(0, side, width, height - side - face)));
-            paintFace(part(pen, new Rectangle(0, height - face, width, face)));
-        } else {
-            int side = (int) (0.46 * height);
-            int above = (int) (0.6 * width);
-            paintSide(part(pen, new Rectangle(0, 0, width, side)));
-            paintAbove(part(pen, new Rectangle(0, side, above, height - side)));
-            paintFace(part(pen, new Rectangle(above, side, width - above, height - side)));
+            return new Views(
+                    new Rectangle(0, 0, width, side),
+                    new Rectangle(0, side, width, height - side - face),
+                    new Rectangle(0, height - face, width, face));
         }
-        pen.dispose();
-    }
-
-    private static Graphics2D part(Graphics2D pen, Rectangle room) {
-        return (Graphics2D) pen.create(room.x, room.y, room.width, room.height);
+        int side = (int) (0.46 * height);
+        int above = (int) (0.6 * width);
+        return new Views(
+                new Rectangle(0, 0, width, side),
+                new Rectangle(0, side, above, height - side),
+                new Rectangle(above, side, width - above, height - side));
     }
 
     private DrawingColors colors() {
         return isEnabled() ? DrawingColors.current() : DrawingColors.current().faded();
     }
 
-    private void paintSide(Graphics2D pen) {
-        double width = pen.getClipBounds().getWidth();
-        double height = pen.getClipBounds().getHeight();
+    private void paintSide(Graphics2D pen, Dimension room) {
+        double width = room.getWidth();
+        double height = room.getHeight();
         double length = FigureDrawing.AHEAD_MM + FigureDrawing.REAR_MM;
         double scale = Math.min(width / length, height / (FigureDrawing.HIGH_MM + 16));
         pen.translate(width / 2 + (FigureDrawing.REAR_MM - length / 2) * scale, height - 10 * scale);
@@ -83,12 +132,11 @@ final class DogDrawing extends JPanel {
         pen.setStroke(DrawingColors.stroke(2.5));
         pen.draw(new Line2D.Double(-FigureDrawing.REAR_MM, 0, FigureDrawing.AHEAD_MM, 0));
         new FigureDrawing(dog, Projection.SIDE, colors(), isEnabled()).paint(pen);
-        pen.dispose();
     }
 
-    private void paintAbove(Graphics2D pen) {
-        double width = pen.getClipBounds().getWidth();
-        double height = pen.getClipBounds().getHeight();
+    private void paintAbove(Graphics2D pen, Dimension room) {
+        double width = room.getWidth();
+        double height = room.getHeight();
         double size = Math.min(width, height);
         double scale = HEAD_AT * size / BEHIND_HEAD_MM;
         pen.translate(width / 2, (height + size) / 2 - HEAD_AT * size);
@@ -97,17 +145,15 @@ final class DogDrawing extends JPanel {
         FigureDrawing figure = new FigureDrawing(dog, Projection.ABOVE, colors(), isEnabled());
         pen.translate(0, -figure.skeleton().neckFoot().x());
         figure.paint(pen);
-        pen.dispose();
     }
 
-    private void paintFace(Graphics2D pen) {
-        double width = pen.getClipBounds().getWidth();
-        double height = pen.getClipBounds().getHeight();
+    private void paintFace(Graphics2D pen, Dimension room) {
+        double width = room.getWidth();
+        double height = room.getHeight();
         double tall = FaceDrawing.TOP_MM + FaceDrawing.FOOT_MM;
         double scale = 0.9 * Math.min(width / (2 * FaceDrawing.HALF_WIDTH_MM), height / tall);
         pen.translate(width / 2, (height - scale * tall) / 2 + scale * FaceDrawing.TOP_MM);
         pen.scale(scale, -scale);
         new FaceDrawing(dog, colors(), isEnabled()).paint(pen);
-        pen.dispose();
     }
 }
