@@ -36,7 +36,7 @@ final class ChoicePopup {
     private final JTextComponent field;
     private final DefaultListModel<Completion> entries = new DefaultListModel<>();
     private final JList<Completion> list = new JList<>(entries);
-    private final CompletionCell cell = new CompletionCell();
+    private final ChoiceCell cell = new ChoiceCell();
     private @Nullable JWindow window;
     private boolean chosen;
 

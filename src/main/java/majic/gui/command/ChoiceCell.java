@@ -22,7 +22,7 @@ import majic.script.help.Completion;
 import org.jspecify.annotations.Nullable;
 
 /** Paints a completion in three columns: the word, what it takes, and its explanation. */
-final class CompletionCell extends JLabel implements ListCellRenderer<Completion> {
+final class ChoiceCell extends JLabel implements ListCellRenderer<Completion> {
     private static final long serialVersionUID = 1L;
     private static final int MARGIN = 8;
     private static final int GAP = 16;
