@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Stream;
+import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
@@ -23,10 +24,10 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import majic.PictureWindow.Settled;
-import majic.bot.BotType;
 import majic.gui.MajicFrame;
 import majic.gui.editor.EditorContext;
 import majic.gui.editor.EditorWindow;
+import majic.gui.replay.ReplayServices;
 import majic.gui.replay.ReplayWindow;
 import majic.program.Program;
 import majic.program.UserFolder;
@@ -126,9 +127,7 @@ class Screenshots {
 
     /** Steps through a script, so that one line runs and the next one waits. */
     private static void editor(Program program, MajicFrame frame, Path file) throws Exception {
-        Files.writeString(
-                file,
-                """
+        Files.writeString(file, """
                 # Two robots side by side; the Hemisson follows at the end.
                 repeat 4
                   1,2 move 300mm
@@ -179,8 +178,9 @@ class Screenshots {
                 .max()
                 .orElseThrow();
         Path file = program.recordings().files().get(0);
-        List<BotType> types = program.session().factory().types();
-        SwingUtilities.invokeAndWait(() -> ReplayWindow.open(frame, file, types, () -> {}, Assertions::fail));
+        ReplayServices services = new ReplayServices(
+                program.settings(), program.session().factory().types(), JButton::new);
+        SwingUtilities.invokeAndWait(() -> ReplayWindow.open(frame, file, services, () -> {}, Assertions::fail));
         awaitWindow(() -> replayWindow() != null);
         JFrame replay = Objects.requireNonNull(replayWindow());
         awaitWindow(new Settled());

@@ -21,6 +21,7 @@ import majic.gui.kit.PictureDialog;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
 import majic.gui.replay.RecordingsDialog;
+import majic.gui.replay.ReplayServices;
 import majic.gui.start.Tour;
 import majic.panel.PictureView;
 import majic.script.Session;
@@ -145,9 +146,11 @@ final class FrameDialogs {
     }
 
     void openRecording() {
-        open(
-                "Open Recording",
-                () -> new RecordingsDialog(frame, services, session.factory().types()));
+        open("Open Recording", () -> new RecordingsDialog(frame, services.recordings(), replays()));
+    }
+
+    private ReplayServices replays() {
+        return new ReplayServices(services.settings(), session.factory().types(), frame::stopButton);
     }
 
     private void save(String title, String suggestion, String command) {

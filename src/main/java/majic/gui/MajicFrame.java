@@ -93,7 +93,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                 this,
                 services.settings(),
                 () -> new LiveSource(session.team(), history(services.recorder())),
-                () -> new StopButton(session.team(), this::stopAll));
+                this::stopButton);
         reconnect = new FrameReconnect(session.team(), services.settings(), this::attemptsChanged);
         parser.useDefaultRobots(selection::numbers);
         dialogs = new FrameDialogs(this, session, services, selection, channel);
@@ -180,6 +180,11 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                 quit();
             }
         });
+    }
+
+    /** Makes the STOP button of a window beside this one. */
+    StopButton stopButton() {
+        return new StopButton(session.team(), this::stopAll);
     }
 
     private void stopAll() {

@@ -8,11 +8,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.swing.JButton;
+import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
 import javax.swing.JTable;
+import javax.swing.SwingUtilities;
 import majic.bot.Pose;
+import majic.gui.replay.ReplayServices;
 import majic.gui.replay.ReplayWindow;
+import majic.panel.PlotHost;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;
 import org.junit.jupiter.api.AutoClose;
@@ -49,7 +53,8 @@ class ReplayWindowTest {
     }
 
     private void open(Path file) {
-        window.run(() -> ReplayWindow.open(window.frame, file, List.of(window.type), () -> {}, problems::add));
+        ReplayServices services = new ReplayServices(window.settings, List.of(window.type), window.frame::stopButton);
+        window.run(() -> ReplayWindow.open(window.frame, file, services, () -> {}, problems::add));
     }
 
     private void moveTo(int percent) {
@@ -103,6 +108,19 @@ class ReplayWindowTest {
         window.press(KeyEvent.VK_F12);
         window.await("the stop of the robot", () -> toy.told.contains("halt"));
         assertThat(window.team.isLatched()).isTrue();
+    }
+
+    @Test
+    void aReadingOfAReplayOpensAPlotOfTheRecording() throws Exception {
+        open(recorded());
+        JTable readings = window.awaitShowing("readings", JTable.class);
+        moveTo(100);
+        window.await("the last place", () -> reading("x").equals("250 mm"));
+        PlotHost host = (PlotHost) SwingUtilities.getAncestorOfClass(PlotHost.class, readings);
+        window.run(() -> host.plot(List.of("x"), false));
+        JFrame plot = window.awaitShowing("plot", JFrame.class);
+        assertThat(plot.getTitle()).isEqualTo("Plot of a REPLAY: 1 x");
+        window.await("the stop button", () -> window.isShowing("smallStop"));
     }
 
     @Test

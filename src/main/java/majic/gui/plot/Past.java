@@ -44,27 +44,32 @@ final class Past {
         thread.execute(() -> {
             try {
                 double offset = now.getAsDouble() - history.endS();
-                if (quantity.index() == Quantity.WHOLE) {
-                    samples.addPast(points(quantity).moved(offset));
-                }
-                marks.replace(marks(offset), history.endS() + offset);
+                samples.addPast(
+                        points(history, quantity, added(quantity.robot())).moved(offset));
+                marks.replace(marks(history, offset), history.endS() + offset);
             } catch (IOException e) {
                 LOG.log(Level.WARNING, "what was recorded before a plot was opened cannot be read", e);
             }
         });
     }
 
-    private Points points(Quantity quantity) throws IOException {
-        double added = history.robots().stream()
-                .filter(robot -> robot.number() == quantity.robot())
+    /** The time since which the robot with a number is in the team. */
+    private double added(int number) throws IOException {
+        return history.robots().stream()
+                .filter(robot -> robot.number() == number)
                 .mapToDouble(RecordedRobot::addedS)
                 .max()
                 .orElse(0);
-        Series series = history.series(quantity.robot(), quantity.parameter(), added);
+    }
+
+    /** The recorded readings of a quantity from a time on. */
+    static Points points(RecordedHistory history, Quantity quantity, double fromS) throws IOException {
+        Series series = history.series(quantity.robot(), quantity.name(), fromS);
         return Points.ofChanges(series.seconds(), series.values(), PERIOD_S);
     }
 
-    private List<PlotMark> marks(double offset) throws IOException {
+    /** The recorded marks, at times moved by an offset. */
+    static List<PlotMark> marks(RecordedHistory history, double offset) throws IOException {
         return history.marks(0).stream()
                 .filter(Past::isShown)
                 .map(mark -> new PlotMark(

@@ -38,6 +38,11 @@ public interface PlotSource {
     /** Returns the present time, seconds. */
     double now();
 
+    /** Returns whether the readings come from a recording, so that plots are marked as those of a replay. */
+    default boolean isReplay() {
+        return false;
+    }
+
     /** Returns the marks within a span of time, oldest first. */
     List<PlotMark> marks(double from, double to);
 

@@ -130,13 +130,14 @@ final class PlotWindow extends JFrame {
         setTitle(title(model.curves()));
     }
 
-    private static String title(List<Curve> curves) {
+    private String title(List<Curve> curves) {
         String names = curves.stream()
                 .limit(MOST_IN_TITLE)
                 .map(curve -> curve.quantity().robot() + " " + curve.quantity().name())
                 .collect(Collectors.joining(", "));
         String more = curves.size() > MOST_IN_TITLE ? ", …" : "";
-        return names.isEmpty() ? "Plot" : "Plot: " + names + more;
+        String of = model.source().isReplay() ? "Plot of a REPLAY" : "Plot";
+        return names.isEmpty() ? of : of + ": " + names + more;
     }
 
     void addCurves() {

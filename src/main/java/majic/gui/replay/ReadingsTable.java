@@ -10,6 +10,7 @@ import javax.swing.table.AbstractTableModel;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.ReplayDisplay;
+import majic.panel.PlotLink;
 
 /** Shows all recorded parameters of a robot that has no panel for replays. */
 final class ReadingsTable implements ReplayDisplay {
@@ -22,6 +23,7 @@ final class ReadingsTable implements ReplayDisplay {
         table.setName("readings");
         table.setFillsViewportHeight(true);
         table.getAccessibleContext().setAccessibleName("recorded readings");
+        PlotLink.install(table, List.of(), point -> readings.nameAt(table.rowAtPoint(point)));
         pane = new JScrollPane(table);
     }
 
@@ -49,6 +51,10 @@ final class ReadingsTable implements ReplayDisplay {
             this.bot = bot;
             this.parameters =
                     bot.parameters().stream().filter(Parameter::readable).toList();
+        }
+
+        List<String> nameAt(int row) {
+            return row < 0 ? List.of() : List.of(parameters.get(row).name());
         }
 
         void refresh() {

@@ -18,12 +18,10 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import majic.bot.BotType;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
-import majic.gui.kit.ProgramServices;
 import majic.recorder.RecordingFolder;
 import majic.recorder.RecordingHead;
 import net.miginfocom.swing.MigLayout;
@@ -34,8 +32,7 @@ public final class RecordingsDialog extends MajicDialog {
     private static final Logger LOG = System.getLogger(RecordingsDialog.class.getName());
     private static final double MEGABYTE = 1e6;
 
-    private final transient ProgramServices services;
-    private final transient List<BotType> types;
+    private final transient ReplayServices services;
     private final JList<Entry> list = new JList<>();
     private final Paragraph problem = new Paragraph("recordingProblem", 2, 40);
     private final JButton open = button("Open", this::openSelected);
@@ -52,13 +49,12 @@ public final class RecordingsDialog extends MajicDialog {
      * Creates the dialog; it lists the recordings as soon as they are found.
      *
      * @param owner the window beside which recordings are opened
-     * @param services where the recordings are
-     * @param types the types of robots of which panels can be shown
+     * @param folder where the recordings are
+     * @param services what a replay needs
      */
-    public RecordingsDialog(Window owner, ProgramServices services, List<BotType> types) {
+    public RecordingsDialog(Window owner, RecordingFolder folder, ReplayServices services) {
         super(owner, "Open Recording");
         this.services = services;
-        this.types = types;
         JLabel title = new JLabel("Recordings, the newest first");
         title.setLabelFor(list);
         title.setDisplayedMnemonic('R');
@@ -81,7 +77,6 @@ public final class RecordingsDialog extends MajicDialog {
         problem.setVisible(false);
         open.setEnabled(false);
         fill(content, open, button("Other File…", this::chooseFile), closing("Cancel"));
-        RecordingFolder folder = services.recordings();
         EventThread.background(
                 "listing recordings",
                 () -> {
@@ -142,7 +137,7 @@ public final class RecordingsDialog extends MajicDialog {
 
     private void open(Path file) {
         open.setEnabled(false);
-        ReplayWindow.open(getOwner(), file, types, this::dispose, this::showProblem);
+        ReplayWindow.open(getOwner(), file, services, this::dispose, this::showProblem);
     }
 
     private void showProblem(String reason) {

@@ -27,14 +27,17 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.WindowConstants;
 import majic.bot.BotException;
-import majic.bot.BotType;
 import majic.bot.Pose;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.NumberBadge;
+import majic.gui.kit.PictureDialog;
 import majic.gui.map.MapScene;
 import majic.gui.map.TeamMap;
+import majic.gui.plot.Plots;
+import majic.gui.plot.RecordedSource;
+import majic.panel.PictureView;
+import majic.panel.PictureViewer;
 import majic.panel.map.ZoomableMap;
-import majic.recorder.RecordedRobot;
 import majic.recorder.Recording;
 import majic.text.IoReason;
 
@@ -42,11 +45,12 @@ import majic.text.IoReason;
  * Replays one file of a recording: the map of the team, the panels of its robots, the lines of the session, and the
  * time slider. Must be used on the event dispatch thread.
  */
-public final class ReplayWindow extends JFrame {
+public final class ReplayWindow extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
     private static final int BADGE_PX = 18;
 
     private final transient Recording recording;
+    private final transient ReplayServices services;
     private final transient List<ReplayRobot> robots;
     private final transient ReplayPlayer player;
     private final TeamMap map = new TeamMap();
@@ -54,16 +58,23 @@ public final class ReplayWindow extends JFrame {
     private final JTabbedPane panels = new JTabbedPane();
     private final ReplayLines lines;
     private final ReplayControls controls;
+    private final transient Plots plots;
 
-    private ReplayWindow(Recording recording, List<BotType> types) {
+    private ReplayWindow(Recording recording, ReplayServices services) {
         super("MAJIC: replay of " + ReplayTimes.day(recording.head().begin()));
         this.recording = recording;
+        this.services = services;
         this.robots = recording.tracks().stream()
-                .map(tracks -> new ReplayRobot(type(types, tracks.robot()), tracks))
+                .map(tracks -> new ReplayRobot(services.type(tracks.robot()), tracks))
                 .toList();
         this.player = new ReplayPlayer(recording.beginS(), recording.endS(), new Screen());
         this.lines = new ReplayLines(recording.lines(), player::jump);
         this.controls = new ReplayControls(recording, player);
+        this.plots = new Plots(
+                this,
+                services.settings(),
+                () -> new RecordedSource(recording, player::position),
+                services.stopButtons());
         setName("replay");
         place();
     }
@@ -73,17 +84,18 @@ public final class ReplayWindow extends JFrame {
      *
      * @param owner the window beside which it opens
      * @param file a file of a recording
-     * @param types the types of robots of which panels can be shown
+     * @param services what a replay needs
      * @param opened called on the event dispatch thread when the window is shown
      * @param failed receives the reason if the file cannot be read, as a sentence, on the event dispatch thread
      */
-    public static void open(Window owner, Path file, List<BotType> types, Runnable opened, Consumer<String> failed) {
+    public static void open(
+            Window owner, Path file, ReplayServices services, Runnable opened, Consumer<String> failed) {
         EventThread.background(
                 "opening " + file.getFileName(),
                 () -> {
                     Recording recording = read(file);
                     EventThread.later(() -> {
-                        show(owner, recording, types);
+                        show(owner, recording, services);
                         opened.run();
                     });
                 },
@@ -98,8 +110,8 @@ public final class ReplayWindow extends JFrame {
         }
     }
 
-    private static void show(Window owner, Recording recording, List<BotType> types) {
-        ReplayWindow window = new ReplayWindow(recording, types);
+    private static void show(Window owner, Recording recording, ReplayServices services) {
+        ReplayWindow window = new ReplayWindow(recording, services);
         if (owner instanceof Frame frame) {
             window.setIconImages(frame.getIconImages());
         }
@@ -107,13 +119,6 @@ public final class ReplayWindow extends JFrame {
         window.setVisible(true);
         recording.robots().stream().findFirst().ifPresent(robot -> window.player.jump(robot.addedS()));
         window.player.start();
-    }
-
-    private static BotType type(List<BotType> types, RecordedRobot robot) {
-        return types.stream()
-                .filter(type -> type.name().equals(robot.type()))
-                .findFirst()
-                .orElseGet(() -> new RecordedType(robot));
     }
 
     private void place() {
@@ -147,16 +152,22 @@ public final class ReplayWindow extends JFrame {
         words.setName("replayStatus" + robot.robot().number());
         words.setBorder(BorderFactory.createEmptyBorder(6, 8, 0, 8));
         status.put(robot, words);
-        JPanel tab = new JPanel(new BorderLayout(0, 6));
+        JPanel tab = new PlottedPanel(robot, plots);
         tab.add(words, BorderLayout.NORTH);
         tab.add(robot.display().component(), BorderLayout.CENTER);
         panels.addTab(robot.robot().label(), new NumberBadge(robot.robot().number(), BADGE_PX), tab);
+    }
+
+    @Override
+    public void enlarge(PictureView view) {
+        new PictureDialog(this, view, services.settings()).setVisible(true);
     }
 
     /** Ends the replay. */
     @Override
     public void dispose() {
         player.close();
+        plots.close();
         super.dispose();
         EventThread.background("closing a replay", () -> robots.forEach(ReplayRobot::close));
     }
