@@ -19,8 +19,6 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
 import majic.gui.bots.RobotActions;
-import majic.gui.bots.RobotPanels;
-import majic.gui.bots.TeamStrip;
 import majic.gui.command.CommandPane;
 import majic.gui.kit.BotStatus;
 import majic.gui.kit.CommandChannel;
@@ -32,8 +30,6 @@ import majic.gui.kit.Icons;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
 import majic.gui.kit.StopButton;
-import majic.gui.map.MapFeed;
-import majic.gui.map.TeamMap;
 import majic.gui.plot.LiveSource;
 import majic.gui.plot.Plots;
 import majic.gui.start.StartActions;
@@ -50,8 +46,9 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The main window: buttons and STOP above, cards of the robots, team map and panels of the selected robots side by side, messages and command line below. Places
- * its parts, and passes commands on to the team and the parser. Must be used on the event dispatch thread.
+ * The main window: buttons and STOP above; cards of the robots, team map and panels of the selected robots side by
+ * side; messages and command line below. Places its parts, and passes commands on to the team and the parser. Must be
+ * used on the event dispatch thread.
  */
 public final class MajicFrame extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
@@ -61,7 +58,6 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient MajicParser parser;
     private final transient ProgramServices services;
     private final transient StopKeys stopKeys;
-    private final transient MapFeed mapFeed;
     private final transient FrameDialogs dialogs;
     private final transient FrameEditor editor;
     private final transient FrameTeams teams;
@@ -70,9 +66,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient CommandChannel channel = new Channel();
     private final transient Plots plots;
     private final transient RobotSelection selection = new RobotSelection();
-    private final TeamMap map;
-    private final TeamStrip strip;
-    private final RobotPanels panels;
+    private final TeamPane team;
     private final CommandPane commands;
     private boolean quitting;
 
@@ -102,12 +96,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         teams = new FrameTeams(this, session, services, channel);
         RobotActions actions = new RobotActions(
                 session.team(), channel, plots, dialogs::loadAct, dialogs::removeBot, reconnect.attempts());
-        panels = new RobotPanels(session.team(), selection, actions, startPage());
-        strip = new TeamStrip(session.team(), selection, actions, panels::openWindow);
-        map = new TeamMap();
-        map.select(session.team(), selection);
-        map.place(session.team(), channel, member -> teams.last().keepSoon());
-        mapFeed = new MapFeed(session.team(), session.factory(), map::show);
+        team = new TeamPane(session, selection, actions, startPage());
+        team.map().place(session.team(), channel, member -> teams.last().keepSoon());
         stopKeys = new StopKeys(this::stopAll);
         place();
         listen();
@@ -134,8 +124,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         StopAlarm alarm = new StopAlarm(session.team());
         session.team().addListener(new EventThreadTeamListener(alarm));
         FrameActions actions = new FrameActions(this, dialogs, editor);
-        TeamPane middle = new TeamPane(strip, map, panels);
-        JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, middle, commands);
+        JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, team, commands);
         all.setResizeWeight(0.75);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));
         content.add(new FrameToolbar(actions.buttons(), stop), "wmin 0");
@@ -154,7 +143,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(UIScale.scale(1280), screen.width), Math.min(UIScale.scale(800), screen.height));
         setLocationRelativeTo(null);
-        new FrameMemory(this, List.of(middle, all), services.settings());
+        new FrameMemory(this, List.of(team, all), services.settings());
     }
 
     private void readPictures(FrameActions actions) {
@@ -169,10 +158,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     private void listen() {
         session.addListener(commands.messages());
-        session.team().addListener(new EventThreadTeamListener(panels));
-        session.team().addListener(new EventThreadTeamListener(strip));
         stopKeys.install();
-        mapFeed.start();
+        team.start();
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
             @Override
@@ -257,8 +244,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     public void dispose() {
         stopKeys.close();
         editor.dispose();
-        mapFeed.close();
-        panels.close();
+        team.close();
         reconnect.close();
         plots.close();
         super.dispose();
@@ -277,12 +263,11 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     private void attemptsChanged(Member member) {
-        panels.ownerChanged(member);
-        strip.ownerChanged(member);
+        team.changed(member);
     }
 
     void showWholeMap() {
-        map.fit();
+        team.map().fit();
     }
 
     private static @Nullable RecordedHistory history(@Nullable Recorder recorder) {

@@ -3,6 +3,7 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Point;
+import java.awt.event.KeyEvent;
 import java.awt.geom.Point2D;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
@@ -58,6 +59,15 @@ class MapSelectionWindowTest {
         window.await("the other", () -> window.isShowing("bot2"));
         window.clickAt("teamMap", pixel(-APART_MM));
         window.await("the first again", () -> window.isShowing("bot1"));
+    }
+
+    @Test
+    void aRightClickOnARobotOpensItsMenu() {
+        addTwoMore();
+        window.menuAt("teamMap", pixel(-APART_MM));
+        window.await("the menu", () -> window.isShowing("Stop 2"));
+        window.press(KeyEvent.VK_ESCAPE);
+        assertThat(window.team.isLatched()).isFalse();
     }
 
     private TeamMap map() {

@@ -53,6 +53,21 @@ class SelectionWindowTest {
     }
 
     @Test
+    void twoPanelsTakeWidthFromTheMapWhichHasItAgainAfterwards() {
+        window.run(() -> window.frame.setSize(1280, 800));
+        int before = width("teamMap");
+        window.clickWithCtrl("card3");
+        window.await("room for two", () -> width("robotPanels") > 700);
+        assertThat(width("teamMap")).isLessThan(before);
+        window.click("card3");
+        window.await("the map as before", () -> width("teamMap") == before);
+    }
+
+    private int width(String component) {
+        return window.find(component, Component.class).getWidth();
+    }
+
+    @Test
     void withThreeSelectedTheFirstIsShownWithAHint() {
         window.clickWithCtrl("card2");
         window.clickWithCtrl("card3");

@@ -40,6 +40,7 @@ import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;
 import org.assertj.swing.core.BasicRobot;
+import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.core.Robot;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.assertj.swing.fixture.JFileChooserFixture;
@@ -235,6 +236,11 @@ public final class TestWindow implements AutoCloseable {
     /** Opens the context menu of a component. */
     void menuOf(String name) {
         robot.rightClick(awaitShowing(name, Component.class));
+        robot.waitForIdle();
+    }
+
+    void menuAt(String name, Point place) {
+        robot.click(find(name, Component.class), place, MouseButton.RIGHT_BUTTON, 1);
         robot.waitForIdle();
     }
 

@@ -18,6 +18,7 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.gui.acts.RunningAct;
+import majic.gui.kit.Html;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
@@ -219,7 +220,7 @@ final class RobotCard extends JPanel {
             return;
         }
         String all = member.number() + " " + shown.description();
-        setToolTipText("<html>" + majic.gui.kit.Html.escaped(all));
+        setToolTipText("<html>" + Html.escaped(all));
         getAccessibleContext().setAccessibleName("Robot " + all + (selected ? ", selected" : ""));
     }
 

@@ -93,6 +93,6 @@ final class StripKeys {
     }
 
     private void showMenu(RobotCard card) {
-        strip.showMenu(card, card.getWidth() / 4, card.getHeight() / 2);
+        strip.showMenu(card.member(), card, card.getWidth() / 4, card.getHeight() / 2);
     }
 }

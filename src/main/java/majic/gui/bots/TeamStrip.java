@@ -137,8 +137,13 @@ public final class TeamStrip extends JPanel implements TeamListener {
         cards().forEach(card -> card.setSelected(selection.contains(card.member())));
     }
 
-    void showMenu(RobotCard card, int x, int y) {
-        new CardMenu(card.member(), actions, openWindow).show(card, x, y);
+    /**
+     * Opens the context menu of a robot.
+     *
+     * @param on the component that was clicked, and the place in it
+     */
+    public void showMenu(Member member, Component on, int x, int y) {
+        new RobotMenu(member, actions, openWindow).show(on, x, y);
     }
 
     /** Selects by the mouse, and shows the card that has the focus. The focus stays where it is. */
@@ -152,7 +157,7 @@ public final class TeamStrip extends JPanel implements TeamListener {
         @Override
         public void mousePressed(MouseEvent event) {
             if (event.isPopupTrigger()) {
-                showMenu(card, event.getX(), event.getY());
+                showMenu(card.member(), card, event.getX(), event.getY());
             } else if (SwingUtilities.isLeftMouseButton(event)) {
                 choose(event);
             }
@@ -169,7 +174,7 @@ public final class TeamStrip extends JPanel implements TeamListener {
         @Override
         public void mouseReleased(MouseEvent event) {
             if (event.isPopupTrigger()) {
-                showMenu(card, event.getX(), event.getY());
+                showMenu(card.member(), card, event.getX(), event.getY());
             }
         }
 

@@ -1,10 +1,10 @@
 package majic.gui.map;
 
+import java.awt.Component;
 import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
-import java.util.Set;
 import javax.swing.SwingUtilities;
 import majic.gui.kit.RobotSelection;
 import majic.team.Member;
@@ -12,48 +12,71 @@ import majic.team.Team;
 
 /**
  * Selects the robot that is clicked on the map; with Ctrl, adds it to the selection or removes it. Where robots overlap,
- * each further click selects the next one.
+ * each further click selects the next one. A right click opens the menu of the robot.
  */
-final class MapSelection extends MouseAdapter {
+public final class MapSelection extends MouseAdapter {
+    /** Opens the context menu of a robot. */
+    @FunctionalInterface
+    public interface Menu {
+        /**
+         * Opens the menu.
+         *
+         * @param on the component that was clicked, and the place in it
+         */
+        void show(Member member, Component on, int x, int y);
+    }
+
     /** How far the mouse may move between press and release of a click, in pixels. */
     private static final int CLICK_PX = 4;
 
     private final TeamMap map;
     private final Team team;
     private final RobotSelection selection;
+    private final Menu menu;
     private Point pressed = new Point();
 
-    MapSelection(TeamMap map, Team team, RobotSelection selection) {
+    MapSelection(TeamMap map, Team team, RobotSelection selection, Menu menu) {
         this.map = map;
         this.team = team;
         this.selection = selection;
+        this.menu = menu;
     }
 
     @Override
     public void mousePressed(MouseEvent event) {
         pressed = event.getPoint();
+        openMenu(event);
     }
 
     @Override
     public void mouseReleased(MouseEvent event) {
-        if (SwingUtilities.isLeftMouseButton(event) && event.getPoint().distance(pressed) <= CLICK_PX) {
-            clicked(event);
+        openMenu(event);
+        boolean isClick = event.getPoint().distance(pressed) <= CLICK_PX && !event.isShiftDown();
+        List<Member> members = robotsUnder(event);
+        if (isClick && SwingUtilities.isLeftMouseButton(event) && !members.isEmpty()) {
+            choose(next(members), event.isControlDown() || event.isMetaDown());
         }
     }
 
-    private void clicked(MouseEvent event) {
-        Set<Integer> hit = Set.copyOf(map.robotsAt(event.getPoint()));
-        List<Member> members = team.members().stream()
+    private void openMenu(MouseEvent event) {
+        List<Member> members = robotsUnder(event);
+        if (event.isPopupTrigger() && !members.isEmpty()) {
+            menu.show(members.get(0), map, event.getX(), event.getY());
+        }
+    }
+
+    private List<Member> robotsUnder(MouseEvent event) {
+        List<Integer> hit = map.robotsAt(event.getPoint());
+        return team.members().stream()
                 .filter(member -> hit.contains(member.number()))
                 .toList();
-        if (members.isEmpty()) {
-            return;
-        }
-        Member next = next(members);
-        if (event.isControlDown() || event.isMetaDown()) {
-            selection.toggle(next);
+    }
+
+    private void choose(Member member, boolean isFurther) {
+        if (isFurther) {
+            selection.toggle(member);
         } else {
-            selection.select(next);
+            selection.select(member);
         }
     }
 

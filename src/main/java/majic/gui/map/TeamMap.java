@@ -35,9 +35,13 @@ public final class TeamMap extends ZoomableMap {
         getAccessibleContext().setAccessibleName("Team map");
     }
 
-    /** Marks the selected robots, and lets a click select one. */
-    public void select(Team team, RobotSelection selection) {
-        addMouseListener(new MapSelection(this, team, selection));
+    /**
+     * Marks the selected robots, and lets a click select one.
+     *
+     * @param menu opens the context menu of a robot
+     */
+    public void select(Team team, RobotSelection selection, MapSelection.Menu menu) {
+        addMouseListener(new MapSelection(this, team, selection, menu));
         selection.addListener(() -> {
             floor.mark(selection.numbers());
             repaint();

@@ -8,7 +8,7 @@ import majic.gui.kit.BotStatus;
 import majic.team.Member;
 
 /** The context menu of a robot. */
-final class CardMenu extends JPopupMenu {
+final class RobotMenu extends JPopupMenu {
     private static final long serialVersionUID = 1L;
 
     /**
@@ -16,27 +16,28 @@ final class CardMenu extends JPopupMenu {
      *
      * @param openWindow shows its panel in a window of its own
      */
-    CardMenu(Member member, RobotActions actions, Consumer<Member> openWindow) {
+    RobotMenu(Member member, RobotActions actions, Consumer<Member> openWindow) {
         int number = member.number();
         setName("robotMenu");
-        entry("Stop " + number, true, () -> actions.stop(member));
+        entry("Stop " + number, 'S', true, () -> actions.stop(member));
         boolean lost = member.bot().connection() == MajicBot.Connection.LOST;
-        entry("Reconnect", lost, () -> actions.reconnect(member, () -> {}));
+        entry("Reconnect", 'R', lost, () -> actions.reconnect(member, () -> {}));
         if (actions.attempts(member).isPresent()) {
-            entry("Cancel reconnecting", true, () -> actions.cancelReconnect(member));
+            entry("Cancel reconnecting", 'C', true, () -> actions.cancelReconnect(member));
         }
         addSeparator();
-        entry("Load Act…", true, () -> actions.loadAct(member));
-        entry("End Act", BotStatus.isInAct(member), () -> actions.endAct(member));
+        entry("Load Act…", 'L', true, () -> actions.loadAct(member));
+        entry("End Act", 'E', BotStatus.isInAct(member), () -> actions.endAct(member));
         addSeparator();
-        entry("Open in a window", true, () -> openWindow.accept(member));
+        entry("Open in a window", 'O', true, () -> openWindow.accept(member));
         addSeparator();
-        entry("Kill Bot…", true, () -> actions.kill(member));
+        entry("Kill Bot…", 'K', true, () -> actions.kill(member));
     }
 
-    private void entry(String text, boolean enabled, Runnable action) {
+    private void entry(String text, char mnemonic, boolean enabled, Runnable action) {
         JMenuItem item = new JMenuItem(text);
         item.setName(text);
+        item.setMnemonic(mnemonic);
         item.setEnabled(enabled);
         item.addActionListener(event -> action.run());
         add(item);
