@@ -147,9 +147,12 @@ final class FrameMemory {
             bounds = frame.getBounds();
         }
         return new WindowPlace(
-                bounds,
-                maximised,
-                splits.stream().map(JSplitPane::getDividerLocation).toList());
+                bounds, maximised, splits.stream().map(FrameMemory::divider).toList());
+    }
+
+    /** While panels are compared, the divider is elsewhere than at the next start. */
+    private static int divider(JSplitPane split) {
+        return split instanceof TeamPane team ? team.usualDividerLocation() : split.getDividerLocation();
     }
 
     private void write(String text) {
