@@ -52,6 +52,10 @@ final class PoseOffset {
         return start == null
                 ? own
                 : new BotState(
-                        origin.plus(own.pose()), own.speedMmPerSec(), own.turnRateDegPerSec(), own.moving(), own.atNanos());
+                        origin.plus(own.pose()),
+                        own.speedMmPerSec(),
+                        own.turnRateDegPerSec(),
+                        own.moving(),
+                        own.atNanos());
     }
 }

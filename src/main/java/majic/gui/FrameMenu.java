@@ -110,10 +110,25 @@ final class FrameMenu extends JMenuBar {
         ButtonGroup group = new ButtonGroup();
         for (boolean dark : List.of(false, true)) {
             JMenuItem look = new JRadioButtonMenuItem(dark ? "Dark" : "Light", FlatLaf.isLafDark() == dark);
-            look.addActionListener(event -> frame.look(dark));
+            look.addActionListener(event -> LookAndFeels.change(dark, frame.settings()));
             group.add(look);
             view.add(look);
         }
+        view.addSeparator();
+        view.add(textSize(frame));
         return view;
+    }
+
+    private static JMenu textSize(MajicFrame frame) {
+        JMenu sizes = new JMenu("Text size");
+        ButtonGroup group = new ButtonGroup();
+        for (int percent : LookAndFeels.TEXT_SIZES) {
+            JMenuItem size =
+                    new JRadioButtonMenuItem(percent + " %", LookAndFeels.textSize(frame.settings()) == percent);
+            size.addActionListener(event -> LookAndFeels.changeTextSize(percent, frame.settings()));
+            group.add(size);
+            sizes.add(size);
+        }
+        return sizes;
     }
 }

@@ -5,17 +5,23 @@ import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import com.formdev.flatlaf.util.SystemInfo;
 import java.awt.Font;
+import java.util.List;
 import java.util.Optional;
 import javax.swing.UIManager;
 import majic.bot.BotException;
 import majic.bot.Settings;
 import majic.gui.kit.EventThread;
 
-/** Installs the light or the dark look and feel, and stores which one is chosen. */
+/** Installs the light or the dark look and feel in a text size, and stores what is chosen. */
 final class LookAndFeels {
     private static final String KEY = "window.look";
     private static final String DARK = "dark";
     private static final String LIGHT = "light";
+    private static final String SIZE = "window.textSize";
+    private static final int NORMAL = 100;
+
+    /** The text sizes to choose from, percent. */
+    static final List<Integer> TEXT_SIZES = List.of(NORMAL, 125, 150);
 
     private LookAndFeels() {}
 
@@ -27,16 +33,44 @@ final class LookAndFeels {
         }
     }
 
-    /** Installs the look and feel that was chosen last; must be called before the first component is created. */
+    /**
+     * Installs the look and feel and the text size that were chosen last; must be called before the first component is
+     * created.
+     */
     static void install(Settings settings) {
         set(settings.get(KEY).equals(Optional.of(DARK)));
+        int percent = textSize(settings);
+        if (percent != NORMAL) {
+            setTextSize(percent);
+        }
+    }
+
+    /** Returns the text size that was chosen last, percent. */
+    static int textSize(Settings settings) {
+        return settings.get(SIZE)
+                .filter(text -> TEXT_SIZES.stream().anyMatch(size -> text.equals("" + size)))
+                .map(Integer::valueOf)
+                .orElse(NORMAL);
+    }
+
+    /** Changes the text size of all windows at once, and stores the choice. */
+    static void changeTextSize(int percent, Settings settings) {
+        setTextSize(percent);
+        FlatLaf.updateUI();
+        EventThread.background("remembering the text size", () -> remember(SIZE, "" + percent, settings));
+    }
+
+    /** Every other font follows the default one. */
+    private static void setTextSize(int percent) {
+        Font usual = UIManager.getLookAndFeelDefaults().getFont("defaultFont");
+        UIManager.put("defaultFont", percent == NORMAL ? null : usual.deriveFont(usual.getSize2D() * percent / 100));
     }
 
     /** Changes the look and feel of all windows at once, and stores the choice. */
     static void change(boolean dark, Settings settings) {
         set(dark);
         FlatLaf.updateUI();
-        EventThread.background("remembering the look", () -> remember(dark, settings));
+        EventThread.background("remembering the look", () -> remember(KEY, dark ? DARK : LIGHT, settings));
     }
 
     /** Has no effect if that look and feel is installed already. */
@@ -51,12 +85,12 @@ final class LookAndFeels {
         }
     }
 
-    private static void remember(boolean dark, Settings settings) {
+    private static void remember(String key, String value, Settings settings) {
         try {
-            settings.put(KEY, dark ? DARK : LIGHT);
+            settings.put(key, value);
         } catch (BotException e) {
             System.getLogger(LookAndFeels.class.getName())
-                    .log(System.Logger.Level.DEBUG, "the look is not remembered after the end", e);
+                    .log(System.Logger.Level.DEBUG, key + " is not remembered after the end", e);
         }
     }
 }

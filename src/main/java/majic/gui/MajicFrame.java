@@ -279,8 +279,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         plots.openEmpty();
     }
 
-    void look(boolean dark) {
-        LookAndFeels.change(dark, services.settings());
+    Settings settings() {
+        return services.settings();
     }
 
     /** Ends the acts of the selected robots; shows a message if none runs, or no robot is selected. */

@@ -283,10 +283,10 @@ class ScriptEditorWindowTest {
         RSyntaxTextArea area = drop(script("lap.majic", "1 move 30"));
         Font font = area.getFont();
         Color light = area.getBackground();
-        window.run(() -> window.frame.look(true));
+        window.run(() -> LookAndFeels.change(true, window.settings));
         window.await("a dark text", () -> area.getBackground().getRed() < 128);
         assertThat(area.getFont()).isEqualTo(font);
-        window.run(() -> window.frame.look(false));
+        window.run(() -> LookAndFeels.change(false, window.settings));
         window.await("a light text", () -> area.getBackground().equals(light));
     }
 

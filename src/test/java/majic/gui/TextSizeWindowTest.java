@@ -1,0 +1,38 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Component;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+@Tag("jdk")
+@Timeout(60)
+class TextSizeWindowTest {
+    @AfterEach
+    void restore() {
+        try (TestWindow window = TestWindow.open()) {
+            window.run(() -> LookAndFeels.changeTextSize(100, window.settings));
+        }
+    }
+
+    @Test
+    void allTextsGrowAndTheChoiceIsKept() {
+        try (TestWindow window = TestWindow.open()) {
+            Component line = window.find("commandLine", Component.class);
+            float before = line.getFont().getSize2D();
+            window.run(() -> LookAndFeels.changeTextSize(150, window.settings));
+            assertThat(line.getFont().getSize2D()).isGreaterThan(1.3f * before);
+            window.await("the choice", () -> LookAndFeels.textSize(window.settings) == 150);
+        }
+    }
+
+    @Test
+    void aSizeThatIsNotOfferedIsLeftOut() {
+        try (TestWindow window = TestWindow.openWith("window.textSize", "900")) {
+            assertThat(LookAndFeels.textSize(window.settings)).isEqualTo(100);
+        }
+    }
+}
