@@ -1,5 +1,6 @@
 package majic.team;
 
+import java.util.Collection;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.time.Signal;
@@ -14,10 +15,12 @@ final class StopAnswers {
     private static final double BOUND_S = 2.5;
 
     private final TeamEvents events;
+    private final TimeSource time;
     private final AtomicInteger open = new AtomicInteger();
 
-    StopAnswers(TeamEvents events) {
+    StopAnswers(TeamEvents events, TimeSource time) {
         this.events = events;
+        this.time = time;
     }
 
     /** Whether all stops that were confirmed have been answered. */
@@ -25,27 +28,33 @@ final class StopAnswers {
         return open.get() == 0;
     }
 
+    /** Returns the order of the answers of robots that are stopped together. */
+    StopAnswerOrder order(Collection<Member> stopped) {
+        return new StopAnswerOrder(events, time, open, stopped);
+    }
+
     /** Answers a stop that was not confirmed. */
-    void failed(Member member, String reason) {
-        answer(member, Answer.Outcome.NOT_STOPPED, "failed: " + reason);
+    void failed(Member member, StopAnswerOrder order, String reason) {
+        answer(member, order, Answer.Outcome.NOT_STOPPED, "failed: " + reason);
     }
 
     /**
      * Answers a confirmed stop: at once if the robot is free, otherwise on another thread as soon as it is, or after
      * {@value #BOUND_S} s. Returns at once.
      */
-    void confirmed(Member member) {
+    void confirmed(Member member, StopAnswerOrder order) {
         if (!member.hasDismissedOwner()) {
-            answer(member, Answer.Outcome.DONE, "done");
+            answer(member, order, Answer.Outcome.DONE, "done");
             return;
         }
         open.incrementAndGet();
         AtomicBoolean late = new AtomicBoolean();
         boolean begun = TimeSource.system().tryRunAsync("stop answer timeout", () -> timeOut(late))
                 && member.time()
-                        .tryRunAsync("answering the stop of robot " + member.number(), () -> await(member, late));
+                        .tryRunAsync(
+                                "answering the stop of robot " + member.number(), () -> await(member, order, late));
         if (!begun) {
-            close(member);
+            close(member, order);
         }
     }
 
@@ -60,24 +69,25 @@ final class StopAnswers {
         events.changes().raise();
     }
 
-    private void await(Member member, AtomicBoolean late) {
+    private void await(Member member, StopAnswerOrder order, AtomicBoolean late) {
         try {
             events.changes().await(() -> late.get() || !member.hasDismissedOwner(), Signal.FOR_EVER);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
-            close(member);
+            close(member, order);
         }
     }
 
-    private void close(Member member) {
+    private void close(Member member, StopAnswerOrder order) {
         Owner holder = member.owner();
         try {
             if (holder == null || !holder.isDismissed()) {
-                answer(member, Answer.Outcome.DONE, "done");
+                answer(member, order, Answer.Outcome.DONE, "done");
             } else {
                 answer(
                         member,
+                        order,
                         Answer.Outcome.FAILED,
                         "stopped, but " + holder.name() + " has not given the robot back");
             }
@@ -87,7 +97,7 @@ final class StopAnswers {
         }
     }
 
-    private void answer(Member member, Answer.Outcome outcome, String how) {
-        events.answer(new Answer(member.number(), outcome, member.number() + " stop: " + how));
+    private static void answer(Member member, StopAnswerOrder order, Answer.Outcome outcome, String how) {
+        order.answer(new Answer(member.number(), outcome, member.number() + " stop: " + how));
     }
 }

@@ -21,39 +21,40 @@ final class StopSender {
      */
     void send(Collection<Member> members, boolean latches) {
         long stop = receipts.begin(members, latches);
+        StopAnswerOrder order = answers.order(members);
         List<Member> left = members.stream()
                 .filter(member -> !member.time()
                         .tryRunAsync(
                                 "stopping robot " + member.number(),
-                                () -> write(member, stop).run()))
+                                () -> write(member, stop, order).run()))
                 .toList();
-        left.stream().map(member -> write(member, stop)).toList().forEach(Runnable::run);
+        left.stream().map(member -> write(member, stop, order)).toList().forEach(Runnable::run);
     }
 
     /** Writes a stop; the returned task waits for its confirmation and reports it. */
-    private Runnable write(Member member, long stop) {
+    private Runnable write(Member member, long stop, StopAnswerOrder order) {
         try {
             boolean written = member.bot().writeStop();
-            return () -> confirm(member, stop, () -> {
+            return () -> confirm(member, stop, order, () -> {
                 if (written) {
                     member.bot().confirmHalt();
                 }
             });
         } catch (RuntimeException | Error e) {
-            return () -> confirm(member, stop, () -> {
+            return () -> confirm(member, stop, order, () -> {
                 throw e;
             });
         }
     }
 
-    private void confirm(Member member, long stop, Runnable confirmation) {
+    private void confirm(Member member, long stop, StopAnswerOrder order, Runnable confirmation) {
         try {
             confirmation.run();
             receipts.confirmed(member, stop);
-            answers.confirmed(member);
+            answers.confirmed(member, order);
         } catch (RuntimeException | Error e) {
             receipts.failed(member, stop, String.valueOf(e.getMessage()));
-            answers.failed(member, e.getMessage());
+            answers.failed(member, order, e.getMessage());
         } finally {
             member.endStop();
         }

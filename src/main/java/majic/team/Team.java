@@ -58,7 +58,7 @@ public final class Team implements AutoCloseable {
         this.time = time;
         this.changes = time.signal();
         this.events = new TeamEvents(time, changes);
-        this.stopAnswers = new StopAnswers(events);
+        this.stopAnswers = new StopAnswers(events, time);
         this.roster = new Roster(maxBots);
         this.stopReceipts = new StopReceipts(events, roster);
         this.stopSender = new StopSender(stopReceipts, stopAnswers);

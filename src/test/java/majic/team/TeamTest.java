@@ -201,6 +201,32 @@ class TeamTest {
     }
 
     @Test
+    void theAnswersToAStopComeInTheOrderOfTheRobotsNumbers() throws InterruptedException {
+        join().standAfter(0.2);
+        join();
+        join().standAfter(0.1);
+        listen();
+
+        team.stopAll();
+        team.changes().await(() -> said.size() >= 3, 5);
+
+        assertThat(said).containsExactly("1 stop: done", "2 stop: done", "3 stop: done");
+    }
+
+    @Test
+    void anAnswerDoesNotWaitLongForTheRobotsWithLowerNumbers() throws InterruptedException {
+        join().standAfter(0.9);
+        join();
+        join().standAfter(0.1);
+        listen();
+
+        team.stopAll();
+        team.changes().await(() -> said.size() >= 3, 5);
+
+        assertThat(said).containsExactly("2 stop: done", "3 stop: done", "1 stop: done");
+    }
+
+    @Test
     void stopConfirmsEachRobotAndNamesTheStuckOne() throws InterruptedException {
         join().getStuck();
         join();
