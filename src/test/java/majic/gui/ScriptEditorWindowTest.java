@@ -343,6 +343,20 @@ class ScriptEditorWindowTest {
     }
 
     @Test
+    void everythingHasANameAndEveryEntryAMnemonic() throws IOException {
+        drop(script("lap.majic", "1 move 30"));
+        awaitStatus("1 mistake");
+        window.pressWithCtrl(KeyEvent.VK_F);
+        window.awaitShowing("find", JTextField.class);
+        JFrame editor = window.find("editor", JFrame.class);
+        window.run(() -> {
+            assertThat(WindowAudit.nameless(editor)).isEmpty();
+            assertThat(WindowAudit.mnemonicProblems(editor.getJMenuBar())).isEmpty();
+            assertThat(WindowAudit.pale(editor, Contrast.TEXT)).isEmpty();
+        });
+    }
+
+    @Test
     void aSavedSessionIsOpenedIfThatIsChosen() {
         window.add("one");
         window.command("1 move 30");

@@ -1,12 +1,10 @@
 package majic.gui.editor;
 
-import java.util.stream.Stream;
 import javax.swing.Action;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
-import javax.swing.event.MenuEvent;
-import javax.swing.event.MenuListener;
+import majic.gui.kit.Mnemonics;
 import org.fife.ui.rtextarea.RTextArea;
 
 /** The menu bar of the editor. */
@@ -14,77 +12,67 @@ final class EditorMenu extends JMenuBar {
     private static final long serialVersionUID = 1L;
 
     EditorMenu(EditorWindow window, EditorContext context, EditorActions actions) {
-        JMenu file = menu("File", 'F', item(actions.newScript, 'N'), item(actions.open, 'O'));
+        add(file(window, context, actions));
+        add(edit(actions));
+        add(menu("Run", actions.run, actions.runSelection, actions.step, actions.pause, actions.end));
+        Mnemonics.assign(this);
+    }
+
+    private static JMenu file(EditorWindow window, EditorContext context, EditorActions actions) {
+        JMenu file = menu("File", actions.newScript, actions.open);
         file.add(recent(window, context));
         file.addSeparator();
-        Stream.of(item(actions.save, 'S'), item(actions.saveAs, 'A')).forEach(file::add);
+        addAll(file, actions.save, actions.saveAs);
         file.addSeparator();
-        file.add(item(actions.makeAct, 'M'));
+        addAll(file, actions.makeAct);
         file.addSeparator();
-        file.add(item(actions.close, 'C'));
-        add(file);
-        add(edit(actions));
-        add(menu(
-                "Run",
-                'R',
-                item(actions.run, 'R'),
-                item(actions.runSelection, 'L'),
-                item(actions.step, 'S'),
-                item(actions.pause, 'P'),
-                item(actions.end, 'E')));
+        addAll(file, actions.close);
+        return file;
     }
 
     private static JMenu edit(EditorActions actions) {
-        JMenu edit =
-                menu("Edit", 'E', text(RTextArea.UNDO_ACTION, "Undo", 'U'), text(RTextArea.REDO_ACTION, "Redo", 'R'));
+        JMenu edit = new JMenu("Edit");
+        edit.add(text(RTextArea.UNDO_ACTION, "Undo"));
+        edit.add(text(RTextArea.REDO_ACTION, "Redo"));
         edit.addSeparator();
-        Stream.of(
-                        text(RTextArea.CUT_ACTION, "Cut", 'T'),
-                        text(RTextArea.COPY_ACTION, "Copy", 'C'),
-                        text(RTextArea.PASTE_ACTION, "Paste", 'P'),
-                        text(RTextArea.SELECT_ALL_ACTION, "Select all", 'A'))
-                .forEach(edit::add);
+        edit.add(text(RTextArea.CUT_ACTION, "Cut"));
+        edit.add(text(RTextArea.COPY_ACTION, "Copy"));
+        edit.add(text(RTextArea.PASTE_ACTION, "Paste"));
+        edit.add(text(RTextArea.SELECT_ALL_ACTION, "Select all"));
         edit.addSeparator();
-        edit.add(item(actions.find, 'F'));
+        addAll(edit, actions.find);
         return edit;
     }
 
-    private static JMenuItem text(int action, String name, char mnemonic) {
-        JMenuItem item = item(RTextArea.getAction(action), mnemonic);
+    /** Returns an entry for an action of the library, which has names in the language of the system. */
+    private static JMenuItem text(int action, String name) {
+        JMenuItem item = new JMenuItem(RTextArea.getAction(action));
         item.setText(name);
+        item.setMnemonic(0);
         item.setIcon(null);
+        item.setToolTipText(null);
         return item;
     }
 
     private static JMenu recent(EditorWindow window, EditorContext context) {
         JMenu recent = new JMenu("Open recent");
-        recent.setMnemonic('R');
-        recent.addMenuListener(new MenuListener() {
-            @Override
-            public void menuSelected(MenuEvent event) {
+        recent.addChangeListener(change -> {
+            if (recent.isSelected()) {
                 RecentMenu.fill(recent, context.settings(), window::open);
             }
-
-            @Override
-            public void menuDeselected(MenuEvent event) {}
-
-            @Override
-            public void menuCanceled(MenuEvent event) {}
         });
         return recent;
     }
 
-    private static JMenu menu(String name, char mnemonic, JMenuItem... items) {
+    private static JMenu menu(String name, Action... actions) {
         JMenu menu = new JMenu(name);
-        menu.setMnemonic(mnemonic);
-        Stream.of(items).forEach(menu::add);
+        addAll(menu, actions);
         return menu;
     }
 
-    private static JMenuItem item(Action action, char mnemonic) {
-        JMenuItem item = new JMenuItem(action);
-        item.setMnemonic(mnemonic);
-        item.setToolTipText(null);
-        return item;
+    private static void addAll(JMenu menu, Action... actions) {
+        for (Action action : actions) {
+            menu.add(new JMenuItem(action)).setToolTipText(null);
+        }
     }
 }

@@ -9,6 +9,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import majic.gui.kit.ClosesByEsc;
+import majic.gui.kit.Mnemonics;
 import majic.gui.kit.Palette;
 import net.miginfocom.swing.MigLayout;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
@@ -51,6 +52,7 @@ final class FindBar extends JPanel implements ClosesByEsc {
                 close();
             }
         });
+        Mnemonics.assign(this);
         setVisible(false);
     }
 
