@@ -28,10 +28,11 @@ class ScriptControlTest {
         return runner.run(new ScriptSource("lap.majic", "lap.majic", "run lap.majic", text, text), paused);
     }
 
+    /** Lets time pass, at least once, so that all threads wait when the condition is tested. */
     private Progress await(ScriptControl control, Predicate<Progress> condition) throws InterruptedException {
-        while (!condition.test(control.progress())) {
+        do {
             fixture.pause(0.01);
-        }
+        } while (!condition.test(control.progress()));
         return control.progress();
     }
 
