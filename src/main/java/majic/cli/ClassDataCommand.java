@@ -26,7 +26,7 @@ public final class ClassDataCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("majic-class-data");
         try (Program program =
-                new Program(new UserFolder(folder), SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1), false)) {
+                new Program(new UserFolder(folder), SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1), true)) {
             MajicParser parser = new MajicParser(program.session(), false);
             for (String line : List.of("add sim:aibo", "add sim:pioneer", "add sim:hemisson", "all get x")) {
                 parser.parseText(line);
