@@ -79,7 +79,11 @@ final class FrameMenu extends JMenuBar {
         JMenuItem reconnect = new JCheckBoxMenuItem(
                 "Reconnect lost robots", frame.reconnecting().isEnabled());
         reconnect.addActionListener(event -> frame.reconnecting().enable(reconnect.isSelected()));
+        JMenuItem gamepad = new JCheckBoxMenuItem("Drive by game controller");
+        gamepad.addActionListener(event -> frame.driveByGamepad(gamepad.isSelected()));
+        robots.addChangeListener(change -> gamepad.setSelected(frame.isDrivenByGamepad()));
         robots.add(reconnect);
+        robots.add(gamepad);
         return robots;
     }
 

@@ -20,6 +20,8 @@ import majic.bot.MajicBot;
 import majic.bot.Settings;
 import majic.gui.bots.RobotActions;
 import majic.gui.command.CommandPane;
+import majic.gui.drive.GamepadControl;
+import majic.gui.drive.SdlGamepad;
 import majic.gui.kit.BotStatus;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
@@ -66,6 +68,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient CommandChannel channel = new Channel();
     private final transient Plots plots;
     private final transient RobotSelection selection = new RobotSelection();
+    private final transient GamepadControl gamepad =
+            new GamepadControl(SdlGamepad::open, this::showError, this::showError);
     private final TeamPane team;
     private final CommandPane commands;
     private boolean quitting;
@@ -96,6 +100,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         teams = new FrameTeams(this, session, services, channel);
         RobotActions actions = new RobotActions(
                 session.team(), channel, plots, dialogs::loadAct, dialogs::removeBot, reconnect.attempts());
+        selection.addListener(() -> gamepad.choose(selection.members()));
         team = new TeamPane(session, selection, actions, startPage());
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
         stopKeys = new StopKeys(this::stopAll);
@@ -243,11 +248,25 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     @Override
     public void dispose() {
         stopKeys.close();
+        gamepad.close();
         editor.dispose();
         team.close();
         reconnect.close();
         plots.close();
         super.dispose();
+    }
+
+    /** Begins or ends to drive the selected robots by a game controller. */
+    void driveByGamepad(boolean on) {
+        if (on) {
+            gamepad.switchOn();
+        } else {
+            gamepad.switchOff();
+        }
+    }
+
+    boolean isDrivenByGamepad() {
+        return gamepad.isOn();
     }
 
     FrameLab lab() {

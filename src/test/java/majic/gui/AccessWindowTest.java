@@ -14,6 +14,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JDialog;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
@@ -60,7 +61,8 @@ class AccessWindowTest {
     private void openDialogs() {
         entries()
                 .filter(entry -> !EFFECTS.contains(entry.getText()))
-                .filter(entry -> !(entry instanceof JRadioButtonMenuItem) && entry.isEnabled())
+                .filter(entry -> !(entry instanceof JRadioButtonMenuItem) && !(entry instanceof JCheckBoxMenuItem))
+                .filter(JMenuItem::isEnabled)
                 .toList()
                 .forEach(entry -> window.run(entry::doClick));
         load("Spy", "Trust this code?");

@@ -1,6 +1,5 @@
 package majic.gui.drive;
 
-import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 import majic.bot.BotException;
@@ -10,7 +9,7 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One of the robots that are driven manually: takes it when the first arrow is held, renews its speed, and releases it.
+ * One of the robots that are driven manually: takes it with the first command, renews its speed, and releases it.
  * Must be used on the event dispatch thread; never blocks there.
  */
 final class DrivenRobot {
@@ -23,7 +22,9 @@ final class DrivenRobot {
     private final Consumer<String> errors;
     private final LongSupplier clockMs;
     private @Nullable ManualControl control;
-    private Set<Direction> driven = Set.of();
+    private boolean driven;
+    private double forward;
+    private double left;
     private long renewedMs;
     private long releasedMs = Long.MIN_VALUE / 2;
     private boolean refused;
@@ -41,21 +42,22 @@ final class DrivenRobot {
     /**
      * Drives the robot; must be called again and again as long as it is to be driven.
      *
-     * @param wanted the arrows that are held, at least one
-     * @param share the speed as a share of the cruise speed in the robot's profile, 0 to 1
+     * @param newForward the speed as a share of the cruise speed in the robot's profile, −1 to 1, ahead positive
+     * @param newLeft the same of the turn rate, counterclockwise positive
      */
-    void drive(Set<Direction> wanted, double share) {
+    void drive(double newForward, double newLeft) {
         long now = clockMs.getAsLong();
-        if (refused || (control == null && !acquire()) || (wanted.equals(driven) && now - renewedMs < RENEWAL_MS)) {
+        boolean same = driven && newForward == forward && newLeft == left;
+        if (refused || (control == null && !acquire()) || (same && now - renewedMs < RENEWAL_MS)) {
             return;
         }
-        driven = wanted;
+        driven = true;
+        forward = newForward;
+        left = newLeft;
         renewedMs = now;
         BotProfile profile = member.bot().profile();
         if (control != null) {
-            control.drive(
-                    share * profile.cruiseMmPerSec() * Direction.forward(wanted),
-                    share * profile.cruiseTurnDegPerSec() * Direction.left(wanted));
+            control.drive(forward * profile.cruiseMmPerSec(), left * profile.cruiseTurnDegPerSec());
         }
     }
 
@@ -75,7 +77,7 @@ final class DrivenRobot {
     /** Stops the robot and releases it, if it is driven. */
     void release() {
         refused = false;
-        driven = Set.of();
+        driven = false;
         if (control != null) {
             control.close();
             control = null;

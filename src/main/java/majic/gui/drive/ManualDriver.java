@@ -107,7 +107,9 @@ final class ManualDriver {
             ignoresHeldArrows = false;
             robots.forEach(DrivenRobot::release);
         } else if (!ignoresHeldArrows) {
-            robots.forEach(robot -> robot.drive(wanted, share));
+            double forward = share * Direction.forward(wanted);
+            double left = share * Direction.left(wanted);
+            robots.forEach(robot -> robot.drive(forward, left));
         }
     }
 }

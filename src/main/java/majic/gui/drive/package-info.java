@@ -1,5 +1,5 @@
 /**
- * Driving a robot by hand: the pad and the held keys.
+ * Driving robots by hand: the pad, the held keys, the game controller.
  */
 @NullMarked
 package majic.gui.drive;
