@@ -8,6 +8,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import java.util.List;
 import java.util.Locale;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
@@ -41,6 +42,8 @@ public final class Gauge extends JPanel {
      */
     public Gauge(String parameter, String unit, boolean positiveLeft) {
         this.title = ReadingText.label(parameter);
+        setFocusable(true);
+        PlotLink.install(this, List.of(parameter));
         this.unit = unit;
         this.positiveLeft = positiveLeft;
         setName(parameter);

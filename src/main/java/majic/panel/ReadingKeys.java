@@ -14,12 +14,12 @@ import javax.swing.KeyStroke;
  */
 final class ReadingKeys {
     private final List<JLabel> values = new ArrayList<>();
-    private final List<String> parameters = new ArrayList<>();
+    private final List<List<String>> parameters = new ArrayList<>();
 
-    /** Adds the value of a parameter, below the others. */
-    void add(JLabel value, String parameter) {
+    /** Adds a value, below the others. */
+    void add(JLabel value, List<String> plotted) {
         values.add(value);
-        parameters.add(parameter);
+        parameters.add(plotted);
         bind(value, KeyEvent.VK_UP, -1);
         bind(value, KeyEvent.VK_DOWN, 1);
     }
@@ -53,7 +53,7 @@ final class ReadingKeys {
     }
 
     private boolean isPlottable(int index) {
-        return PlotLink.isPlottable(values.get(index), parameters.get(index));
+        return parameters.get(index).stream().anyMatch(parameter -> PlotLink.isPlottable(values.get(index), parameter));
     }
 
     /** Makes the first value that can be plotted the one that Tab reaches. */
@@ -64,7 +64,8 @@ final class ReadingKeys {
             values.get(index).setFocusable(first);
             values.get(index)
                     .getAccessibleContext()
-                    .setAccessibleDescription(isPlottable(index) ? "Enter plots " + parameters.get(index) : null);
+                    .setAccessibleDescription(
+                            isPlottable(index) ? "Enter plots " + String.join(", ", parameters.get(index)) : null);
             found |= first;
         }
     }

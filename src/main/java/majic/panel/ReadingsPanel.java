@@ -81,18 +81,18 @@ public final class ReadingsPanel<S> extends JPanel {
      * @return this panel
      */
     public ReadingsPanel<S> with(String name, Function<? super S, String> text) {
-        return with(name, name, text);
+        return with(name, List.of(name), text);
     }
 
     /**
-     * Adds a row below the others, for a reading that has another name than its parameter.
+     * Adds a row below the others, for a reading that has another name than its parameter, or several parameters.
      *
      * @param name of the reading
-     * @param parameter name of the parameter that a click on the value plots
+     * @param parameters names of the parameters that a click on the value plots
      * @param text formats the value
      * @return this panel
      */
-    public ReadingsPanel<S> with(String name, String parameter, Function<? super S, String> text) {
+    public ReadingsPanel<S> with(String name, List<String> parameters, Function<? super S, String> text) {
         JLabel value = new JLabel(NONE, SwingConstants.TRAILING);
         value.setName(name);
         value.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, SLACK / 2));
@@ -100,8 +100,8 @@ public final class ReadingsPanel<S> extends JPanel {
         JLabel label = new JLabel(ReadingText.label(name));
         label.setToolTipText(ReadingText.tip(name));
         names.add(label);
-        keys.add(value, parameter);
-        PlotLink.install(value, List.of(parameter));
+        keys.add(value, parameters);
+        PlotLink.install(value, parameters);
         values.add(value);
         texts.add(text);
         add(names.get(names.size() - 1));

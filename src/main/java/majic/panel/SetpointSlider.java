@@ -3,6 +3,7 @@ package majic.panel;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.event.MouseWheelEvent;
+import java.util.List;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
@@ -65,6 +66,8 @@ public final class SetpointSlider extends JPanel {
         slider.addChangeListener(change -> changed());
         slider.addMouseWheelListener(this::turned);
         reading.setName(parameter.name());
+        reading.setFocusable(true);
+        PlotLink.install(reading, List.of(parameter.name()));
         add(name);
         add(slider);
         add(reading);

@@ -1,5 +1,6 @@
 package majic.aibo.panel;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import javax.swing.JLabel;
@@ -9,6 +10,7 @@ import majic.aibo.body.Sensor;
 import majic.aibo.body.SensorReadings;
 import majic.panel.BatteryIcon;
 import majic.panel.Horizon;
+import majic.panel.PlotLink;
 import majic.panel.StatusLight;
 import majic.panel.StatusLight.Kind;
 import net.miginfocom.swing.MigLayout;
@@ -29,6 +31,8 @@ final class BodyPanel extends JPanel {
         super(new MigLayout("insets 0, gap 8 0, novisualpadding", "[][grow, fill]", "[][][]"));
         setOpaque(false);
         battery.setName("batteryLeft");
+        battery.setFocusable(true);
+        PlotLink.install(battery, List.of("battery"));
         battery.setToolTipText("The battery");
         posture.setName("postureGuess");
         posture.setToolTipText("The posture that the dog reports");

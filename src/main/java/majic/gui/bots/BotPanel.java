@@ -15,7 +15,6 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.gui.kit.UpdateThrottle;
-import majic.gui.plot.Quantity;
 import majic.panel.PlotHost;
 import majic.team.Member;
 import majic.team.Team;
@@ -55,8 +54,7 @@ final class BotPanel extends JPanel implements PlotHost {
 
     @Override
     public boolean canPlot(String parameter) {
-        return member.bot().parameters().stream()
-                .anyMatch(known -> known.name().equalsIgnoreCase(parameter) && Quantity.isPlottable(known));
+        return actions.canPlot(member, parameter);
     }
 
     @Override

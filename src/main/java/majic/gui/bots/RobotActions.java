@@ -7,6 +7,7 @@ import majic.bot.BotException;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
 import majic.gui.plot.Plots;
+import majic.gui.plot.Quantity;
 import majic.team.AutoReconnect;
 import majic.team.Member;
 import majic.team.Team;
@@ -87,6 +88,12 @@ public final class RobotActions {
 
     void kill(Member member) {
         kill.accept(member);
+    }
+
+    /** Returns whether the robot has this parameter, and it is a number or a switch. */
+    boolean canPlot(Member member, String parameter) {
+        return member.bot().parameters().stream()
+                .anyMatch(known -> known.name().equalsIgnoreCase(parameter) && Quantity.isPlottable(known));
     }
 
     /** Shows curves of parameters in a new plot, or adds them to the one used last. */

@@ -7,6 +7,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Insets;
 import java.awt.geom.RoundRectangle2D;
+import java.util.List;
 import java.util.Objects;
 import java.util.OptionalInt;
 import javax.swing.Icon;
@@ -25,6 +26,8 @@ import majic.gui.kit.PlainLabel;
 import majic.gui.kit.UpdateThrottle;
 import majic.panel.BatteryIcon;
 import majic.panel.DrawingColors;
+import majic.panel.PlotHost;
+import majic.panel.PlotLink;
 import majic.team.Member;
 import majic.team.Team;
 import net.miginfocom.swing.MigLayout;
@@ -34,7 +37,7 @@ import org.jspecify.annotations.Nullable;
  * One robot of the team: number, type, state, act, battery and connection, with the buttons that stop and reconnect it.
  * Listens to the robot until {@link #close()}.
  */
-final class RobotCard extends JPanel {
+final class RobotCard extends JPanel implements PlotHost {
     private static final long serialVersionUID = 1L;
     private static final int ARC = 10;
 
@@ -79,6 +82,7 @@ final class RobotCard extends JPanel {
             reconnect.setEnabled(false);
             actions.reconnect(member, () -> reconnect.setEnabled(true));
         });
+        PlotLink.install(battery, List.of(), point -> List.of("battery"));
         show(CardSize.FULL);
         update();
         member.bot().addListener(listener);
@@ -93,6 +97,16 @@ final class RobotCard extends JPanel {
         button.setToolTipText(tip);
         button.getAccessibleContext().setAccessibleName(tip);
         return button;
+    }
+
+    @Override
+    public boolean canPlot(String parameter) {
+        return actions.canPlot(member, parameter);
+    }
+
+    @Override
+    public void plot(List<String> parameters, boolean add) {
+        actions.plot(member, parameters, add);
     }
 
     Member member() {

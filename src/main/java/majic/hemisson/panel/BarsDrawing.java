@@ -16,7 +16,9 @@ import majic.panel.DrawingColors;
 final class BarsDrawing {
     private static final double HALF_WIDTH_MM = 6;
     private static final double GROUND_HALF_WIDTH_MM = 4.5;
-    private static final double FIGURE_MM = 15;
+    /** From the end of a bar to the middle of its figure. */
+    static final double FIGURE_MM = 15;
+
     private static final double GROUND_FIGURE_MM = -6;
     private static final double APART_PX = 2;
     private static final double FULL = 255;

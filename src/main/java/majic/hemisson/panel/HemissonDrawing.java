@@ -3,6 +3,7 @@ package majic.hemisson.panel;
 import java.awt.FontMetrics;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
+import java.awt.Point;
 import java.awt.event.MouseEvent;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
@@ -13,6 +14,7 @@ import java.util.OptionalDouble;
 import javax.swing.JPanel;
 import majic.hemisson.readings.Proximity;
 import majic.panel.DrawingColors;
+import majic.panel.PlotLink;
 
 /**
  * The robot from above, its front upward, as large as fits: its body, around it the bars of its sensors over the light
@@ -25,6 +27,11 @@ final class HemissonDrawing extends JPanel {
     private static final double SHOWN_MM = 124;
 
     private static final double LED_MM = 5;
+    private static final double WHEEL_REACH_MM = 12;
+
+    /** The parameters of the left and of the right motor. */
+    static final List<String> WHEELS = List.of("speedLeft", "speedRight");
+
     private static final double LEAST_LED_PX = 3.5;
     private static final int LEAST_CLICK_PX = 16;
 
@@ -41,6 +48,7 @@ final class HemissonDrawing extends JPanel {
         setOpaque(false);
         getAccessibleContext().setAccessibleName("the Hemisson from above with its proximity readings");
         setToolTipText("");
+        PlotLink.install(this, List.of(), this::readingsAt);
         buttons.forEach(button -> {
             button.addActionListener(click -> toggle(button.part()));
             add(button);
@@ -136,6 +144,25 @@ final class HemissonDrawing extends JPanel {
         }
         return "Bars: proximity, 0 nothing to 255 near. Shade: infra-red light, yellow bright, grey dark. "
                 + "At the wheels: what the motors are told, \u22129 to 9.";
+    }
+
+    /** Returns the parameters whose values are drawn at a point: of a sensor, or of the wheels. */
+    private List<String> readingsAt(Point point) {
+        double scale = pxPerMm();
+        Point2D at = new Point2D.Double((getHeight() / 2.0 - point.y) / scale, (getWidth() / 2.0 - point.x) / scale);
+        for (int sensor = 0; sensor < Proximity.SENSORS; sensor++) {
+            SensorDrawing mount = SensorDrawing.ALL.get(sensor);
+            double reach = mount.lengthMm() / 2 + (mount.looksDown() ? 0 : BarsDrawing.FIGURE_MM);
+            if (mount.along(reach).distance(at) < reach) {
+                return List.of("prox" + sensor);
+            }
+        }
+        boolean atWheel = Math.abs(Math.abs(at.getY()) - HemissonBodyDrawing.WHEEL_Y_MM) < WHEEL_REACH_MM
+                && Math.abs(at.getX()) < 2 * HemissonBodyDrawing.WHEEL_HALF_MM;
+        if (!atWheel) {
+            return List.of();
+        }
+        return List.of(WHEELS.get(at.getY() > 0 ? 0 : 1));
     }
 
     private String words(SensorDrawing mount, int sensor) {

@@ -1,5 +1,6 @@
 package majic.hemisson.panel;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
@@ -21,6 +22,7 @@ final class HemissonReadings {
         return new ReadingsPanel<HemissonScene>(LONGEST)
                 .with(
                         "wheels",
+                        HemissonDrawing.WHEELS,
                         view -> view.wheels().left() + ", " + view.wheels().right())
                 .with("speed", view -> about("mm/s", view.state().speedMmPerSec()))
                 .with("turnRate", view -> about("deg/s", view.state().turnRateDegPerSec()))
@@ -35,9 +37,12 @@ final class HemissonReadings {
                 .with("beep", view -> view.buzzing() ? "on" : "off")
                 .with(
                         "round trip",
-                        "roundTrip",
+                        List.of("roundTrip"),
                         view -> milliseconds("", view.line().quality()))
-                .with("missed", "missedAnswers", view -> missed(view.line().quality()))
+                .with(
+                        "missed",
+                        List.of("missedAnswers"),
+                        view -> missed(view.line().quality()))
                 .with("repeated", view -> String.valueOf(view.line().quality().repeats()));
     }
 

@@ -1,11 +1,13 @@
 package majic.pioneer.panel;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.panel.BatteryIcon;
 import majic.panel.Gauge;
+import majic.panel.PlotLink;
 import majic.panel.ReadingText;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Power;
@@ -28,6 +30,8 @@ final class GaugesPanel extends JPanel {
         turnRate.setToolTipText(
                 "To the left positive; the ends are the limits of the turn rate. " + ReadingText.tip("turnRate"));
         battery.setName("battery");
+        battery.setFocusable(true);
+        PlotLink.install(battery, List.of("voltage", "battery"));
         add(speed);
         add(turnRate);
         add(battery);
