@@ -13,6 +13,7 @@ import java.awt.Frame;
 import java.awt.Window;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.stream.Stream;
@@ -29,6 +30,7 @@ import majic.gui.editor.EditorContext;
 import majic.gui.editor.EditorWindow;
 import majic.gui.replay.ReplayServices;
 import majic.gui.replay.ReplayWindow;
+import majic.panel.PlotHost;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.program.WindowPicture;
@@ -63,6 +65,7 @@ class Screenshots {
             awaitWindow(new Settled());
             WindowPicture.save(frame, IMAGES.resolve("main.png"));
             compare(frame);
+            plot(program, parser, frame);
             withDialog(frame, "Add Bot", "add-bot.png");
             withDialog(frame, "Help", "help.png");
             editor(program, frame, home.resolve("lap.majic"));
@@ -158,6 +161,20 @@ class Screenshots {
         click(editor, "editor End");
         awaitIdle(program);
         SwingUtilities.invokeAndWait(editor::dispose);
+    }
+
+    /** Plots a drive of the Pioneer. */
+    private static void plot(Program program, MajicParser parser, MajicFrame frame) throws Exception {
+        PlotHost host = (PlotHost) SwingUtilities.getAncestorOfClass(PlotHost.class, find(frame, "pose" + PIONEER));
+        SwingUtilities.invokeAndWait(() -> host.plot(List.of("speed", "turnRate", "distanceFront"), false));
+        List.of("2 move -600", "2 turn 90", "2 move 300").forEach(parser::parseText);
+        awaitIdle(program);
+        Window plot = Arrays.stream(Window.getWindows())
+                .filter(window -> "plot".equals(window.getName()))
+                .findFirst()
+                .orElseThrow();
+        WindowPicture.save((JFrame) plot, IMAGES.resolve("plot.png"));
+        SwingUtilities.invokeAndWait(plot::dispose);
     }
 
     private static void wrongLine(MajicFrame frame) throws Exception {
