@@ -14,6 +14,7 @@ import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JToggleButton;
 import majic.bot.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
@@ -63,6 +64,31 @@ class PlotWindowTest {
         window.add("one");
         plotPose();
         assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (deg)");
+    }
+
+    @Test
+    void theSpaceBarPausesANewPlot() {
+        window.add("one");
+        plotPose();
+        Component chart = window.find("chart", Component.class);
+        window.await("the focus", chart::isFocusOwner);
+        window.press(KeyEvent.VK_SPACE);
+        JToggleButton pause = window.find("pause", JToggleButton.class);
+        window.await("the pause", pause::isSelected);
+    }
+
+    @Test
+    void plusZoomsAndZeroShowsTheNewestReadings() {
+        window.add("one");
+        plotPose();
+        Component chart = window.find("chart", Component.class);
+        window.await("the focus", chart::isFocusOwner);
+        window.await("the zoom", () -> {
+            window.type("+");
+            return window.isEnabled("Show newest");
+        });
+        window.type("0");
+        window.await("the end of the zoom", () -> !window.isEnabled("Show newest"));
     }
 
     @Test

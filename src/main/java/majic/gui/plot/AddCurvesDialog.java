@@ -1,5 +1,6 @@
 package majic.gui.plot;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Window;
@@ -86,8 +87,9 @@ final class AddCurvesDialog extends MajicDialog {
         JLabel label = new JLabel("Find");
         label.setLabelFor(filter);
         label.setDisplayedMnemonic('F');
-        JScrollPane scroll = new JScrollPane(list);
-        scroll.setPreferredSize(new Dimension(560, 320));
+        JScrollPane scroll =
+                new JScrollPane(list, JScrollPane.VERTICAL_SCROLLBAR_ALWAYS, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        scroll.setPreferredSize(new Dimension(UIScale.scale(560), UIScale.scale(320)));
         list.getAccessibleContext().setAccessibleName("Parameters of all robots");
         content.add(label);
         content.add(filter);

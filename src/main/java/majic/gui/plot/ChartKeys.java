@@ -20,18 +20,19 @@ final class ChartKeys {
     }
 
     void install() {
-        bind("typed +", () -> cursor.zoomTime(-1));
-        bind("typed -", () -> cursor.zoomTime(1));
-        bind("typed 0", () -> model.zoom(null));
-        bind("typed  ", () -> model.pause(!model.isPaused()));
-        bind("LEFT", () -> cursor.move(-1));
-        bind("RIGHT", () -> cursor.move(1));
-        bind("shift LEFT", () -> cursor.move(-FAR));
-        bind("shift RIGHT", () -> cursor.move(FAR));
+        bind(KeyStroke.getKeyStroke('+'), () -> cursor.zoomTime(-1));
+        bind(KeyStroke.getKeyStroke('-'), () -> cursor.zoomTime(1));
+        bind(KeyStroke.getKeyStroke('0'), () -> model.zoom(null));
+        bind(KeyStroke.getKeyStroke(' '), () -> model.pause(!model.isPaused()));
+        bind(KeyStroke.getKeyStroke("LEFT"), () -> cursor.move(-1));
+        bind(KeyStroke.getKeyStroke("RIGHT"), () -> cursor.move(1));
+        bind(KeyStroke.getKeyStroke("shift LEFT"), () -> cursor.move(-FAR));
+        bind(KeyStroke.getKeyStroke("shift RIGHT"), () -> cursor.move(FAR));
     }
 
-    private void bind(String key, Runnable action) {
-        view.getInputMap().put(KeyStroke.getKeyStroke(key), key);
+    private void bind(KeyStroke stroke, Runnable action) {
+        String key = "chart " + stroke;
+        view.getInputMap().put(stroke, key);
         view.getActionMap().put(key, new AbstractAction(key) {
             private static final long serialVersionUID = 1L;
 

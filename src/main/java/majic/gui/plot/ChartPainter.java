@@ -85,6 +85,7 @@ final class ChartPainter {
         styler.setPlotGridVerticalLinesVisible(false);
         styler.setPlotGridLinesStroke(GRID);
         styler.setLegendVisible(false);
+        styler.setYAxisTickMarkSpacingHint(3 * look.font().getSize());
         styler.setAntiAlias(true);
     }
 

@@ -32,8 +32,8 @@ final class CurveList extends JPanel implements Scrollable {
 
     /** The label that shows the newest value of a curve. */
     private record Row(Curve curve, JLabel value) {
-        void update() {
-            String text = curve.quantity().text(curve.samples().newest());
+        void update(double seconds) {
+            String text = curve.quantity().text(curve.samples().at(seconds));
             if (!text.equals(value.getText())) {
                 value.setText(text);
             }
@@ -85,15 +85,17 @@ final class CurveList extends JPanel implements Scrollable {
         update();
     }
 
-    /** Shows the newest values. */
+    /** Shows the newest values of the time that is shown. */
     void update() {
-        rows.forEach(Row::update);
+        double seconds = model.time().to();
+        rows.forEach(row -> row.update(seconds));
     }
 
     private Row row(Curve curve) {
         String label = curve.quantity().label();
         JLabel name = new JLabel(label);
         name.setName("curve " + label);
+        name.setToolTipText(label);
         JLabel value = new JLabel("–", SwingConstants.TRAILING);
         value.setName("value " + label);
         add(new JLabel(new Line(curve.style())));

@@ -1,5 +1,6 @@
 package majic.gui.plot;
 
+import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -18,6 +19,8 @@ import org.jspecify.annotations.Nullable;
  * reported. Thread-safe.
  */
 public final class LiveSource implements PlotSource {
+    private static final double NANOS_PER_S = 1e9;
+
     private final Team team;
     private final long startNanos;
     private final MarkRecord marks;
@@ -25,16 +28,24 @@ public final class LiveSource implements PlotSource {
     private final @Nullable Past past;
 
     /**
-     * Creates a source whose time begins now, and begins to record marks.
+     * Creates a source, and begins to record marks. Its time is that of the recording; without one it begins now.
      *
      * @param history what was recorded before; null if nothing is recorded
      */
     public LiveSource(Team team, @Nullable RecordedHistory history) {
         this.team = team;
-        this.startNanos = team.time().nanos();
+        this.startNanos = team.time().nanos() - (long) (recordedS(history) * NANOS_PER_S);
         this.marks = new MarkRecord(this::now);
         this.past = history == null ? null : new Past(history, this::now);
         team.addListener(marks);
+    }
+
+    private static double recordedS(@Nullable RecordedHistory history) {
+        try {
+            return history == null ? 0 : history.endS();
+        } catch (IOException e) {
+            return 0;
+        }
     }
 
     @Override
@@ -96,7 +107,7 @@ public final class LiveSource implements PlotSource {
 
     /** Returns the time of a report; a robot with a clock of its own reports now. */
     private double seconds(Member member, long reportNanos) {
-        return member.time() == team.time() ? (reportNanos - startNanos) / 1e9 : now();
+        return member.time() == team.time() ? (reportNanos - startNanos) / NANOS_PER_S : now();
     }
 
     @Override

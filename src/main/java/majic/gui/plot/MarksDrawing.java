@@ -7,6 +7,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
+import majic.panel.DrawingColors;
 
 /**
  * Paints the marks of a chart: a dashed line where a command began, a dotted one where it ended, with its text at the
@@ -16,6 +17,10 @@ final class MarksDrawing {
     private static final int ROWS = 3;
     private static final int GAP = 4;
     private static final int LONGEST_TEXT = 36;
+
+    /** Opacity of the background of texts: the curves behind them remain visible. */
+    private static final double BACKGROUND = 0.7;
+
     private static final BasicStroke BEGIN = dashed(5, 3);
     private static final BasicStroke END = dashed(1, 3);
 
@@ -69,7 +74,7 @@ final class MarksDrawing {
     private void paintText(String text, double left, double top, int width) {
         FontMetrics metrics = pen.getFontMetrics();
         ChartLook look = chart.job().look();
-        pen.setColor(look.paper());
+        pen.setColor(DrawingColors.translucent(look.paper(), BACKGROUND));
         pen.fill(new Rectangle2D.Double(left - 2, top, width + 4, metrics.getHeight()));
         pen.setColor(look.text());
         pen.drawString(text, (float) left, (float) (top + metrics.getAscent()));

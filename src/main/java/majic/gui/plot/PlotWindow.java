@@ -1,9 +1,10 @@
 package majic.gui.plot;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dimension;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
@@ -14,6 +15,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
+import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.Timer;
 import majic.bot.Settings;
 import majic.gui.kit.ChooseFile;
@@ -56,17 +58,12 @@ final class PlotWindow extends JFrame {
         content.add(view, BorderLayout.CENTER);
         content.add(side(), BorderLayout.EAST);
         setContentPane(content);
-        setMinimumSize(new Dimension(520, 260));
+        setMinimumSize(new Dimension(UIScale.scale(520), UIScale.scale(260)));
         pack();
         model.addListener(this::modelChanged);
         modelChanged();
         values.start();
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowOpened(WindowEvent event) {
-                view.requestFocusInWindow();
-            }
-        });
+        setFocusTraversalPolicy(new ChartFirst());
     }
 
     PlotModel model() {
@@ -95,7 +92,7 @@ final class PlotWindow extends JFrame {
         csv.addActionListener(event -> saveCsv());
         tools.add(png);
         tools.add(csv);
-        tools.add(stop, "h 34!, w 96!");
+        tools.add(stop, "growy, w " + UIScale.scale(96) + "!");
         return tools;
     }
 
@@ -120,7 +117,7 @@ final class PlotWindow extends JFrame {
         JScrollPane scroll = new JScrollPane(
                 curves, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(BorderFactory.createEmptyBorder());
-        scroll.setPreferredSize(new Dimension(270, 200));
+        scroll.setPreferredSize(new Dimension(UIScale.scale(290), 200));
         return scroll;
     }
 
@@ -160,5 +157,15 @@ final class PlotWindow extends JFrame {
         values.stop();
         model.close();
         super.dispose();
+    }
+
+    /** Gives the chart the focus at first. */
+    private final class ChartFirst extends LayoutFocusTraversalPolicy {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public Component getDefaultComponent(Container window) {
+            return view;
+        }
     }
 }

@@ -1,5 +1,7 @@
 package majic.gui.plot;
 
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -13,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 /** The plots of one source, each in a window of its own. Must be used on the event dispatch thread. */
 public final class Plots implements AutoCloseable {
     private static final int OFFSET_PX = 28;
+    private static final int MOST_OFFSETS = 8;
 
     private final Window owner;
     private final Settings settings;
@@ -74,12 +77,22 @@ public final class Plots implements AutoCloseable {
         windows.removeIf(window -> !window.isDisplayable());
         PlotWindow window = new PlotWindow(new PlotModel(source()), settings, stopButtons.get());
         window.setIconImages(owner.getIconImages());
-        int offset = OFFSET_PX * (windows.size() % 8 + 1);
-        window.setLocation(owner.getX() + offset, owner.getY() + offset);
+        place(window);
         windows.add(window);
         window.addWindowListener(new LastUsed(window));
         window.setVisible(true);
         return window;
+    }
+
+    /** Places a window beside those before it, within the screen. */
+    private void place(Window window) {
+        int offset = OFFSET_PX * (windows.size() % MOST_OFFSETS + 1);
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        int right = screen.x + screen.width - window.getWidth();
+        int bottom = screen.y + screen.height - window.getHeight();
+        window.setLocation(
+                Math.max(screen.x, Math.min(owner.getX() + offset, right)),
+                Math.max(screen.y, Math.min(owner.getY() + offset, bottom)));
     }
 
     /** Closes all windows. */
