@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Point;
 import java.awt.event.KeyEvent;
+import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import javax.swing.JScrollBar;
@@ -11,6 +12,7 @@ import javax.swing.JTextPane;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
 import majic.gui.command.MessageArea;
+import majic.gui.kit.Palette;
 import majic.log.Line;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
@@ -39,6 +41,22 @@ class MessagesWindowTest {
         window.awaitMessage("\u203c 1: connection lost");
         window.command("1 stop");
         window.awaitMessage("\u203c 1 stop: failed");
+    }
+
+    @Test
+    void anAlarmIsPaintedInReversedColours() {
+        MessageArea area = window.find("messageArea", MessageArea.class);
+        area.line(new Line(Line.Kind.ALARM, "1: connection lost"));
+        window.awaitMessage("connection lost");
+        window.run(() -> {
+            BufferedImage picture = new BufferedImage(400, 60, BufferedImage.TYPE_INT_RGB);
+            area.getViewport().getView().paint(picture.createGraphics());
+            long red = IntStream.range(0, 400 * 60)
+                    .filter(pixel -> picture.getRGB(pixel % 400, pixel / 400)
+                            == Palette.error().getRGB())
+                    .count();
+            assertThat(red).as("pixels in the colour of alarms").isGreaterThan(1000);
+        });
     }
 
     @Test
