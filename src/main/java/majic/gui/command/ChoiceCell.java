@@ -24,13 +24,14 @@ import org.jspecify.annotations.Nullable;
 /** Paints a completion in three columns: the word, what it takes, and its explanation. */
 final class ChoiceCell extends JLabel implements ListCellRenderer<Completion> {
     private static final long serialVersionUID = 1L;
-    private static final int MARGIN = 8;
-    private static final int GAP = 16;
-    private static final int WIDEST_VALUES = 260;
-    private static final int WIDEST = 760;
+    /** Widths in characters. */
+    private static final int WIDEST_VALUES = 32;
+
+    private static final int WIDEST = 95;
 
     private transient Completion entry = new Completion("", "", "");
     private boolean selected;
+    private int character = 8;
     private int words;
     private int values;
 
@@ -38,19 +39,20 @@ final class ChoiceCell extends JLabel implements ListCellRenderer<Completion> {
     void measure(List<Completion> entries, Font font) {
         setFont(font);
         FontMetrics plain = getFontMetrics(font);
+        character = plain.charWidth('m');
         words = widest(entries, Completion::text, getFontMetrics(font.deriveFont(Font.BOLD)));
-        values = Math.min(WIDEST_VALUES, widest(entries, Completion::values, plain));
+        values = Math.min(WIDEST_VALUES * character, widest(entries, Completion::values, plain));
         int explanations = widest(entries, Completion::explanation, plain);
-        int width = 2 * MARGIN + column(words) + column(values) + explanations;
-        setPreferredSize(new Dimension(Math.min(WIDEST, width), plain.getHeight() + 4));
+        int width = 2 * character + column(words) + column(values) + explanations;
+        setPreferredSize(new Dimension(Math.min(WIDEST * character, width), plain.getHeight() + character / 2));
     }
 
     private static int widest(List<Completion> entries, Function<Completion, String> column, FontMetrics metrics) {
         return entries.stream().map(column).mapToInt(metrics::stringWidth).max().orElse(0);
     }
 
-    private static int column(int width) {
-        return width == 0 ? 0 : width + GAP;
+    private int column(int width) {
+        return width == 0 ? 0 : width + 2 * character;
     }
 
     @Override
@@ -71,12 +73,12 @@ final class ChoiceCell extends JLabel implements ListCellRenderer<Completion> {
         pen.fillRect(0, 0, getWidth(), getHeight());
         Color text = UIManager.getColor(selected ? "List.selectionForeground" : "List.foreground");
         Color side = selected ? text : Palette.faint();
-        int x = MARGIN;
+        int x = character;
         draw(pen, entry.text(), x, words, Font.BOLD, text);
         x += column(words);
         draw(pen, entry.values(), x, values, Font.PLAIN, selected ? text : Palette.command());
         x += column(values);
-        draw(pen, entry.explanation(), x, getWidth() - MARGIN - x, Font.PLAIN, side);
+        draw(pen, entry.explanation(), x, getWidth() - character - x, Font.PLAIN, side);
         pen.dispose();
     }
 
@@ -93,6 +95,6 @@ final class ChoiceCell extends JLabel implements ListCellRenderer<Completion> {
         pen.setColor(color);
         FontMetrics metrics = pen.getFontMetrics();
         String clipped = BasicGraphicsUtils.getClippedString(this, metrics, text, width);
-        BasicGraphicsUtils.drawString(this, pen, clipped, x, 2f + metrics.getAscent());
+        BasicGraphicsUtils.drawString(this, pen, clipped, x, character / 4f + metrics.getAscent());
     }
 }

@@ -1,5 +1,6 @@
 package majic.gui.command;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.geom.Rectangle2D;
@@ -41,8 +42,8 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         text.setDocument(document);
         setViewportView(text);
         setName("messageArea");
-        setPreferredSize(new Dimension(600, 150));
-        setMinimumSize(new Dimension(200, 70));
+        setPreferredSize(UIScale.scale(new Dimension(600, 150)));
+        setMinimumSize(UIScale.scale(new Dimension(200, 70)));
     }
 
     MessageText text() {
