@@ -69,6 +69,12 @@ class PanelWindowTest {
     }
 
     @Test
+    void theStopButtonOfTheWindowStopsAllRobots() {
+        window.click("smallStop");
+        window.await("the latch", window.team::isLatched);
+    }
+
+    @Test
     void thePadOfTheWindowDrivesItsRobotWhateverIsSelected() {
         window.click("card2");
         window.focus("drivePadWindow1");

@@ -7,13 +7,15 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
 import javax.swing.JFrame;
+import javax.swing.JPanel;
 import majic.gui.drive.DrivePad;
 import majic.panel.PictureView;
 import majic.panel.PictureViewer;
 import majic.team.Member;
+import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
-/** A window with the panel of one robot and a pad that drives this robot. */
+/** A window with the panel of one robot, a pad that drives this robot, and a STOP button for all robots. */
 final class PanelWindow extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
     private static final int PAD_HEIGHT = 90;
@@ -37,7 +39,10 @@ final class PanelWindow extends JFrame implements PictureViewer {
         pad = new DrivePad("Window" + member.number(), actions::showError);
         pad.choose(List.of(member));
         add(panel, BorderLayout.CENTER);
-        add(pad, BorderLayout.SOUTH);
+        JPanel below = new JPanel(new MigLayout("insets 0 0 0 10, gap 0", "[grow, fill][]"));
+        below.add(pad, "wmin 0");
+        below.add(actions.stopButton(), "aligny center");
+        add(below, BorderLayout.SOUTH);
         if (main != null) {
             setIconImages(main.getIconImages());
         }

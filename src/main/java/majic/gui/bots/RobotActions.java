@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.StopButton;
 import majic.gui.plot.Plots;
 import majic.gui.plot.Quantity;
 import majic.team.AutoReconnect;
@@ -48,6 +49,11 @@ public final class RobotActions {
     /** Stops this robot alone, and whatever drives it. */
     void stop(Member member) {
         team.stop(List.of(member), null);
+    }
+
+    /** Makes the STOP button of a window beside the main one. */
+    StopButton stopButton() {
+        return new StopButton(team, team::stopAllIfAny);
     }
 
     /**
