@@ -1,0 +1,97 @@
+package majic.figures;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+
+/**
+ * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
+ * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
+ * {@code idle}, {@code events}, {@code memory}; without arguments all are measured.
+ */
+public final class Figures {
+    private static final int STARTS = 9;
+    private static final String NINE_PIONEERS = "--pioneers=9";
+
+    private final ChildProgram programs;
+
+    private Figures(ChildProgram programs) {
+        this.programs = programs;
+    }
+
+    /** Measures and prints. */
+    public static void main(String[] names) throws IOException, InterruptedException {
+        List<String> wanted = names.length == 0 ? List.of("start", "idle", "events", "memory") : List.of(names);
+        Figures figures = new Figures(ChildProgram.withClassData());
+        for (String name : wanted) {
+            switch (name) {
+                case "start" -> figures.start();
+                case "idle" -> figures.idle();
+                case "events" -> figures.events();
+                case "memory" -> figures.memory();
+                default -> throw new IllegalArgumentException("no figure " + name);
+            }
+        }
+    }
+
+    /** Alternates the three starts, so that a change of the computer's load affects all of them. */
+    private void start() throws IOException, InterruptedException {
+        Map<String, List<Double>> seconds = new TreeMap<>();
+        for (int round = 0; round <= STARTS; round++) {
+            double bare = programs.secondsUntilShown("bare");
+            double majic = programs.secondsUntilShown("majic");
+            double lab = programs.secondsUntilShown("majic", "--lab");
+            if (round > 0) {
+                add(seconds, "bare", bare);
+                add(seconds, "majic", majic);
+                add(seconds, "lab", lab);
+            }
+        }
+        double bare = median(seconds, "bare");
+        say("start to a visible window, median of " + STARTS);
+        say("  bare FlatLaf frame %.2f s", bare);
+        say(
+                "  majic       %.2f s, %.2f times the bare frame (at most 1.5)",
+                median(seconds, "majic"), median(seconds, "majic") / bare);
+        say(
+                "  majic --lab %.2f s, %.2f times the bare frame (at most 1.8)",
+                median(seconds, "lab"), median(seconds, "lab") / bare);
+    }
+
+    private void idle() throws IOException, InterruptedException {
+        say("idle window with the lab and its three robots (at most 8 % of a core)");
+        programs.lines("idle", "--lab").forEach(line -> say("  " + line));
+    }
+
+    private void events() throws IOException, InterruptedException {
+        say("event dispatch thread with 20 robots (99 of 100 at most 16 ms, longest 50 ms)");
+        try (ChildProgram.Lab further = programs.lab(NINE_PIONEERS)) {
+            List<String> arguments = new ArrayList<>(List.of("--lab", NINE_PIONEERS));
+            further.pioneers().forEach(address -> arguments.addAll(List.of("--add", "pioneer://" + address)));
+            programs.lines("events", arguments.toArray(String[]::new)).forEach(line -> say("  " + line));
+        }
+    }
+
+    private void memory() throws IOException, InterruptedException {
+        say("memory in use after collection, over an hour of the lab");
+        programs.lines("memory", "--lab", "--speed", "30").forEach(line -> say("  " + line));
+    }
+
+    private static void add(Map<String, List<Double>> seconds, String name, double value) {
+        seconds.computeIfAbsent(name, key -> new ArrayList<>()).add(value);
+    }
+
+    private static double median(Map<String, List<Double>> seconds, String name) {
+        List<Double> sorted = new ArrayList<>(seconds.getOrDefault(name, List.of()));
+        Collections.sort(sorted);
+        return sorted.get(sorted.size() / 2);
+    }
+
+    private static void say(String format, Object... values) {
+        System.out.println(values.length == 0 ? format : String.format(Locale.ROOT, format, values));
+    }
+}

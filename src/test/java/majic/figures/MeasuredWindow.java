@@ -1,0 +1,78 @@
+package majic.figures;
+
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.Window;
+import java.lang.reflect.InvocationTargetException;
+import java.util.Arrays;
+import java.util.List;
+import javax.swing.JFrame;
+import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
+import majic.Majic;
+
+/** A measured program: waits for its window, measures it in its own process, prints the result and ends. */
+final class MeasuredWindow {
+    /** The line that a program prints when its window is visible. */
+    static final String SHOWN = "shown";
+
+    private static final int LOOK_MS = 4;
+
+    private MeasuredWindow() {}
+
+    /** Runs the task of the first argument; the others are MAJIC's. */
+    public static void main(String[] arguments) {
+        Thread measuring = new Thread(() -> measure(arguments[0]), "figures");
+        measuring.setDaemon(true);
+        measuring.start();
+        if (arguments[0].equals("bare")) {
+            SwingUtilities.invokeLater(MeasuredWindow::showBareFrame);
+        } else {
+            Majic.main(Arrays.copyOfRange(arguments, 1, arguments.length));
+        }
+    }
+
+    /** Waits for a visible window without loading the toolkit, then until it is painted by the events that follow. */
+    private static void awaitWindow() throws InterruptedException, InvocationTargetException {
+        while (Arrays.stream(Window.getWindows()).noneMatch(Window::isShowing)) {
+            Thread.sleep(LOOK_MS);
+        }
+        SwingUtilities.invokeAndWait(() -> {});
+        SwingUtilities.invokeAndWait(() -> {});
+    }
+
+    private static void showBareFrame() {
+        FlatLightLaf.setup();
+        JFrame frame = new JFrame("bare");
+        frame.add(new JLabel("a bare frame"));
+        frame.setSize(1280, 800);
+        frame.setLocationRelativeTo(null);
+        frame.setVisible(true);
+    }
+
+    private static void measure(String task) {
+        try {
+            awaitWindow();
+            List<String> result = switch (task) {
+                case "bare", "majic" -> List.of(SHOWN);
+                case "idle" -> ThreadLoads.idle();
+                case "events" -> EventTimes.measure(frame());
+                case "memory" -> MemoryInUse.overAnHour(frame());
+                default -> List.of("no task " + task);
+            };
+            result.forEach(System.out::println);
+            System.out.flush();
+            Runtime.getRuntime().halt(0);
+        } catch (Exception e) {
+            e.printStackTrace();
+            Runtime.getRuntime().halt(1);
+        }
+    }
+
+    private static JFrame frame() {
+        return Arrays.stream(Window.getWindows())
+                .filter(JFrame.class::isInstance)
+                .map(JFrame.class::cast)
+                .findFirst()
+                .orElseThrow();
+    }
+}

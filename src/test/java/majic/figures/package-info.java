@@ -1,0 +1,8 @@
+/**
+ * A program that measures MAJIC: time to the visible window, processor time of an idle window, delays of the event
+ * dispatch thread, memory over a long run. See CONTRIBUTING.
+ */
+@NullMarked
+package majic.figures;
+
+import org.jspecify.annotations.NullMarked;
