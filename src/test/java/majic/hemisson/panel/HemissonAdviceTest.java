@@ -59,7 +59,7 @@ class HemissonAdviceTest {
     void theQualityOfTheLineIsShown() {
         LinkQuality quality = new LinkQuality(4.25, 100, 2, 1, 0);
 
-        assertThat(line(quality, false, 0.1)).isEqualTo("GOOD line 4.3 ms");
+        assertThat(line(quality, false, 0.1)).isEqualTo("GOOD link 4.3 ms");
         assertThat(line(quality, true, 0.1)).isEqualTo("WARNING answers missing");
         assertThat(line(quality, true, 1.24)).isEqualTo("WARNING silent 1.2 s");
         assertThat(light("line", Scenes.standing(Scenes.LOST))).isEqualTo("ALARM link lost");
