@@ -8,7 +8,7 @@ import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.StopButton;
 import majic.gui.plot.Plots;
-import majic.gui.plot.Quantity;
+import majic.gui.plot.data.Quantity;
 import majic.team.AutoReconnect;
 import majic.team.Member;
 import majic.team.Team;

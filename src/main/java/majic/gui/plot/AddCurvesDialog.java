@@ -25,6 +25,7 @@ import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.gui.kit.Html;
 import majic.gui.kit.MajicDialog;
+import majic.gui.plot.data.PlotSource;
 import net.miginfocom.swing.MigLayout;
 
 /** Chooses parameters of robots whose curves are added to a plot. */

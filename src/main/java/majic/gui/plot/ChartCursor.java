@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import javax.swing.SwingUtilities;
 import majic.gui.plot.PlotModel.Zoom;
+import majic.gui.plot.data.Span;
 import majic.panel.DrawingColors;
 import org.jspecify.annotations.Nullable;
 

@@ -4,6 +4,8 @@ import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import majic.gui.plot.data.PlotMark;
+import majic.gui.plot.data.Span;
 import org.jspecify.annotations.Nullable;
 
 /**

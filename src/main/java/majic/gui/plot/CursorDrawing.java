@@ -10,6 +10,7 @@ import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.ArrayList;
 import java.util.List;
+import majic.gui.plot.data.Quantity;
 
 /** Paints the line of the cursor with the values under it. */
 final class CursorDrawing {

@@ -1,5 +1,9 @@
 package majic.gui.plot;
 
+import majic.gui.plot.data.PlotSource;
+import majic.gui.plot.data.Quantity;
+import majic.gui.plot.data.Samples;
+
 /**
  * A curve of a plot. Immutable except for its samples.
  *

@@ -7,6 +7,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
+import majic.gui.plot.data.PlotMark;
 import majic.panel.DrawingColors;
 
 /**

@@ -3,6 +3,7 @@ package majic.gui.plot;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import majic.gui.plot.data.Span;
 
 /**
  * A picture of a chart, with what is where in it.

@@ -8,6 +8,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.imageio.ImageIO;
+import majic.gui.plot.data.Points;
+import majic.gui.plot.data.Quantity;
+import majic.gui.plot.data.Span;
 
 /** Writes files of plots. Every method blocks, and returns why it failed; empty if it did not. */
 final class PlotExport {

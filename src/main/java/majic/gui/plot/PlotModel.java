@@ -3,6 +3,10 @@ package majic.gui.plot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import majic.gui.plot.data.PlotSource;
+import majic.gui.plot.data.Quantity;
+import majic.gui.plot.data.Samples;
+import majic.gui.plot.data.Span;
 import org.jspecify.annotations.Nullable;
 
 /**

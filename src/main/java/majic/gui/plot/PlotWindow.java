@@ -19,6 +19,7 @@ import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.Timer;
 import majic.bot.Settings;
 import majic.gui.kit.ChooseFile;
+import majic.gui.plot.data.Span;
 import net.miginfocom.swing.MigLayout;
 
 /** A window with one plot. Must be used on the event dispatch thread. */

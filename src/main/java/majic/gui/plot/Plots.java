@@ -10,6 +10,8 @@ import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.bot.Settings;
+import majic.gui.plot.data.PlotSource;
+import majic.gui.plot.data.Quantity;
 import org.jspecify.annotations.Nullable;
 
 /** The plots of one source, each in a window of its own. Must be used on the event dispatch thread. */

@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
+import majic.gui.plot.data.Span;
 import majic.panel.DrawingColors;
 
 /** Paints the times below a chart, and a line of the grid above each; XChart places its own at odd moments. */

@@ -8,6 +8,9 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.DoubleStream;
 import majic.bot.Unit;
+import majic.gui.plot.data.Points;
+import majic.gui.plot.data.Quantity;
+import majic.gui.plot.data.Span;
 import org.jspecify.annotations.Nullable;
 
 /**

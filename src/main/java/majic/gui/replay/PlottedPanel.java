@@ -4,7 +4,7 @@ import java.awt.BorderLayout;
 import java.util.List;
 import javax.swing.JPanel;
 import majic.gui.plot.Plots;
-import majic.gui.plot.Quantity;
+import majic.gui.plot.data.Quantity;
 import majic.panel.PlotHost;
 
 /** Contains the panel of a recorded robot, whose figures open plots of the recording. */

@@ -34,7 +34,7 @@ import majic.gui.kit.PictureDialog;
 import majic.gui.map.MapScene;
 import majic.gui.map.TeamMap;
 import majic.gui.plot.Plots;
-import majic.gui.plot.RecordedSource;
+import majic.gui.plot.data.RecordedSource;
 import majic.panel.PictureView;
 import majic.panel.PictureViewer;
 import majic.panel.map.ZoomableMap;

@@ -1,4 +1,4 @@
-package majic.gui.plot;
+package majic.gui.plot.data;
 
 import java.util.List;
 import majic.bot.Parameter;

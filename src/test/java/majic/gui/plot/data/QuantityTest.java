@@ -1,4 +1,4 @@
-package majic.gui.plot;
+package majic.gui.plot.data;
 
 import static org.assertj.core.api.Assertions.assertThat;
 

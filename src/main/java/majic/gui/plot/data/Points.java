@@ -1,4 +1,4 @@
-package majic.gui.plot;
+package majic.gui.plot.data;
 
 import java.util.Arrays;
 
@@ -52,7 +52,7 @@ public record Points(double[] times, double[] values) {
      * @param columns number of columns of pixels
      * @return at most five points a column; these points if there are no more of them than columns
      */
-    Points thinned(Span span, int columns) {
+    public Points thinned(Span span, int columns) {
         if (size() <= columns) {
             return this;
         }

@@ -1,4 +1,4 @@
-package majic.gui.plot;
+package majic.gui.plot.data;
 
 import java.util.Arrays;
 
@@ -68,25 +68,25 @@ public final class Samples {
     }
 
     /** Returns the last reading at a time or before it; NaN if there is none. */
-    synchronized double at(double seconds) {
+    public synchronized double at(double seconds) {
         int after = firstAfter(seconds);
         return after == 0 ? Double.NaN : values[place(after - 1)];
     }
 
     /** Returns the time of the oldest reading; NaN if there is none. */
-    synchronized double start() {
+    public synchronized double start() {
         return count == 0 ? Double.NaN : times[first];
     }
 
     /** Returns the readings within a span of time, and the ones next to it, so that a curve reaches the edges. */
-    synchronized Points around(Span span) {
+    public synchronized Points around(Span span) {
         int from = Math.max(0, firstAfter(span.from()) - 1);
         int to = Math.min(count, firstAfter(span.to()) + 1);
         return copy(from, Math.max(from, to));
     }
 
     /** Returns the readings within a span of time, both ends included. */
-    synchronized Points within(Span span) {
+    public synchronized Points within(Span span) {
         int from = firstAfter(Math.nextDown(span.from()));
         return copy(from, Math.max(from, firstAfter(span.to())));
     }

@@ -1,4 +1,4 @@
-package majic.gui.plot;
+package majic.gui.plot.data;
 
 /**
  * A range of time, in seconds on the clock of the plot's source, or of values. Immutable.
@@ -6,14 +6,14 @@ package majic.gui.plot;
  * @param from lower end
  * @param to upper end, greater than {@code from}
  */
-record Span(double from, double to) {
+public record Span(double from, double to) {
     /** The part of the range of values that stays empty above and below a curve. */
     private static final double MARGIN = 0.05;
 
     /** About how many steps the ends of an axis are rounded to. */
     private static final double STEPS = 20;
 
-    double length() {
+    public double length() {
         return to - from;
     }
 
@@ -22,7 +22,7 @@ record Span(double from, double to) {
     }
 
     /** Returns the range magnified around a number that keeps its place. */
-    Span scaled(double factor, double around) {
+    public Span scaled(double factor, double around) {
         return new Span(around + (from - around) * factor, around + (to - around) * factor);
     }
 
@@ -31,7 +31,7 @@ record Span(double from, double to) {
     }
 
     /** Returns the part of this range between two shares of it, in any order, 0 to 1. */
-    Span part(double share, double otherShare) {
+    public Span part(double share, double otherShare) {
         return new Span(from + length() * Math.min(share, otherShare), from + length() * Math.max(share, otherShare));
     }
 
@@ -42,7 +42,7 @@ record Span(double from, double to) {
      * @param least the lowest value
      * @param greatest the highest value, not below {@code least}
      */
-    static Span ofAxis(double least, double greatest) {
+    public static Span ofAxis(double least, double greatest) {
         double length = greatest - least;
         double room = length > 0 ? length * MARGIN : Math.max(1, Math.abs(least) * MARGIN);
         double step = round((length + 2 * room) / STEPS);

@@ -1,4 +1,4 @@
-package majic.gui.plot;
+package majic.gui.plot.data;
 
 /**
  * A moment that is marked in plots: a command began or ended. Immutable.
