@@ -3,6 +3,7 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
@@ -95,5 +96,14 @@ class PanelWindowTest {
 
     private Window windowOfPanel() {
         return SwingUtilities.getWindowAncestor(window.find("bot1", Component.class));
+    }
+
+    @Test
+    void itsPartsHaveNamesAndReadableTexts() {
+        Container root = windowOfPanel();
+        window.run(() -> {
+            assertThat(WindowAudit.nameless(root)).isEmpty();
+            assertThat(WindowAudit.pale(root, Contrast.TEXT)).isEmpty();
+        });
     }
 }

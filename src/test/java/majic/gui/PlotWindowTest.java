@@ -3,6 +3,7 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.Container;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
@@ -152,5 +153,16 @@ class PlotWindowTest {
         Window plot = window.awaitShowing("plot", JFrame.class);
         window.run(window.frame::dispose);
         assertThat(plot.isDisplayable()).isFalse();
+    }
+
+    @Test
+    void itsPartsHaveNamesAndReadableTexts() {
+        window.add("one");
+        plotPose();
+        Container root = window.awaitShowing("plot", JFrame.class);
+        window.run(() -> {
+            assertThat(WindowAudit.nameless(root)).isEmpty();
+            assertThat(WindowAudit.pale(root, Contrast.TEXT)).isEmpty();
+        });
     }
 }

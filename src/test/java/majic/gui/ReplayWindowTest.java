@@ -2,6 +2,7 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Container;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -128,5 +129,16 @@ class ReplayWindowTest {
         open(Files.writeString(folder.resolve("letter.majicrec"), "Dear all"));
         window.await("the reason", () -> !problems.isEmpty());
         assertThat(problems.get(0)).contains("letter.majicrec").contains("no recording");
+    }
+
+    @Test
+    void itsPartsHaveNamesAndReadableTexts() throws Exception {
+        open(recorded());
+        JLabel band = window.awaitShowing("replayBand", JLabel.class);
+        Container root = SwingUtilities.getWindowAncestor(band);
+        window.run(() -> {
+            assertThat(WindowAudit.nameless(root)).isEmpty();
+            assertThat(WindowAudit.pale(root, Contrast.TEXT)).isEmpty();
+        });
     }
 }
