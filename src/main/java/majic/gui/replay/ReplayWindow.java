@@ -124,7 +124,7 @@ public final class ReplayWindow extends JFrame implements PictureViewer {
     private void place() {
         robots.forEach(this::addTab);
         panels.setName("replayRobots");
-        panels.setPreferredSize(UIScale.scale(new Dimension(470, 400)));
+        panels.setPreferredSize(UIScale.scale(new Dimension(540, 400)));
         panels.setMinimumSize(UIScale.scale(new Dimension(360, 200)));
         JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, map, panels);
         middle.setResizeWeight(0.55);
