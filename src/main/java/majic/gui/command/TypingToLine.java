@@ -1,6 +1,7 @@
 package majic.gui.command;
 
 import java.awt.Component;
+import java.awt.KeyEventDispatcher;
 import java.awt.KeyEventPostProcessor;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
@@ -15,11 +16,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Passes letters and digits that are typed on another component of the window to a text field, and gives it the focus.
- * A key that the component uses stays there, and so does everything typed into an editable text, a list or a table. Must
- * be used on the event dispatch thread.
+ * What is typed until it has the focus, spaces too, goes to the field. A key that the component uses stays there, and so
+ * does everything typed into an editable text, a list or a table. Must be used on the event dispatch thread.
  */
-final class TypingToLine implements KeyEventPostProcessor {
+final class TypingToLine implements KeyEventPostProcessor, KeyEventDispatcher {
     private final JTextComponent field;
+    private @Nullable Component leaving;
     private boolean pressUsed;
 
     TypingToLine(JTextComponent field) {
@@ -27,11 +29,35 @@ final class TypingToLine implements KeyEventPostProcessor {
     }
 
     void install() {
-        KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventPostProcessor(this);
+        KeyboardFocusManager keys = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        keys.addKeyEventDispatcher(this);
+        keys.addKeyEventPostProcessor(this);
     }
 
     void remove() {
-        KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventPostProcessor(this);
+        KeyboardFocusManager keys = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        keys.removeKeyEventDispatcher(this);
+        keys.removeKeyEventPostProcessor(this);
+    }
+
+    /** Runs before the focused component has the key; the component that is losing the focus gets no character. */
+    @Override
+    public boolean dispatchKeyEvent(KeyEvent event) {
+        if (leaving == null) {
+            return false;
+        }
+        if (event.getComponent() != leaving) {
+            leaving = null;
+            return false;
+        }
+        char typed = event.getKeyChar();
+        if (typed == KeyEvent.CHAR_UNDEFINED
+                || Character.isISOControl(typed)
+                || event.getID() == KeyEvent.KEY_RELEASED) {
+            return false;
+        }
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().redispatchEvent(field, event);
+        return true;
     }
 
     /** Runs after the focused component and the key bindings of its window have had the key. */
@@ -41,7 +67,7 @@ final class TypingToLine implements KeyEventPostProcessor {
             pressUsed = event.isConsumed();
         } else if (event.getID() == KeyEvent.KEY_TYPED && !pressUsed && !event.isConsumed() && isForField(event)) {
             event.consume();
-            field.requestFocusInWindow();
+            leaving = field.requestFocusInWindow() ? event.getComponent() : null;
             field.setCaretPosition(field.getDocument().getLength());
             field.replaceSelection(String.valueOf(event.getKeyChar()));
             return true;

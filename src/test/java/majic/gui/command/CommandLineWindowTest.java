@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -205,6 +206,19 @@ class CommandLineWindowTest {
         assertThat(window.text("commandLine")).isEqualTo("1 move 50");
         window.press(KeyEvent.VK_ENTER);
         window.awaitMessage("1 move 50: done");
+    }
+
+    @Test
+    void whatIsTypedBeforeTheCommandLineHasTheFocusGoesThereToo() {
+        window.focus("drivePad");
+        Component pad = window.find("drivePad", Component.class);
+        KeyboardFocusManager keys = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        long now = System.currentTimeMillis();
+        window.run(() -> "1 move"
+                .chars()
+                .forEach(key -> keys.dispatchEvent(
+                        new KeyEvent(pad, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, (char) key))));
+        window.await("the line", () -> window.text("commandLine").equals("1 move"));
     }
 
     @Test
