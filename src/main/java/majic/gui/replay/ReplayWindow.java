@@ -54,7 +54,7 @@ public final class ReplayWindow extends JFrame implements PictureViewer {
     private final transient List<ReplayRobot> robots;
     private final transient ReplayPlayer player;
     private final TeamMap map = new TeamMap();
-    private final Map<ReplayRobot, JLabel> status = new LinkedHashMap<>();
+    private final transient Map<ReplayRobot, JLabel> status = new LinkedHashMap<>();
     private final JTabbedPane panels = new JTabbedPane();
     private final ReplayLines lines;
     private final ReplayControls controls;
