@@ -9,11 +9,9 @@ import majic.gui.add.AddBotDialog;
 import majic.gui.add.RecentRobots;
 import majic.gui.kit.ProgramServices;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Tag("jdk")
 @Timeout(60)
 class AddBotWindowTest {
     private static final int SHORT_MS = 300;

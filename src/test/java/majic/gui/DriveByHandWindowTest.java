@@ -9,11 +9,9 @@ import majic.bot.BotException;
 import majic.gui.command.CommandLine;
 import majic.team.Owner;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Tag("jdk")
 @Timeout(60)
 class DriveByHandWindowTest {
     private static final String AHEAD = "drive 200 0";

@@ -9,7 +9,6 @@ import java.nio.file.Path;
 import majic.team.Owner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -18,7 +17,6 @@ import org.junit.jupiter.api.io.TempDir;
  * Tests that an act is loaded onto a robot by clicks, that nothing happens before the last of them, and that one click
  * ends it.
  */
-@Tag("jdk")
 @Timeout(60)
 class LoadActWindowTest {
     @TempDir

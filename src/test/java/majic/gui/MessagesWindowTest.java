@@ -15,11 +15,9 @@ import majic.gui.command.MessageArea;
 import majic.gui.kit.Palette;
 import majic.log.Line;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Tag("jdk")
 @Timeout(60)
 class MessagesWindowTest {
     @AutoClose

@@ -10,12 +10,10 @@ import java.awt.event.WindowEvent;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Tests the panel of a robot in a window of its own. */
-@Tag("jdk")
 @Timeout(60)
 class PanelWindowTest {
     @AutoClose

@@ -23,7 +23,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Tag("jdk")
 @Timeout(60)
 class PlotWindowTest {
     @TempDir
@@ -49,6 +48,7 @@ class PlotWindowTest {
     }
 
     @Test
+    @Tag("jdk")
     void aClickOnANumberPlotsIt() {
         window.add("one");
         window.awaitShowing("pose1", JLabel.class);

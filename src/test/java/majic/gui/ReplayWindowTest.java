@@ -21,12 +21,10 @@ import majic.panel.PlotHost;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Tag("jdk")
 @Timeout(120)
 class ReplayWindowTest {
     @TempDir

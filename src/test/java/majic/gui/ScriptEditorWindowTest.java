@@ -30,7 +30,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Tag("jdk")
 @Timeout(60)
 class ScriptEditorWindowTest {
     @TempDir
@@ -84,6 +83,7 @@ class ScriptEditorWindowTest {
     }
 
     @Test
+    @Tag("jdk")
     void aScriptDroppedOnTheWindowShowsItsRobotsAndRuns() throws IOException {
         ToyBot bot = window.add("one");
         drop(script("lap.majic", "1 move 30", "1 turn 20"));

@@ -7,12 +7,10 @@ import java.awt.event.KeyEvent;
 import java.util.List;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Tests what selects robots, and what the selection is used for. */
-@Tag("jdk")
 @Timeout(60)
 class SelectionWindowTest {
     @AutoClose

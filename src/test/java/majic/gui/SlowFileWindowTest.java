@@ -7,13 +7,11 @@ import java.nio.file.Path;
 import majic.act.SlowActs;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the window while a file that a typed line names is being checked. */
-@Tag("jdk")
 @Timeout(60)
 class SlowFileWindowTest {
     @TempDir

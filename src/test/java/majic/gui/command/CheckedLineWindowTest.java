@@ -8,13 +8,11 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.act.SlowActs;
 import majic.gui.TestWindow;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests lines whose files are read while further ones are typed, and lines of earlier windows. */
-@Tag("jdk")
 @Timeout(60)
 class CheckedLineWindowTest {
     @TempDir

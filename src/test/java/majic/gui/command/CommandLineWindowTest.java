@@ -15,11 +15,9 @@ import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import majic.script.help.Completion;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Tag("jdk")
 @Timeout(60)
 class CommandLineWindowTest {
     @AutoClose
