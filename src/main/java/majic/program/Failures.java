@@ -72,6 +72,6 @@ public final class Failures {
                 || problem instanceof Window.WindowFailed) {
             return String.valueOf(problem.getMessage());
         }
-        return "an error in MAJIC, see majic.log in its folder";
+        return "an error in MAJIC, see majic.0.log in its folder";
     }
 }

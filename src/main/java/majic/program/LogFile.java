@@ -3,42 +3,39 @@ package majic.program;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
-import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.logging.ErrorManager;
+import java.util.logging.FileHandler;
+import java.util.logging.Formatter;
 import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogManager;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
-import java.util.logging.SimpleFormatter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes MAJIC's own log to {@code majic.log}, which is created with the first line; at 5 MB it becomes {@code majic.1.log},
- * and up to three older files are kept. The backend is {@code java.util.logging}, because a larger library would delay
- * every start by a third. Thread-safe.
+ * Writes MAJIC's own log to {@code majic.0.log}, which is created with the first line; at 5 MB it becomes
+ * {@code majic.1.log}, and up to three older files are kept. A log that cannot be written is reported once, in one
+ * sentence. Uses {@code java.util.logging}, because a larger library would delay every start. Thread-safe.
  */
-public final class LogFile extends Handler implements AutoCloseable {
-    private static final long MOST_BYTES = 5_000_000;
-    private static final int MOST_OLD_FILES = 3;
-    private static final DateTimeFormatter TIME =
-            DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
+public final class LogFile extends Handler {
+    private static final int MOST_BYTES = 5_000_000;
+    private static final int FILES = 4;
 
-    private final SimpleFormatter messages = new SimpleFormatter();
     private final Path folder;
-    private final long mostBytes;
-    private @Nullable Writer writer;
+    private final int mostBytes;
+    private @Nullable Handler file;
 
-    LogFile(Path folder, long mostBytes) {
+    LogFile(Path folder, int mostBytes) {
         this.folder = folder;
         this.mostBytes = mostBytes;
+        setErrorManager(new OneSentence());
     }
 
     /**
@@ -63,6 +60,41 @@ public final class LogFile extends Handler implements AutoCloseable {
         };
     }
 
+    @Override
+    public synchronized void publish(LogRecord line) {
+        try {
+            if (file == null) {
+                file = open();
+            }
+            file.publish(line);
+        } catch (IOException e) {
+            reportError(null, e, ErrorManager.OPEN_FAILURE);
+        }
+    }
+
+    private Handler open() throws IOException {
+        Files.createDirectories(folder);
+        String pattern = folder.toString().replace("%", "%%") + "/majic.%g.log";
+        FileHandler opened = new FileHandler(pattern, mostBytes, FILES, true);
+        opened.setEncoding(StandardCharsets.UTF_8.name());
+        opened.setFormatter(new OneLine());
+        opened.setErrorManager(getErrorManager());
+        return opened;
+    }
+
+    @Override
+    public void flush() {
+        // every line is flushed
+    }
+
+    @Override
+    public synchronized void close() {
+        if (file != null) {
+            file.close();
+            file = null;
+        }
+    }
+
     /** Leaves the log open until the program has ended; the usual manager closes it before the robots are closed. */
     public static final class OpenUntilTheEnd extends LogManager {
         @Override
@@ -76,75 +108,39 @@ public final class LogFile extends Handler implements AutoCloseable {
         }
     }
 
-    @Override
-    public synchronized void publish(LogRecord line) {
-        try {
-            Writer out = writer();
-            out.write(text(line));
-            out.flush();
-        } catch (IOException e) {
-            reportError("majic.log cannot be written", e, ErrorManager.WRITE_FAILURE);
-        }
-    }
+    /** Writes time, level, thread, logger and message in one line, and the stack of an error below it. */
+    private static final class OneLine extends Formatter {
+        private final DateTimeFormatter time =
+                DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
 
-    private Writer writer() throws IOException {
-        Path file = folder.resolve("majic.log");
-        if (writer != null && Files.size(file) >= mostBytes) {
-            writer.close();
-            writer = null;
-            rename(file);
-        }
-        if (writer == null) {
-            Files.createDirectories(folder);
-            writer = Files.newBufferedWriter(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
-        }
-        return writer;
-    }
-
-    private void rename(Path file) throws IOException {
-        for (int number = MOST_OLD_FILES; number > 1; number--) {
-            Path newer = old(number - 1);
-            if (Files.exists(newer)) {
-                Files.move(newer, old(number), StandardCopyOption.REPLACE_EXISTING);
+        @Override
+        public String format(LogRecord line) {
+            StringWriter text = new StringWriter();
+            PrintWriter out = new PrintWriter(text);
+            out.printf(
+                    "%s %-7s [%s] %s - %s%n",
+                    time.format(line.getInstant()),
+                    line.getLevel().getName(),
+                    Thread.currentThread().getName(),
+                    line.getLoggerName(),
+                    formatMessage(line));
+            if (line.getThrown() != null) {
+                line.getThrown().printStackTrace(out);
             }
+            return text.toString();
         }
-        Files.move(file, old(1), StandardCopyOption.REPLACE_EXISTING);
     }
 
-    private Path old(int number) {
-        return folder.resolve("majic." + number + ".log");
-    }
+    /** Reports the first failure; the usual manager prints a stack. */
+    private static final class OneSentence extends ErrorManager {
+        private boolean reported;
 
-    private String text(LogRecord line) {
-        StringWriter text = new StringWriter();
-        PrintWriter out = new PrintWriter(text);
-        out.printf(
-                "%s %-7s [%s] %s - %s%n",
-                TIME.format(line.getInstant()),
-                line.getLevel().getName(),
-                Thread.currentThread().getName(),
-                line.getLoggerName(),
-                messages.formatMessage(line));
-        if (line.getThrown() != null) {
-            line.getThrown().printStackTrace(out);
-        }
-        return text.toString();
-    }
-
-    @Override
-    public void flush() {
-        // every line is flushed
-    }
-
-    @Override
-    public synchronized void close() {
-        if (writer != null) {
-            try {
-                writer.close();
-            } catch (IOException e) {
-                reportError("majic.log cannot be closed", e, ErrorManager.CLOSE_FAILURE);
+        @Override
+        public synchronized void error(@Nullable String message, @Nullable Exception error, int code) {
+            if (!reported) {
+                reported = true;
+                System.err.println("majic: its log cannot be written: " + error);
             }
-            writer = null;
         }
     }
 }

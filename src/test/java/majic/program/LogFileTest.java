@@ -2,8 +2,12 @@ package majic.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import org.junit.jupiter.api.Test;
@@ -16,32 +20,32 @@ class LogFileTest {
     Path folder;
 
     @Test
-    void aLineHasTimeLevelThreadAndItsValues() throws Exception {
-        try (LogFile log = new LogFile(folder, ROOMY)) {
-            LogRecord line = new LogRecord(Level.WARNING, "robot {0} is lost");
-            line.setParameters(new Object[] {"3"});
-            line.setLoggerName("majic.team.Team");
-            log.publish(line);
-        }
+    void aLineHasTimeLevelThreadAndItsValues() {
+        LogFile log = new LogFile(folder, ROOMY);
+        LogRecord line = new LogRecord(Level.WARNING, "robot {0} is lost");
+        line.setParameters(new Object[] {"3"});
+        line.setLoggerName("majic.team.Team");
+        log.publish(line);
+        log.close();
 
-        assertThat(folder.resolve("majic.log"))
+        assertThat(folder.resolve("majic.0.log"))
                 .content()
                 .matches("(?s)[-0-9]{10} [:.0-9]{12} WARNING \\[.+\\] majic\\.team\\.Team - robot 3 is lost\\R");
     }
 
     @Test
-    void anErrorIsWrittenWithItsStack() throws Exception {
-        try (LogFile log = new LogFile(folder, ROOMY)) {
-            LogRecord line = new LogRecord(Level.SEVERE, "failed");
-            line.setThrown(new IllegalStateException("why"));
-            log.publish(line);
-        }
+    void anErrorIsWrittenWithItsStack() {
+        LogFile log = new LogFile(folder, ROOMY);
+        LogRecord line = new LogRecord(Level.SEVERE, "failed");
+        line.setThrown(new IllegalStateException("why"));
+        log.publish(line);
+        log.close();
 
-        assertThat(folder.resolve("majic.log")).content().contains("IllegalStateException: why", "at majic.program");
+        assertThat(folder.resolve("majic.0.log")).content().contains("IllegalStateException: why", "at majic.program");
     }
 
     @Test
-    void noFileIsMadeBeforeTheFirstLine() throws Exception {
+    void noFileIsMadeBeforeTheFirstLine() {
         new LogFile(folder, ROOMY).close();
 
         assertThat(folder).isEmptyDirectory();
@@ -49,17 +53,48 @@ class LogFileTest {
 
     @Test
     void aFullFileIsRenamedAndThreeOldOnesAreKept() throws Exception {
-        try (LogFile log = new LogFile(folder, 1)) {
-            for (int number = 1; number <= 6; number++) {
-                log.publish(new LogRecord(Level.INFO, "line " + number));
-            }
+        LogFile log = new LogFile(folder, 1);
+        for (int number = 1; number <= 6; number++) {
+            log.publish(new LogRecord(Level.INFO, "line " + number));
         }
+        log.close();
 
-        assertThat(folder.resolve("majic.log")).content().contains("line 6");
-        assertThat(folder.resolve("majic.1.log")).content().contains("line 5");
-        assertThat(folder.resolve("majic.3.log")).content().contains("line 3");
+        assertThat(folder.resolve("majic.1.log")).content().contains("line 6");
+        assertThat(folder.resolve("majic.3.log")).content().contains("line 4");
         try (var files = Files.list(folder)) {
             assertThat(files).hasSize(4);
         }
+    }
+
+    @Test
+    void theNextStartContinuesTheFile() {
+        for (String text : List.of("first", "second")) {
+            LogFile log = new LogFile(folder, ROOMY);
+            log.publish(new LogRecord(Level.INFO, text));
+            log.close();
+        }
+
+        assertThat(folder.resolve("majic.0.log")).content().contains("first", "second");
+    }
+
+    @Test
+    void aLogThatCannotBeWrittenIsReportedOnceWithoutItsStack() throws Exception {
+        Path noFolder = Files.createFile(folder.resolve("file"));
+        ByteArrayOutputStream printed = new ByteArrayOutputStream();
+        PrintStream before = System.err;
+        System.setErr(new PrintStream(printed, true, StandardCharsets.UTF_8));
+        try {
+            LogFile log = new LogFile(noFolder, ROOMY);
+            log.publish(new LogRecord(Level.INFO, "one"));
+            log.publish(new LogRecord(Level.INFO, "two"));
+        } finally {
+            System.setErr(before);
+        }
+
+        assertThat(printed.toString(StandardCharsets.UTF_8).lines())
+                .singleElement()
+                .asString()
+                .startsWith("majic: its log cannot be written: ")
+                .contains(noFolder.toString());
     }
 }
