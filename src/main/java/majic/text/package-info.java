@@ -1,6 +1,6 @@
 /**
- * Words for people: reasons of failed input and output, advice behind an error, the word that was probably meant, control
- * characters made visible.
+ * Words for people: resource bundles, reasons of failed input and output, advice behind an error, the word that was
+ * probably meant, control characters made visible.
  */
 @NullMarked
 package majic.text;

@@ -10,9 +10,11 @@ import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.TeamListener;
+import majic.text.Texts;
 
 /** Records when commands, acts and scripts on robots begin and end, the newest {@value #MOST} moments. Thread-safe. */
 final class MarkRecord implements TeamListener {
+    private static final Texts TEXTS = Texts.of(MarkRecord.class);
     private static final int MOST = 2000;
 
     private final DoubleSupplier now;
@@ -45,7 +47,7 @@ final class MarkRecord implements TeamListener {
 
     @Override
     public void latchChanged(boolean latched) {
-        add(0, latched ? "STOP" : "released", latched);
+        add(0, TEXTS.get(latched ? "stop" : "released"), latched);
     }
 
     /** Marks the begin of a command; to be called when the robot reports something. */

@@ -12,9 +12,11 @@ import majic.bot.Value;
 import majic.recorder.RecordedRobot;
 import majic.recorder.Recording;
 import majic.recorder.RobotTracks;
+import majic.text.Texts;
 
 /** Provides a recording to plots, up to the present position of its replay. Thread-safe. */
 public final class RecordedSource implements PlotSource {
+    private static final Texts TEXTS = Texts.of(RecordedSource.class);
     private static final Logger LOG = System.getLogger(RecordedSource.class.getName());
 
     private final Recording recording;
@@ -56,7 +58,7 @@ public final class RecordedSource implements PlotSource {
                 .filter(tracks -> tracks.robot().number() == robot && tracks.isPresent(now()))
                 .findFirst()
                 .map((RobotTracks tracks) -> tracks.value(parameter, now()))
-                .orElse(Value.unknown("not in the team at this time"));
+                .orElse(Value.unknown(TEXTS.get("notInTeam")));
     }
 
     @Override
