@@ -6,6 +6,7 @@ import com.sun.source.tree.AnnotationTree;
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.ExpressionTree;
 import com.sun.source.tree.IdentifierTree;
+import com.sun.source.tree.LambdaExpressionTree;
 import com.sun.source.tree.LiteralTree;
 import com.sun.source.tree.MemberSelectTree;
 import com.sun.source.tree.MethodInvocationTree;
@@ -76,10 +77,14 @@ class WindowTextsTest {
     private static final Pattern WORDS =
             Pattern.compile("(?s).*\\p{L}{2,}[.,:;!?…]* \\p{L}+.*|\\W*\\p{Lu}\\p{Ll}+[ .:…]*");
 
-    /** Calls whose arguments no user sees: names of threads, messages of the log, patterns, properties. */
+    /**
+     * Calls whose arguments no user sees: names of threads, messages of the log, lines of MAJIC Script, patterns. The
+     * bodies of lambdas among them are looked at.
+     */
     private static final Set<String> UNSEEN = Set.of(
             "background",
             "log",
+            "submit",
             "compile",
             "matches",
             "replaceAll",
@@ -246,7 +251,7 @@ class WindowTextsTest {
             }
             scan(call.getMethodSelect(), nothing);
             call.getArguments().stream()
-                    .filter(argument -> !(argument instanceof LiteralTree))
+                    .filter(LambdaExpressionTree.class::isInstance)
                     .forEach(argument -> scan(argument, nothing));
             return null;
         }
