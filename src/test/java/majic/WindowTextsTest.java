@@ -53,7 +53,6 @@ class WindowTextsTest {
             "gui/add",
             "gui/bots",
             "gui/command",
-            "gui/drive",
             "gui/editor",
             "gui/help",
             "gui/kit",

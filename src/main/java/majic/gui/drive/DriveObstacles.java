@@ -10,6 +10,7 @@ import majic.bot.MajicBot;
 import majic.gui.kit.BotStatus;
 import majic.team.Member;
 import majic.team.Owner;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,6 +20,8 @@ import org.jspecify.annotations.Nullable;
  * @param reasons why the others cannot be, by number
  */
 record DriveObstacles(List<Integer> free, Map<Integer, String> reasons) {
+    private static final Texts TEXTS = Texts.of(DriveObstacles.class);
+
     static DriveObstacles of(List<Member> members) {
         List<Integer> free = new ArrayList<>();
         Map<Integer, String> reasons = new LinkedHashMap<>();
@@ -61,13 +64,12 @@ record DriveObstacles(List<Integer> free, Map<Integer, String> reasons) {
     String text(boolean focused) {
         if (free.isEmpty()) {
             return reasons.isEmpty()
-                    ? "Select a robot to drive it"
+                    ? TEXTS.get("noneSelected")
                     : reasons.values().iterator().next();
         }
-        String which = free.size() + reasons.size() == 1 ? "" : " " + names();
-        return focused
-                ? "Hold an arrow key to drive" + which + ", release it to stop"
-                : "Click here to drive" + which + " by arrow keys";
+        return free.size() + reasons.size() == 1
+                ? TEXTS.get(focused ? "hold" : "click")
+                : TEXTS.get(focused ? "hold.several" : "click.several", names());
     }
 
     private String names() {

@@ -21,6 +21,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import majic.gui.kit.PlainLabel;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -30,6 +31,7 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class DrivePad extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(DrivePad.class);
     private static final int FULL_SPEED_PERCENT = 100;
     private static final int LEAST_SPEED_PERCENT = 10;
     private static final int SPEED_STEP_PERCENT = 10;
@@ -74,24 +76,24 @@ public final class DrivePad extends JPanel {
     }
 
     private void placeArrows() {
-        add(arrow(Direction.AHEAD, "▲", "ahead"), "cell 1 0");
-        add(arrow(Direction.LEFT, "◀", "turn left"), "cell 0 1");
-        add(arrow(Direction.BACK, "▼", "backward"), "cell 1 1");
-        add(arrow(Direction.RIGHT, "▶", "turn right"), "cell 2 1");
+        add(arrow(Direction.AHEAD, "▲", TEXTS.get("ahead")), "cell 1 0");
+        add(arrow(Direction.LEFT, "◀", TEXTS.get("left")), "cell 0 1");
+        add(arrow(Direction.BACK, "▼", TEXTS.get("backward")), "cell 1 1");
+        add(arrow(Direction.RIGHT, "▶", TEXTS.get("right")), "cell 2 1");
         add(hint, "cell 3 0, wmin 0");
-        JLabel label = new JLabel("Speed");
+        JLabel label = new JLabel(TEXTS.get("speed"));
         label.setLabelFor(speed);
         add(label, "cell 3 1, split 2, grow 0");
         add(speed, "cell 3 1, growx, wmin 60, wmax 220");
     }
 
-    private JButton arrow(Direction direction, String sign, String name) {
+    private JButton arrow(Direction direction, String sign, String tip) {
         JButton button = new JButton(sign);
         button.setName("drive " + direction);
         button.setFocusable(false);
         button.setPreferredSize(new Dimension(44, 30));
-        arrows.put(button, "Hold to drive: " + name);
-        button.getAccessibleContext().setAccessibleName("Drive " + name);
+        arrows.put(button, tip);
+        button.getAccessibleContext().setAccessibleName(tip);
         button.addMouseListener(new MouseAdapter() {
             @Override
             public void mousePressed(MouseEvent event) {
@@ -113,7 +115,7 @@ public final class DrivePad extends JPanel {
     private void prepareSpeed() {
         speed.setName("driveSpeed");
         speed.setFocusable(false);
-        speed.setToolTipText("A share of the robot's cruising speed; also Page Up and Page Down on the pad");
+        speed.setToolTipText(TEXTS.get("speed.tip"));
         speed.addChangeListener(change -> driver.share(speed.getValue() / (double) FULL_SPEED_PERCENT));
     }
 
@@ -156,7 +158,7 @@ public final class DrivePad extends JPanel {
     private void showState(boolean focused) {
         boolean usable = obstacles.someCanBeDriven();
         String advice = obstacles.text(focused);
-        getAccessibleContext().setAccessibleName("Drive by hand. " + advice);
+        getAccessibleContext().setAccessibleName(TEXTS.get("pad", advice));
         hint.setText(advice);
         hint.setToolTipText(obstacles.details());
         hint.setEnabled(usable);

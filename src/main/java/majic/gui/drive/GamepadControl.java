@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.gui.kit.EventThread;
 import majic.team.Member;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -16,6 +17,8 @@ import org.jspecify.annotations.Nullable;
  * be used on the event dispatch thread.
  */
 public final class GamepadControl implements AutoCloseable {
+    private static final Texts TEXTS = Texts.of(GamepadControl.class);
+
     private static final long PERIOD_MS = 40;
 
     private final Gamepad.Opener opener;
@@ -81,7 +84,7 @@ public final class GamepadControl implements AutoCloseable {
         } catch (BotException e) {
             fail(own, String.valueOf(e.getMessage()));
         } catch (RuntimeException e) {
-            fail(own, "The game controller cannot be read any more (" + e.getMessage() + ")");
+            fail(own, TEXTS.get("gamepad.lost", e.getMessage()));
         }
     }
 

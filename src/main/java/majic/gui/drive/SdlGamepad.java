@@ -5,9 +5,12 @@ import com.studiohartman.jamepad.ControllerManager;
 import com.studiohartman.jamepad.ControllerState;
 import java.util.stream.IntStream;
 import majic.bot.BotException;
+import majic.text.Texts;
 
 /** Reads game controllers by the library Jamepad, which brings native code. A shoulder button must be held to drive. */
 public final class SdlGamepad implements Gamepad {
+    private static final Texts TEXTS = Texts.of(SdlGamepad.class);
+
     private static final int MOST_CONTROLLERS = 4;
     private static final String MAPPINGS = "/majic/gui/drive/controllers.txt";
 
@@ -28,7 +31,7 @@ public final class SdlGamepad implements Gamepad {
             controllers.initSDLGamepad();
             return new SdlGamepad(controllers);
         } catch (RuntimeException | LinkageError e) {
-            throw new BotException("Game controllers cannot be read on this computer (" + e.getMessage() + ")", e);
+            throw new BotException(TEXTS.get("gamepad.none", e.getMessage()), e);
         }
     }
 
