@@ -51,7 +51,6 @@ class WindowTextsTest {
             "gui",
             "gui/acts",
             "gui/add",
-            "gui/bots",
             "gui/command",
             "gui/editor",
             "gui/help",

@@ -59,7 +59,7 @@ class PanelWindowTest {
 
     @Test
     void theStopKeysWorkInTheWindow() {
-        window.focus("drivePadWindow1");
+        window.focus("drivePad-window1");
         window.press(KeyEvent.VK_ESCAPE);
         window.await("the latch", window.team::isLatched);
         window.team.release();
@@ -76,7 +76,7 @@ class PanelWindowTest {
     @Test
     void thePadOfTheWindowDrivesItsRobotWhateverIsSelected() {
         window.click("card2");
-        window.focus("drivePadWindow1");
+        window.focus("drivePad-window1");
         window.hold(KeyEvent.VK_UP);
         window.await("the drive", () -> one.told.contains("drive 200 0"));
         window.letGo(KeyEvent.VK_UP);
@@ -88,7 +88,7 @@ class PanelWindowTest {
     @Test
     void theMenuOfACardOpensTheWindowToo() {
         window.menuOf("card2");
-        window.click("Open in a window");
+        window.click("openWindow");
         window.await("the window", () -> window.isShowing("robotWindow2"));
     }
 

@@ -30,7 +30,7 @@ record BatteryLevel(OptionalInt percent, String text) {
         boolean known =
                 bot.parameters().stream().anyMatch(offered -> offered.name().equals(parameter) && offered.readable());
         try {
-            return known ? bot.get(parameter) : new Value.Unknown("not reported");
+            return known ? bot.get(parameter) : new Value.Unknown("");
         } catch (BotException e) {
             return new Value.Unknown(String.valueOf(e.getMessage()));
         }

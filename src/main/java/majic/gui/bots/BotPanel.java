@@ -18,11 +18,13 @@ import majic.gui.kit.UpdateThrottle;
 import majic.panel.PlotHost;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** Shows one robot large: its status strip, and the display that its class provides. */
 final class BotPanel extends JPanel implements PlotHost {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(BotPanel.class);
     private static final Logger LOG = System.getLogger(BotPanel.class.getName());
 
     private final transient Member member;
@@ -84,7 +86,7 @@ final class BotPanel extends JPanel implements PlotHost {
     private JComponent display() {
         JComponent display = ownDisplay();
         if (display == null) {
-            JLabel none = new JLabel("no display available", SwingConstants.CENTER);
+            JLabel none = new JLabel(TEXTS.get("panel.noDisplay"), SwingConstants.CENTER);
             none.setName("noDisplay");
             none.setEnabled(false);
             return none;

@@ -12,12 +12,14 @@ import majic.gui.drive.DrivePad;
 import majic.panel.PictureView;
 import majic.panel.PictureViewer;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /** A window with the panel of one robot, a pad that drives this robot, and a STOP button for all robots. */
 final class PanelWindow extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(PanelWindow.class);
     private static final int PAD_HEIGHT = 90;
 
     private final DrivePad pad;
@@ -32,11 +34,11 @@ final class PanelWindow extends JFrame implements PictureViewer {
     PanelWindow(BotPanel panel, RobotActions actions, @Nullable Window main, Runnable closed) {
         this.main = main;
         Member member = panel.member();
-        setTitle("Robot " + member.number() + ", " + member.bot().type().make() + " \u2013 MAJIC");
+        setTitle(TEXTS.get("window.title", member.number(), member.bot().type().make()));
         setName("robotWindow" + member.number());
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         Dimension size = panel.getSize();
-        pad = new DrivePad("Window" + member.number(), actions::showError);
+        pad = new DrivePad("-window" + member.number(), actions::showError);
         pad.choose(List.of(member));
         add(panel, BorderLayout.CENTER);
         JPanel below = new JPanel(new MigLayout("insets 0 0 0 10, gap 0", "[grow, fill][]"));

@@ -6,16 +6,18 @@ import javax.swing.JPanel;
 import majic.gui.kit.PlainLabel;
 import majic.team.AutoReconnect;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Shows when a lost robot is connected again, with the button that cancels this. Hidden while nothing is tried. */
 final class ReconnectCountdown extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ReconnectCountdown.class);
 
     private final transient Member member;
     private final transient RobotActions actions;
     private final PlainLabel text;
-    private final JButton cancel = new JButton("Cancel");
+    private final JButton cancel = new JButton(TEXTS.get("retry.cancel"));
 
     ReconnectCountdown(Member member, RobotActions actions) {
         super(new MigLayout("insets 0, gap 8 0", "[][]push"));
@@ -23,8 +25,8 @@ final class ReconnectCountdown extends JPanel {
         this.actions = actions;
         text = new PlainLabel("reconnecting" + member.number(), "");
         cancel.setName("cancelReconnect" + member.number());
-        cancel.setToolTipText("Leave the robot unconnected; Reconnect connects it");
-        cancel.getAccessibleContext().setAccessibleName("Cancel reconnecting robot " + member.number());
+        cancel.setToolTipText(TEXTS.get("retry.cancel.tip"));
+        cancel.getAccessibleContext().setAccessibleName(TEXTS.get("retry.cancel.name", member.number()));
         cancel.addActionListener(event -> actions.cancelReconnect(member));
         setOpaque(false);
         add(text);
@@ -44,10 +46,12 @@ final class ReconnectCountdown extends JPanel {
 
     /** Puts the state of the attempts into a few words, for a card. */
     static String shortText(AutoReconnect.Status status) {
-        return status.connecting() ? "reconnecting" : "retry in " + status.seconds() + " s";
+        return status.connecting()
+                ? TEXTS.get("retry.connecting.short")
+                : TEXTS.get("retry.wait.short", status.seconds());
     }
 
     private static String text(AutoReconnect.Status status) {
-        return status.connecting() ? "reconnecting …" : "reconnecting in " + status.seconds() + " s";
+        return status.connecting() ? TEXTS.get("retry.connecting") : TEXTS.get("retry.wait", status.seconds());
     }
 }

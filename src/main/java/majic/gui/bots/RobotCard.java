@@ -30,6 +30,7 @@ import majic.panel.PlotHost;
 import majic.panel.PlotLink;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
@@ -39,6 +40,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class RobotCard extends JPanel implements PlotHost {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(RobotCard.class);
     private static final int ARC = 10;
 
     private final transient Team team;
@@ -74,10 +76,13 @@ final class RobotCard extends JPanel implements PlotHost {
         name.putClientProperty("FlatLaf.style", "font: bold");
         line = new PlainLabel("cardLine" + number, "");
         activity = new PlainLabel("cardActivity" + number, "");
-        stop = button("cardStop" + number, "Stop", ActionIcon.STOP, "Stop robot " + number + " alone");
+        stop = button("cardStop" + number, TEXTS.get("card.stop"), ActionIcon.STOP, TEXTS.get("card.stop.tip", number));
         stop.addActionListener(event -> actions.stop(member));
         reconnect = button(
-                "cardReconnect" + number, "Reconnect", ActionIcon.RECONNECT, "Connect robot " + number + " again");
+                "cardReconnect" + number,
+                TEXTS.get("card.reconnect"),
+                ActionIcon.RECONNECT,
+                TEXTS.get("card.reconnect.tip", number));
         reconnect.addActionListener(event -> {
             reconnect.setEnabled(false);
             actions.reconnect(member, () -> reconnect.setEnabled(true));
@@ -141,8 +146,8 @@ final class RobotCard extends JPanel implements PlotHost {
         }
         size = newSize;
         removeAll();
-        stop.setText(newSize == CardSize.FULL ? "Stop" : "");
-        reconnect.setText(newSize == CardSize.FULL ? "Reconnect" : "");
+        stop.setText(newSize == CardSize.FULL ? TEXTS.get("card.stop") : "");
+        reconnect.setText(newSize == CardSize.FULL ? TEXTS.get("card.reconnect") : "");
         badge.setIcon(new NumberBadge(member.number(), isOneLine(newSize) ? 18 : 26));
         switch (newSize) {
             case FULL -> {
@@ -233,9 +238,12 @@ final class RobotCard extends JPanel implements PlotHost {
         if (shown == null) {
             return;
         }
-        String all = member.number() + " " + shown.description();
-        setToolTipText("<html>" + Html.escaped(all));
-        getAccessibleContext().setAccessibleName("Robot " + all + (selected ? ", selected" : ""));
+        setToolTipText("<html>" + Html.escaped(member.number() + " " + shown.description()));
+        getAccessibleContext()
+                .setAccessibleName(
+                        selected
+                                ? TEXTS.get("card.name.selected", member.number(), shown.description())
+                                : TEXTS.get("card.name", member.number(), shown.description()));
     }
 
     /** Adapts the colours to the look and feel. */

@@ -5,11 +5,14 @@ import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import majic.bot.MajicBot;
 import majic.gui.kit.BotStatus;
+import majic.gui.kit.Mnemonics;
 import majic.team.Member;
+import majic.text.Texts;
 
 /** The context menu of a robot. */
 final class RobotMenu extends JPopupMenu {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(RobotMenu.class);
 
     /**
      * Creates the menu for the present state of a robot.
@@ -17,27 +20,26 @@ final class RobotMenu extends JPopupMenu {
      * @param openWindow shows its panel in a window of its own
      */
     RobotMenu(Member member, RobotActions actions, Consumer<Member> openWindow) {
-        int number = member.number();
         setName("robotMenu");
-        entry("Stop " + number, 'S', true, () -> actions.stop(member));
+        entry("stop", TEXTS.get("menu.stop", member.number()), true, () -> actions.stop(member));
         boolean lost = member.bot().connection() == MajicBot.Connection.LOST;
-        entry("Reconnect", 'R', lost, () -> actions.reconnect(member, () -> {}));
+        entry("reconnect", TEXTS.get("menu.reconnect"), lost, () -> actions.reconnect(member, () -> {}));
         if (actions.attempts(member).isPresent()) {
-            entry("Cancel reconnecting", 'C', true, () -> actions.cancelReconnect(member));
+            entry("cancelReconnect", TEXTS.get("menu.cancelReconnect"), true, () -> actions.cancelReconnect(member));
         }
         addSeparator();
-        entry("Load Act…", 'L', true, () -> actions.loadAct(member));
-        entry("End Act", 'E', BotStatus.isInAct(member), () -> actions.endAct(member));
+        entry("loadAct", TEXTS.get("menu.loadAct"), true, () -> actions.loadAct(member));
+        entry("endAct", TEXTS.get("menu.endAct"), BotStatus.isInAct(member), () -> actions.endAct(member));
         addSeparator();
-        entry("Open in a window", 'O', true, () -> openWindow.accept(member));
+        entry("openWindow", TEXTS.get("menu.openWindow"), true, () -> openWindow.accept(member));
         addSeparator();
-        entry("Kill Bot…", 'K', true, () -> actions.kill(member));
+        entry("kill", TEXTS.get("menu.kill"), true, () -> actions.kill(member));
+        Mnemonics.assign(this);
     }
 
-    private void entry(String text, char mnemonic, boolean enabled, Runnable action) {
+    private void entry(String name, String text, boolean enabled, Runnable action) {
         JMenuItem item = new JMenuItem(text);
-        item.setName(text);
-        item.setMnemonic(mnemonic);
+        item.setName(name);
         item.setEnabled(enabled);
         item.addActionListener(event -> action.run());
         add(item);

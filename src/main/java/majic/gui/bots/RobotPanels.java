@@ -21,6 +21,7 @@ import majic.team.Member;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -29,11 +30,12 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class RobotPanels extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(RobotPanels.class);
 
     /** The property that is true while two panels are shown side by side. */
     public static final String COMPARING = "comparing";
 
-    private static final String EMPTY = "no robots";
+    private static final String EMPTY = "empty";
     private static final String ROBOTS = "robots";
 
     /** How many panels are shown side by side. */
@@ -177,14 +179,14 @@ public final class RobotPanels extends JPanel implements TeamListener {
 
     private String notice(List<Member> chosen, List<Member> shown) {
         if (chosen.isEmpty()) {
-            return "No robot is selected; click its card or its place on the map.";
+            return TEXTS.get("panels.noneSelected");
         }
         if (chosen.size() > COMPARED) {
-            return "Selected: " + numbers(chosen) + ". Select one robot to see it, or two to compare them.";
+            return TEXTS.get("panels.manySelected", numbers(chosen));
         }
         List<Member> elsewhere =
                 chosen.stream().filter(member -> !shown.contains(member)).toList();
-        return elsewhere.isEmpty() ? "" : "In a window of its own: " + numbers(elsewhere);
+        return elsewhere.isEmpty() ? "" : TEXTS.get("panels.elsewhere", numbers(elsewhere));
     }
 
     private static String numbers(List<Member> members) {

@@ -1,6 +1,5 @@
 package majic.gui.bots;
 
-import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -10,6 +9,7 @@ import majic.gui.kit.BotStatus;
 import majic.gui.kit.StateIcon;
 import majic.team.Member;
 import majic.team.StopStatus;
+import majic.text.Texts;
 
 /**
  * What the card of a robot shows at one moment. Immutable.
@@ -34,6 +34,8 @@ record RobotSummary(
         int bars,
         boolean isLost,
         boolean isUnconfirmed) {
+    private static final Texts TEXTS = Texts.of(RobotSummary.class);
+
     /**
      * Describes a robot as it is now.
      *
@@ -64,18 +66,18 @@ record RobotSummary(
     }
 
     private static String motion(MajicBot bot) {
-        return bot.state().moving() ? "moving" : "stationary";
+        return TEXTS.get(bot.state().moving() ? "summary.moving" : "summary.stationary");
     }
 
     private static String problem(boolean unconfirmed, boolean lost, String countdown, LinkMeter link, long nowNanos) {
         if (unconfirmed) {
-            return "stop not confirmed";
+            return TEXTS.get("summary.unconfirmed");
         }
         if (lost) {
-            return countdown.isEmpty() ? "connection lost" : "lost, " + countdown;
+            return countdown.isEmpty() ? TEXTS.get("summary.lost") : TEXTS.get("summary.lost.retry", countdown);
         }
         return link.overdueS(nowNanos).stream()
-                .mapToObj(age -> String.format(Locale.ROOT, "no report for %.0f s", Math.max(1, age)))
+                .mapToObj(age -> TEXTS.get("summary.overdue", Math.round(Math.max(1, age))))
                 .findFirst()
                 .orElse("");
     }
@@ -106,7 +108,7 @@ record RobotSummary(
                         condition,
                         problem,
                         activity,
-                        charge.map(text -> "battery " + text).orElse(""))
+                        charge.map(text -> TEXTS.get("summary.battery", text)).orElse(""))
                 .filter(text -> !text.isEmpty())
                 .distinct()
                 .collect(Collectors.joining(", "));

@@ -5,7 +5,6 @@ import java.awt.FontMetrics;
 import java.awt.Point;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -20,6 +19,7 @@ import majic.gui.kit.StateIcon;
 import majic.panel.PlotLink;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -28,6 +28,8 @@ import net.miginfocom.swing.MigLayout;
  */
 final class StatusStrip extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(StatusStrip.class);
+    private static final List<String> POSE = List.of("x", "y", "heading");
 
     private final transient Member member;
     private final transient Team team;
@@ -36,7 +38,7 @@ final class StatusStrip extends JPanel {
     private final JLabel pose = new JLabel();
     private final ActBar act;
     private final ReconnectCountdown countdown;
-    private final JButton reconnect = new JButton("Reconnect");
+    private final JButton reconnect = new JButton(TEXTS.get("strip.reconnect"));
     private final JButton window = new JButton(ActionIcon.WINDOW);
 
     /**
@@ -57,12 +59,12 @@ final class StatusStrip extends JPanel {
         stopProblem.putClientProperty("FlatLaf.style", "font: bold");
         pose.setName("pose" + member.number());
         pose.setFocusable(true);
-        PlotLink.install(pose, List.of("x", "y", "heading"), this::poseAt);
+        PlotLink.install(pose, POSE, this::poseAt);
         JLabel title =
                 new JLabel(member.bot().type().make(), new NumberBadge(member.number(), 22), SwingConstants.LEADING);
         title.putClientProperty("FlatLaf.styleClass", "h4");
-        JButton stopIt = new JButton("Stop " + member.number());
-        stopIt.setToolTipText("Stop this robot alone, and whatever drives it");
+        JButton stopIt = new JButton(TEXTS.get("strip.stop", member.number()));
+        stopIt.setToolTipText(TEXTS.get("strip.stop.tip"));
         stopIt.addActionListener(event -> actions.stop(member));
         reconnect.setName("reconnect" + member.number());
         reconnect.addActionListener(event -> reconnect(actions));
@@ -102,16 +104,15 @@ final class StatusStrip extends JPanel {
         reconnect.setVisible(member.bot().connection() == MajicBot.Connection.LOST);
     }
 
-    /** Returns the parameter that the pose's text shows at a point. */
+    /** Returns the parameter that the pose's text shows at a point: three parts with blanks between them. */
     private List<String> poseAt(Point point) {
         FontMetrics metrics = pose.getFontMetrics(pose.getFont());
+        String[] parts = pose.getText().split("(?<=   )");
         int left = 0;
-        for (String part : pose.getText().split("(?<=   )")) {
-            left += metrics.stringWidth(part);
+        for (int index = 0; index < parts.length && parts.length == POSE.size(); index++) {
+            left += metrics.stringWidth(parts[index]);
             if (point.x < left) {
-                return Stream.of("x", "y", "heading")
-                        .filter(List.of(part.split(" "))::contains)
-                        .toList();
+                return List.of(POSE.get(index));
             }
         }
         return List.of();
@@ -119,14 +120,14 @@ final class StatusStrip extends JPanel {
 
     private void showStop() {
         Optional<String> problem = team.stopStatus().problem(member.number());
-        stopProblem.setText("Stop not confirmed, may still move: " + problem.orElse(""));
+        stopProblem.setText(TEXTS.get("strip.unconfirmed", problem.orElse("")));
         stopProblem.setToolTipText(stopProblem.getText());
         stopProblem.setVisible(problem.isPresent());
     }
 
     /** Shows whether the panel is in the main window. */
     void setDocked(boolean docked) {
-        String text = docked ? "Open this robot in a window of its own" : "Put this robot back into the main window";
+        String text = TEXTS.get(docked ? "strip.undock" : "strip.dock");
         window.setToolTipText(text);
         window.getAccessibleContext().setAccessibleName(text);
     }

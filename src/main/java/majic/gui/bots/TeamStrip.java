@@ -17,6 +17,7 @@ import majic.team.Member;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.Texts;
 
 /**
  * The team at a glance: a card for each robot, by number. A click selects a robot, Ctrl and a click adds it to the
@@ -24,6 +25,7 @@ import majic.team.TeamListener;
  */
 public final class TeamStrip extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(TeamStrip.class);
 
     /** How often the times on the cards are brought up to date without a report of the robot. */
     private static final int TICK_MS = 500;
@@ -49,7 +51,7 @@ public final class TeamStrip extends JPanel implements TeamListener {
         this.openWindow = openWindow;
         batteries = new BatteryReader(team);
         setName("teamStrip");
-        getAccessibleContext().setAccessibleName("Team");
+        getAccessibleContext().setAccessibleName(TEXTS.get("team"));
         StripKeys.bind(this);
         selection.addListener(this::showSelection);
         team.members().forEach(this::added);
