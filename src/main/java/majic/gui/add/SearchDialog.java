@@ -72,7 +72,7 @@ final class SearchDialog extends MajicDialog {
         use = button("Use", this::choose);
         use.setEnabled(false);
         fill(content(), use, closing("Close"));
-        EventThread.background("searching for robots", this::search, reason -> status.show(reason, true));
+        EventThread.background("searching for robots", this::search, reason -> end(reason, true));
     }
 
     private JPanel content() {
@@ -88,6 +88,7 @@ final class SearchDialog extends MajicDialog {
                 }
             }
         });
+        progress.setName("searchProgress");
         progress.setIndeterminate(true);
         progress.getAccessibleContext().setAccessibleName("Progress of the search");
         status.setFocusable(true);
@@ -118,15 +119,17 @@ final class SearchDialog extends MajicDialog {
             made.close();
             return;
         }
+        if (hosts.isEmpty()) {
+            end("This computer is in no network; only its serial ports are listed.", false);
+            return;
+        }
         search = made;
         String ports = sought.stream()
                 .map(type -> type.defaultPort() + " (" + type.label() + ")")
                 .collect(Collectors.joining(", "));
         status.show(
-                hosts.isEmpty()
-                        ? "This computer is in no network; only its serial ports are listed."
-                        : "Trying the ports " + ports + " of " + PortSearch.networks(hosts)
-                                + ". Nothing is sent, and robots of the team are left alone.",
+                "Trying the ports " + ports + " of " + PortSearch.networks(hosts)
+                        + ". Nothing is sent, and robots of the team are left alone.",
                 false);
         made.start();
     }
@@ -138,14 +141,20 @@ final class SearchDialog extends MajicDialog {
     private void showProgress(int tried, int all) {
         progress.setIndeterminate(false);
         progress.setMaximum(Math.max(1, all));
-        progress.setValue(all == 0 ? 1 : tried);
+        progress.setValue(tried);
         if (tried == all) {
-            status.show(
+            end(
                     found.isEmpty()
                             ? "Nothing answers at the usual ports. A robot may have another port, or be in another network."
                             : "The search has ended. What answers need not be a robot; OK in Add Bot finds out.",
                     false);
         }
+    }
+
+    private void end(String words, boolean wrong) {
+        progress.setIndeterminate(false);
+        progress.setValue(progress.getMaximum());
+        status.show(words, wrong);
     }
 
     private void choose() {

@@ -9,7 +9,10 @@ import java.net.ServerSocket;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.function.Supplier;
 import javax.swing.JList;
+import javax.swing.JProgressBar;
+import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.gui.TestWindow;
 import majic.gui.ToyType;
@@ -35,8 +38,12 @@ class SearchDialogWindowTest {
     SearchDialogWindowTest() throws IOException {}
 
     private void search(BotType type, Set<InetSocketAddress> spared) {
-        SearchDialog.Places places = new SearchDialog.Places(
-                () -> List.of(HERE), () -> spared, () -> List.of(new SerialPortChoice("COM9", "")));
+        search(type, () -> List.of(HERE), spared);
+    }
+
+    private void search(BotType type, Supplier<List<InetAddress>> hosts, Set<InetSocketAddress> spared) {
+        SearchDialog.Places places =
+                new SearchDialog.Places(hosts, () -> spared, () -> List.of(new SerialPortChoice("COM9", "")));
         window.run(() -> new SearchDialog(window.frame(), List.of(type), places, chosen::complete).setVisible(true));
     }
 
@@ -82,5 +89,35 @@ class SearchDialogWindowTest {
 
         assertThat(list().getModel().getSize()).isZero();
         assertThat(window.text("searchStatus")).startsWith("Nothing answers");
+    }
+
+    @Test
+    void withoutANetworkOnlyTheSerialPortsAreListed() {
+        search(listening(BotType.Reach.SERIAL, BotType.Reach.TCP), List::of, Set.of());
+        awaitEnd();
+
+        assertThat(window.text("searchStatus"))
+                .isEqualTo("This computer is in no network; only its serial ports are listed.");
+        assertThat(list().getModel().getSize()).isOne();
+        assertThat(isProgressing()).isFalse();
+    }
+
+    @Test
+    void aSearchThatFailsShowsTheReasonAndNoProgress() {
+        search(
+                listening(BotType.Reach.TCP),
+                () -> {
+                    throw new BotException("The networks cannot be read");
+                },
+                Set.of());
+        awaitEnd();
+
+        assertThat(window.text("searchStatus")).isEqualTo("The networks cannot be read");
+        assertThat(isProgressing()).isFalse();
+    }
+
+    private boolean isProgressing() {
+        JProgressBar progress = window.find("searchProgress", JProgressBar.class);
+        return progress.isIndeterminate() || progress.getPercentComplete() < 1;
     }
 }
