@@ -9,20 +9,24 @@ import majic.bot.Value;
 /**
  * The charge of a robot's battery as a card shows it.
  *
+ * @param parameter name of the parameter that it comes from
  * @param percent 0 to 100; empty if the robot does not report it
  * @param text percent, or the voltage of a robot that reports only that; empty if it reports neither
  */
-record BatteryLevel(OptionalInt percent, String text) {
-    static final BatteryLevel UNKNOWN = new BatteryLevel(OptionalInt.empty(), "");
+record BatteryLevel(String parameter, OptionalInt percent, String text) {
+    private static final String CHARGE = "battery";
+    private static final String VOLTAGE = "voltage";
+
+    static final BatteryLevel UNKNOWN = new BatteryLevel(CHARGE, OptionalInt.empty(), "");
 
     /** Reads the charge; may wait for the robot. */
     static BatteryLevel read(MajicBot bot) {
-        if (read(bot, "battery") instanceof Value.Number charge) {
+        if (read(bot, CHARGE) instanceof Value.Number charge) {
             int percent = (int) Math.round(Math.max(0, Math.min(100, charge.amount())));
-            return new BatteryLevel(OptionalInt.of(percent), percent + "%");
+            return new BatteryLevel(CHARGE, OptionalInt.of(percent), percent + "%");
         }
-        return read(bot, "voltage") instanceof Value.Number volts
-                ? new BatteryLevel(OptionalInt.empty(), String.format(Locale.ROOT, "%.1f V", volts.amount()))
+        return read(bot, VOLTAGE) instanceof Value.Number volts
+                ? new BatteryLevel(VOLTAGE, OptionalInt.empty(), String.format(Locale.ROOT, "%.1f V", volts.amount()))
                 : UNKNOWN;
     }
 

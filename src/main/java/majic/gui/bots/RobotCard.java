@@ -87,7 +87,8 @@ final class RobotCard extends JPanel implements PlotHost {
             reconnect.setEnabled(false);
             actions.reconnect(member, () -> reconnect.setEnabled(true));
         });
-        PlotLink.install(battery, List.of(), point -> List.of("battery"));
+        PlotLink.install(
+                battery, List.of(), point -> List.of(batteries.level(member).parameter()));
         show(CardSize.FULL);
         update();
         member.bot().addListener(listener);

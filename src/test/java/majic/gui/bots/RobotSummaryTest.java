@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class RobotSummaryTest {
     private static RobotSummary summary(String problem, String activity) {
-        BatteryLevel battery = new BatteryLevel(OptionalInt.of(80), "80%");
+        BatteryLevel battery = new BatteryLevel("battery", OptionalInt.of(80), "80%");
         return new RobotSummary(
                 StateIcon.MOVING, "Pioneer", "moving", problem, activity, battery, LinkMeter.MOST_BARS, false, false);
     }
