@@ -5,8 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Window;
+import java.awt.event.HierarchyEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
+import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -41,6 +43,22 @@ class PanelWindowTest {
         window.await("the window to go", () -> !window.isShowing("robotWindow1"));
         assertThat(windowOfPanel()).isSameAs(window.frame);
         assertThat(window.isShowing("bot1")).isTrue();
+    }
+
+    @Test
+    void theOtherPanelsStayInTheMainWindowMeanwhile() {
+        Component other = window.find("bot2", Component.class);
+        AtomicInteger moves = new AtomicInteger();
+        other.addHierarchyListener(event -> {
+            if ((event.getChangeFlags() & HierarchyEvent.PARENT_CHANGED) != 0) {
+                moves.incrementAndGet();
+            }
+        });
+        window.push("window1");
+        window.await("the window to go", () -> !window.isShowing("robotWindow1"));
+
+        assertThat(moves).hasValue(0);
+        assertThat(other.getParent().getComponents()).containsExactly(window.find("bot1", Component.class), other);
     }
 
     @Test

@@ -6,8 +6,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
@@ -133,16 +133,17 @@ public final class RobotPanels extends JPanel implements TeamListener {
         Optional.ofNullable(windows.remove(member)).ifPresent(PanelWindow::dispose);
         if (panel != null) {
             panel.setDocked(true);
-            row.removeAll();
-            Map<Integer, BotPanel> docked = new TreeMap<>();
-            panels.forEach((robot, its) -> {
-                if (!windows.containsKey(robot)) {
-                    docked.put(robot.number(), its);
-                }
-            });
-            docked.values().forEach(its -> row.add(its, "grow, push, sizegroup panels, wmin 0, hmin 0"));
+            row.add(panel, "grow, push, sizegroup panels, wmin 0, hmin 0", place(member));
         }
         showSelection();
+    }
+
+    /** Returns the place of a robot's panel in the row, which is in the order of the numbers. */
+    private int place(Member member) {
+        return (int) Stream.of(row.getComponents())
+                .map(BotPanel.class::cast)
+                .filter(other -> other.member().number() < member.number())
+                .count();
     }
 
     /** Closes the windows of the robots; to be called when the main window closes. */
