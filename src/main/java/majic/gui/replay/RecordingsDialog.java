@@ -4,12 +4,9 @@ import java.awt.Window;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.io.IOException;
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.JButton;
@@ -18,18 +15,19 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
+import majic.bot.BotException;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.recorder.RecordingFolder;
 import majic.recorder.RecordingHead;
+import majic.text.IoReason;
 import net.miginfocom.swing.MigLayout;
 
 /** Asks which recording is to be replayed: one of the user's folder, the newest first, or another file. */
 public final class RecordingsDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
-    private static final Logger LOG = System.getLogger(RecordingsDialog.class.getName());
     private static final double MEGABYTE = 1e6;
 
     private final transient ReplayServices services;
@@ -95,16 +93,15 @@ public final class RecordingsDialog extends MajicDialog {
     }
 
     private static List<Entry> entries(RecordingFolder folder) {
-        List<Entry> entries = new ArrayList<>();
         try {
+            List<Entry> entries = new ArrayList<>();
             for (Path file : folder.files()) {
-                entries.add(new Entry(file, words(file)));
+                entries.add(0, new Entry(file, words(file)));
             }
+            return entries;
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "the recordings cannot be listed", e);
+            throw new BotException("The recordings cannot be listed (" + IoReason.of(e) + ")", e);
         }
-        Collections.reverse(entries);
-        return entries;
     }
 
     private static String words(Path file) {
