@@ -18,6 +18,9 @@ final class TourEvents implements SessionListener, TeamListener, AutoCloseable {
     private static final String ROBOT = "pioneer";
     private static final int MOST_ANSWERS = 500;
 
+    /** The Pioneer's number where the lab's robots are the first of the team. */
+    private static final int USUAL_NUMBER = 2;
+
     private final Session session;
     private final List<String> answers = new CopyOnWriteArrayList<>();
     private volatile boolean drivenByHand;
@@ -48,7 +51,7 @@ final class TourEvents implements SessionListener, TeamListener, AutoCloseable {
 
     /** Replaces the letter {@code N} that stands for the number of the robot. */
     String named(String text) {
-        return text.replaceAll("\\bN\\b", pioneer().isPresent() ? "" + pioneer().getAsInt() : "2");
+        return text.replaceAll("\\bN\\b", "" + pioneer().orElse(USUAL_NUMBER));
     }
 
     /** Returns whether an answer matched a pattern, in which {@code N} stands for the number of the robot. */
