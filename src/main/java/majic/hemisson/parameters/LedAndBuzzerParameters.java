@@ -23,8 +23,8 @@ final class LedAndBuzzerParameters implements ParameterTheme<Modules> {
                 table,
                 "light",
                 "both front LEDs",
-                leds -> leds.left() && leds.right(),
-                (leds, on) -> leds.withLeft(on).withRight(on));
+                now -> now.left() && now.right(),
+                (now, on) -> now.withLeft(on).withRight(on));
         led(table, "ledLeft", "front left LED", Leds::left, Leds::withLeft);
         led(table, "ledRight", "front right LED", Leds::right, Leds::withRight);
         led(table, "ledPgm", "the Pgm/Exec LED", Leds::pgm, Leds::withPgm);
@@ -47,7 +47,7 @@ final class LedAndBuzzerParameters implements ParameterTheme<Modules> {
         table.add(Parameter.onOff(name, help), () -> Value.onOff(reader.apply(leds.leds())))
                 .writes(values -> {
                     boolean on = values.get(0).isYes();
-                    leds.light(leds -> writer.apply(leds, on));
+                    leds.light(now -> writer.apply(now, on));
                 });
     }
 
