@@ -112,10 +112,11 @@ public final class Cart extends MajicBot {
     @Override
     protected Value turnBy(double degrees, Motion motion) {
         double degPerSec = Math.signum(degrees) * cruiseTurnDegPerSec();
+        double seconds = Math.abs(degrees) / cruiseTurnDegPerSec();
         motion.send(() -> driveAt(0, degPerSec));
-        motion.pause(degrees / degPerSec);
+        motion.pause(seconds);
         motion.send(this::halt);
-        return Value.about(degPerSec * Math.min(degrees / degPerSec, motion.seconds()), Unit.DEG);
+        return Value.about(degPerSec * Math.min(seconds, motion.seconds()), Unit.DEG);
     }
 
     @Override

@@ -82,6 +82,18 @@ class PluginsTest {
         }
     }
 
+    @Test
+    void aTurnByZeroDegreesOfTheExampleCartIsDone() throws Exception {
+        jar("cart.jar", "Cart$Type", "Cart.class", "Cart$Type.class", "Cart$Reports.class");
+        BotFactory factory = new BotFactory(Plugins.types(folder), Settings.inMemory());
+        try (ServerSocket server = Loopback.listen();
+                MajicBot cart = factory.create("cart://127.0.0.1:" + server.getLocalPort())) {
+            cart.connect();
+
+            assertThat(cart.turn(0).amount()).hasToString("about 0 deg");
+        }
+    }
+
     /** Reports two positions, with an unreadable line between them, and closes the link after the stop. */
     private static List<String> drivenCart(ServerSocket server) {
         try (Socket link = server.accept();
