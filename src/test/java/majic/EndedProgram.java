@@ -3,8 +3,11 @@ package majic;
 import java.io.IOException;
 import java.util.concurrent.CountDownLatch;
 import majic.aibo.MajicAibo;
+import majic.bot.BotAddress;
+import majic.bot.BotEnvironment;
 import majic.bot.BotListener;
 import majic.bot.BotState;
+import majic.bot.BotType;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
@@ -59,12 +62,18 @@ final class EndedProgram {
         }
     }
 
-    private static MajicBot create(String address) {
+    private static MajicBot create(String address) throws ReflectiveOperationException {
         return switch (address.substring(0, address.indexOf(':'))) {
             case "pioneer" -> new MajicPioneer(address);
             case "aibo" -> new MajicAibo(address);
             case "hemisson" -> new MajicHemisson(address);
-            default -> new PluginCart(address);
+            default -> cart(address);
         };
+    }
+
+    /** The cart of the examples, which are in no package and cannot be imported. */
+    private static MajicBot cart(String address) throws ReflectiveOperationException {
+        BotType type = (BotType) Class.forName("Cart$Type").getConstructor().newInstance();
+        return type.create(BotAddress.parse(address), BotEnvironment.plain());
     }
 }

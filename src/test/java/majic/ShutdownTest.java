@@ -41,7 +41,7 @@ class ShutdownTest {
         PIONEER_ON_A_PORT("pioneer", PIONEER_STOP),
         AIBO("aibo", "stop walk, stop turn,"),
         HEMISSON_ON_A_PORT("hemisson", "D,0,0\r"),
-        PLUGIN("cart", "halt\n");
+        PLUGIN("cart", "drive 0 0\n");
 
         private final String type;
         private final String stop;
