@@ -11,16 +11,13 @@ import java.awt.event.ComponentAdapter;
 import java.awt.event.ComponentEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.lang.System.Logger.Level;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.JSplitPane;
 import javax.swing.Timer;
-import majic.bot.BotException;
 import majic.bot.Settings;
-import majic.gui.kit.EventThread;
+import majic.gui.kit.BackgroundSettings;
 
 /**
  * Keeps the place and size of the window, whether it is maximised, and its dividers, in the settings, one second after
@@ -132,12 +129,12 @@ final class FrameMemory {
         return area;
     }
 
-    /** Keeps the present place in the background. */
+    /** Stores the present place. */
     private void keep() {
         String text = place().toString();
         if (!text.equals(kept)) {
             kept = text;
-            EventThread.background("remembering the window", () -> write(text));
+            BackgroundSettings.put(settings, KEY, text);
         }
     }
 
@@ -153,16 +150,5 @@ final class FrameMemory {
     /** While panels are compared, the divider is elsewhere than at the next start. */
     private static int divider(JSplitPane split) {
         return split instanceof TeamPane team ? team.usualDividerLocation() : split.getDividerLocation();
-    }
-
-    private void write(String text) {
-        try {
-            if (!settings.get(KEY).equals(Optional.of(text))) {
-                settings.put(KEY, text);
-            }
-        } catch (BotException e) {
-            System.getLogger(FrameMemory.class.getName())
-                    .log(Level.DEBUG, "the place of the window is not remembered after the end", e);
-        }
     }
 }

@@ -1,10 +1,9 @@
 package majic.gui;
 
-import java.lang.System.Logger.Level;
 import java.util.Optional;
 import java.util.function.Consumer;
-import majic.bot.BotException;
 import majic.bot.Settings;
+import majic.gui.kit.BackgroundSettings;
 import majic.gui.kit.EventThread;
 import majic.team.AutoReconnect;
 import majic.team.Member;
@@ -39,15 +38,8 @@ final class FrameReconnect implements AutoCloseable {
 
     /** Switches the attempts on or off, and keeps the choice, in the background. */
     void enable(boolean on) {
-        EventThread.background("switching reconnecting", () -> {
-            attempts.enable(on);
-            try {
-                settings.put(KEY, on ? "on" : OFF);
-            } catch (BotException e) {
-                System.getLogger(FrameReconnect.class.getName())
-                        .log(Level.DEBUG, "the choice is not remembered after the end", e);
-            }
-        });
+        EventThread.background("switching reconnecting", () -> attempts.enable(on));
+        BackgroundSettings.put(settings, KEY, on ? "on" : OFF);
     }
 
     @Override

@@ -8,9 +8,8 @@ import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
 import javax.swing.UIManager;
-import majic.bot.BotException;
 import majic.bot.Settings;
-import majic.gui.kit.EventThread;
+import majic.gui.kit.BackgroundSettings;
 
 /** Installs the light or the dark look and feel in a text size, and stores what is chosen. */
 final class LookAndFeels {
@@ -57,7 +56,7 @@ final class LookAndFeels {
     static void changeTextSize(int percent, Settings settings) {
         setTextSize(percent);
         FlatLaf.updateUI();
-        EventThread.background("remembering the text size", () -> remember(SIZE, "" + percent, settings));
+        BackgroundSettings.put(settings, SIZE, "" + percent);
     }
 
     /** Every other font follows the default one. */
@@ -70,7 +69,7 @@ final class LookAndFeels {
     static void change(boolean dark, Settings settings) {
         set(dark);
         FlatLaf.updateUI();
-        EventThread.background("remembering the look", () -> remember(KEY, dark ? DARK : LIGHT, settings));
+        BackgroundSettings.put(settings, KEY, dark ? DARK : LIGHT);
     }
 
     /** Has no effect if that look and feel is installed already. */
@@ -82,15 +81,6 @@ final class LookAndFeels {
             FlatDarkLaf.setup();
         } else {
             FlatLightLaf.setup();
-        }
-    }
-
-    private static void remember(String key, String value, Settings settings) {
-        try {
-            settings.put(key, value);
-        } catch (BotException e) {
-            System.getLogger(LookAndFeels.class.getName())
-                    .log(System.Logger.Level.DEBUG, key + " is not remembered after the end", e);
         }
     }
 }

@@ -7,7 +7,6 @@ import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.io.File;
-import java.lang.System.Logger.Level;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
@@ -21,7 +20,6 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import majic.bot.BotException;
 import majic.bot.Settings;
 
 /** Asks for a file without blocking the window; starts in the folder where a file was chosen last. */
@@ -190,16 +188,7 @@ public final class ChooseFile extends MajicDialog {
         dispose();
         Path folder = file.toAbsolutePath().getParent();
         if (folder != null) {
-            EventThread.background("remembering the folder", () -> remember(folder));
-        }
-    }
-
-    private void remember(Path folder) {
-        try {
-            settings.put(FOLDER, folder.toString());
-        } catch (BotException e) {
-            System.getLogger(ChooseFile.class.getName())
-                    .log(Level.DEBUG, "the folder is not remembered after the end", e);
+            BackgroundSettings.put(settings, FOLDER, folder.toString());
         }
     }
 
