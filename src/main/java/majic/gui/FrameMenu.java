@@ -10,11 +10,13 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import majic.gui.kit.Mnemonics;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** The menu bar. */
 final class FrameMenu extends JMenuBar {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(FrameMenu.class);
 
     private final transient MenuKeys keys = new MenuKeys();
 
@@ -120,6 +122,7 @@ final class FrameMenu extends JMenuBar {
         }
         view.addSeparator();
         view.add(textSize(frame));
+        view.add(language(frame));
         return view;
     }
 
@@ -134,5 +137,18 @@ final class FrameMenu extends JMenuBar {
             sizes.add(size);
         }
         return sizes;
+    }
+
+    private static JMenu language(MajicFrame frame) {
+        JMenu languages = new JMenu(TEXTS.get("language"));
+        ButtonGroup group = new ButtonGroup();
+        for (Language language : Language.values()) {
+            JMenuItem entry =
+                    new JRadioButtonMenuItem(language.toString(), language == Language.chosen(frame.settings()));
+            entry.addActionListener(event -> frame.chooseLanguage(language));
+            group.add(entry);
+            languages.add(entry);
+        }
+        return languages;
     }
 }

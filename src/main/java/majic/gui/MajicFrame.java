@@ -44,6 +44,7 @@ import majic.recorder.Recorder;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
@@ -54,6 +55,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class MajicFrame extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(MajicFrame.class);
     private static final int ICON_SIZE = 64;
 
     private final transient Session session;
@@ -109,11 +111,12 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     /**
-     * Installs the look and feel that was chosen last; must be called before the window is created.
+     * Installs the language and the look and feel that were chosen last; must be called before the window is created.
      *
      * @param settings the stored settings
      */
     public static void installLook(Settings settings) {
+        Language.install(settings);
         LookAndFeels.install(settings);
     }
 
@@ -315,6 +318,13 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         } else {
             channel.submit(
                     meant.stream().map(member -> "" + member.number()).collect(Collectors.joining(",")) + " act off");
+        }
+    }
+
+    /** Stores a language for the next start; shows a message if it differs from the present one. */
+    void chooseLanguage(Language language) {
+        if (language.choose(settings())) {
+            commands.messages().line(new Line(Line.Kind.NOTICE, TEXTS.get("language.later")));
         }
     }
 
