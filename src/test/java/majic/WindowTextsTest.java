@@ -61,7 +61,6 @@ class WindowTextsTest {
             "gui/start",
             "hemisson/panel",
             "panel",
-            "panel/map",
             "pioneer/panel");
 
     /** Constraints of MigLayout. */

@@ -6,56 +6,58 @@ import java.util.function.Consumer;
 import java.util.function.Predicate;
 import javax.swing.AbstractAction;
 import javax.swing.KeyStroke;
+import majic.text.Texts;
 
 /** The actions on a map: each has a key that works while the map has the focus; most have a button too. */
 enum MapAction {
     /** Zooms in. */
-    ZOOM_IN("Zoom in", List.of("typed +"), map -> map.zoom(1.25)),
+    ZOOM_IN("zoomIn", List.of("+"), map -> map.zoom(1.25)),
     /** Zooms out. */
-    ZOOM_OUT("Zoom out", List.of("typed -"), map -> map.zoom(0.8)),
+    ZOOM_OUT("zoomOut", List.of("-"), map -> map.zoom(0.8)),
     /** Shows everything. */
-    FIT("Show everything", List.of("typed 0"), ZoomableMap::fit),
+    FIT("fit", List.of("0"), ZoomableMap::fit),
     /** Keeps the robot in the middle. */
-    FOLLOW("Keep the robot in the middle", List.of("typed f"), ZoomableMap::toggleFollow, ZoomableMap::follows),
+    FOLLOW("follow", List.of("f"), ZoomableMap::toggleFollow, ZoomableMap::follows),
     /** Keeps the robot in the middle, with its heading up. */
-    AHEAD_UP("Turn the map with the robot", List.of("typed u"), ZoomableMap::toggleAheadUp, ZoomableMap::hasAheadUp),
+    AHEAD_UP("aheadUp", List.of("u"), ZoomableMap::toggleAheadUp, ZoomableMap::hasAheadUp),
     /** Clears trails and echoes; by button alone, because cleared data cannot be restored. */
-    CLEAR("Clear trails and echoes", List.of(), ZoomableMap::clear),
+    CLEAR("clear", List.of(), ZoomableMap::clear),
     /** Moves the view to the left. */
-    LEFT("Look left", List.of("LEFT"), map -> map.drag(MapAction.STEP_PX, 0)),
+    LEFT("left", List.of("LEFT"), map -> map.drag(MapAction.STEP_PX, 0)),
     /** Moves the view to the right. */
-    RIGHT("Look right", List.of("RIGHT"), map -> map.drag(-MapAction.STEP_PX, 0)),
+    RIGHT("right", List.of("RIGHT"), map -> map.drag(-MapAction.STEP_PX, 0)),
     /** Moves the view up. */
-    UP("Look up", List.of("UP"), map -> map.drag(0, MapAction.STEP_PX)),
+    UP("up", List.of("UP"), map -> map.drag(0, MapAction.STEP_PX)),
     /** Moves the view down. */
-    DOWN("Look down", List.of("DOWN"), map -> map.drag(0, -MapAction.STEP_PX));
+    DOWN("down", List.of("DOWN"), map -> map.drag(0, -MapAction.STEP_PX));
 
     /** The actions with a button, in the order of the buttons; the last one is set apart. */
     static final List<MapAction> WITH_BUTTON = List.of(ZOOM_IN, ZOOM_OUT, FIT, FOLLOW, AHEAD_UP, CLEAR);
 
     private static final int STEP_PX = 40;
+    private static final Texts TEXTS = Texts.of(MapAction.class);
 
-    private final String title;
+    private final String text;
     private final List<String> keys;
     private final Consumer<ZoomableMap> effect;
     private final Predicate<ZoomableMap> state;
     private final boolean toggles;
 
-    MapAction(String title, List<String> keys, Consumer<ZoomableMap> effect) {
-        this(title, keys, effect, map -> false, false);
+    MapAction(String text, List<String> keys, Consumer<ZoomableMap> effect) {
+        this(text, keys, effect, map -> false, false);
     }
 
-    MapAction(String title, List<String> keys, Consumer<ZoomableMap> effect, Predicate<ZoomableMap> state) {
-        this(title, keys, effect, state, true);
+    MapAction(String text, List<String> keys, Consumer<ZoomableMap> effect, Predicate<ZoomableMap> state) {
+        this(text, keys, effect, state, true);
     }
 
     MapAction(
-            String title,
+            String text,
             List<String> keys,
             Consumer<ZoomableMap> effect,
             Predicate<ZoomableMap> state,
             boolean toggles) {
-        this.title = title;
+        this.text = text;
         this.keys = keys;
         this.effect = effect;
         this.state = state;
@@ -63,12 +65,12 @@ enum MapAction {
     }
 
     String title() {
-        return title;
+        return TEXTS.get(text);
     }
 
     /** Returns the tool tip, with the key of the same action. */
     String tip() {
-        return keys.isEmpty() ? title : title + " (" + keys.get(0).replace("typed ", "") + ")";
+        return keys.isEmpty() ? title() : TEXTS.get("keyTip", title(), keys.get(0));
     }
 
     boolean toggles() {
@@ -93,9 +95,14 @@ enum MapAction {
             if (!action.suits(map)) {
                 continue;
             }
-            action.keys.forEach(key -> map.getInputMap().put(KeyStroke.getKeyStroke(key), action));
+            action.keys.forEach(key -> map.getInputMap().put(keyStroke(key), action));
             map.getActionMap().put(action, new Performing(map, action));
         }
+    }
+
+    /** Returns the typed character, or a key by its name. */
+    private static KeyStroke keyStroke(String key) {
+        return key.length() == 1 ? KeyStroke.getKeyStroke(key.charAt(0)) : KeyStroke.getKeyStroke(key);
     }
 
     private static final class Performing extends AbstractAction {

@@ -2,6 +2,7 @@ package majic.panel.map;
 
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
+import majic.text.Texts;
 
 /** The content of a {@link ZoomableMap}. Called on the event dispatch thread. */
 public interface MapContent {
@@ -41,7 +42,6 @@ public interface MapContent {
      * @return a tip
      */
     default String tip(double xMm, double yMm, MapView view) {
-        return "x " + Math.round(xMm) + " mm, y " + Math.round(yMm)
-                + " mm \u2013 wheel zooms, dragging moves, double click shows everything";
+        return Texts.of(MapContent.class).get("placeTip", Math.round(xMm), Math.round(yMm));
     }
 }

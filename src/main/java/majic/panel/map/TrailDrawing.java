@@ -8,10 +8,11 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import majic.panel.DrawingColors;
+import majic.text.Texts;
 
 /** Draws the trail of a robot, from its start. Must be used on the event dispatch thread. */
 public final class TrailDrawing {
-    private static final String START = "start";
+    private static final Texts TEXTS = Texts.of(TrailDrawing.class);
     private static final double START_PX = 5;
     private static final double STEP_PX = 2;
 
@@ -77,8 +78,9 @@ public final class TrailDrawing {
         pen.setStroke(DrawingColors.stroke(1.5));
         pen.draw(new Ellipse2D.Double(start.getX() - START_PX, start.getY() - START_PX, 2 * START_PX, 2 * START_PX));
         pen.fill(new Ellipse2D.Double(start.getX() - 1.5, start.getY() - 1.5, 3, 3));
+        String text = TEXTS.get("start");
         FontMetrics metrics = pen.getFontMetrics();
-        float left = (float) (start.getX() - metrics.stringWidth(START) / 2.0);
-        pen.drawString(START, left, (float) (start.getY() + START_PX + metrics.getAscent()));
+        float left = (float) (start.getX() - metrics.stringWidth(text) / 2.0);
+        pen.drawString(text, left, (float) (start.getY() + START_PX + metrics.getAscent()));
     }
 }

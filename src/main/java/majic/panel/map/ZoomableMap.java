@@ -12,6 +12,7 @@ import javax.swing.JPanel;
 import javax.swing.UIManager;
 import majic.bot.Pose;
 import majic.panel.DrawingColors;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,6 +23,7 @@ import org.jspecify.annotations.Nullable;
 public class ZoomableMap extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int TOOLS_INSET = 6;
+    private static final Texts TEXTS = Texts.of(ZoomableMap.class);
 
     private final transient MapContent content;
     private final transient @Nullable RobotContent followed;
@@ -67,7 +69,7 @@ public class ZoomableMap extends JPanel {
         setName("map");
         setFocusable(true);
         setToolTipText("");
-        getAccessibleContext().setAccessibleName("Map");
+        getAccessibleContext().setAccessibleName(TEXTS.get("map"));
         tools = new MapTools(this);
         add(tools);
         MapMouse mouse = new MapMouse(this);
