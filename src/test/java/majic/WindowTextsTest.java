@@ -58,10 +58,7 @@ class WindowTextsTest {
             "gui/map",
             "gui/plot",
             "gui/replay",
-            "gui/start",
-            "hemisson/panel",
-            "panel",
-            "pioneer/panel");
+            "gui/start");
 
     /** Constraints of MigLayout. */
     private static final Pattern LAYOUT = Pattern.compile(

@@ -27,7 +27,7 @@ public final class Gauge extends JPanel {
     /** Text for the width of the limits, so that bars of gauges below each other start at the same position. */
     private static final String LONGEST_LIMIT = "+1000";
 
-    private final String title;
+    private String title;
     private final String unit;
     private final boolean positiveLeft;
     private transient Range limits = new Range(-1, 1);
@@ -48,6 +48,17 @@ public final class Gauge extends JPanel {
         this.positiveLeft = positiveLeft;
         setName(parameter);
         setOpaque(false);
+    }
+
+    /**
+     * Sets the title, which is the parameter's name in plain English words otherwise.
+     *
+     * @param label a few words in the user's language
+     * @return this gauge
+     */
+    public Gauge labelled(String label) {
+        title = label;
+        return this;
     }
 
     /**

@@ -11,6 +11,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import javax.swing.JPanel;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,6 +26,7 @@ public final class Horizon extends JPanel {
 
     private static final int LADDER_DEG = 20;
     private static final double GROUND = 0.4;
+    private static final Texts TEXTS = Texts.of(Horizon.class);
 
     private transient @Nullable Tilt tilt;
 
@@ -55,10 +57,10 @@ public final class Horizon extends JPanel {
     public void show(@Nullable Tilt newTilt) {
         tilt = newTilt;
         String words = newTilt == null
-                ? "no reading"
-                : Math.round(newTilt.pitchDeg()) + "° nose up, " + Math.round(newTilt.rollDeg()) + "° to the right";
-        setToolTipText("Artificial horizon: " + words);
-        getAccessibleContext().setAccessibleName("horizon: " + words);
+                ? TEXTS.get("horizon.none")
+                : TEXTS.get("horizon", Math.round(newTilt.pitchDeg()), Math.round(newTilt.rollDeg()));
+        setToolTipText(words);
+        getAccessibleContext().setAccessibleName(words);
         repaint();
     }
 

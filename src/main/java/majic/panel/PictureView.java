@@ -24,6 +24,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,12 +36,13 @@ public final class PictureView extends JPanel {
     private static final long serialVersionUID = 1;
     private static final float FADED = 0.25f;
     private static final int INSET = 4;
+    private static final Texts TEXTS = Texts.of(PictureView.class);
 
     private final transient PictureView source;
     private final transient Set<PictureView> copies = new LinkedHashSet<>();
     private final transient VisibilityWatch visibility;
     private transient Consumer<Boolean> watchListener = seen -> {};
-    private transient Supplier<String> title = () -> "Camera";
+    private transient Supplier<String> title = () -> TEXTS.get("camera");
     private transient @Nullable BufferedImage image;
     private String caption = "";
     private String words = "";
@@ -110,7 +112,7 @@ public final class PictureView extends JPanel {
     /**
      * Returns the title of a window with a larger view.
      *
-     * @return {@code Camera} unless another title is set
+     * @return the word for a camera unless another title is set
      */
     public String title() {
         return title.get();
@@ -193,7 +195,7 @@ public final class PictureView extends JPanel {
     }
 
     private void changed(String state) {
-        getAccessibleContext().setAccessibleName("camera, " + state);
+        getAccessibleContext().setAccessibleName(TEXTS.get("camera.shows", state));
         repaint();
         copies.forEach(copy -> copy.take(this));
     }

@@ -18,6 +18,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class PlotLink {
     private static final Cursor HAND = Cursor.getPredefinedCursor(Cursor.HAND_CURSOR);
-    private static final String TIP = "Plot";
+    private static final Texts TEXTS = Texts.of(PlotLink.class);
 
     private final JComponent component;
     private final Function<Point, List<String>> parametersAt;
@@ -43,7 +44,7 @@ public final class PlotLink {
     /**
      * Links a component that shows readings as a whole.
      *
-     * @param component the component; its tool tip begins with "Plot"
+     * @param component the component; its tool tip begins with the word for a plot
      * @param parameters names of the robot's parameters
      */
     public static void install(JComponent component, List<String> parameters) {
@@ -53,7 +54,7 @@ public final class PlotLink {
     /**
      * Links a component that shows different readings at different places.
      *
-     * @param component the component; its tool tip begins with "Plot", unless it makes its own ones
+     * @param component the component; its tool tip begins with the word for a plot, unless it makes its own ones
      * @param all names of the parameters that Enter plots; empty if the component does not get the focus
      * @param parametersAt returns the names of the parameters shown at a point of the component; empty where there are
      *     none
@@ -110,8 +111,8 @@ public final class PlotLink {
         }
         String names = String.join(", ", parameters);
         JPopupMenu menu = new JPopupMenu();
-        menu.add(item("Plot " + names, parameters, false));
-        menu.add(item("Add " + names + " to the last plot", parameters, true));
+        menu.add(item(TEXTS.get("plot.new", names), parameters, false));
+        menu.add(item(TEXTS.get("plot.add", names), parameters, true));
         menu.show(component, point.x, point.y);
     }
 
@@ -123,10 +124,11 @@ public final class PlotLink {
 
     /** Returns a tool tip that tells what a click does; an empty one is made by the component itself. */
     private static String tip(@Nullable String text) {
+        String click = TEXTS.get("plot");
         if (text == null) {
-            return TIP;
+            return click;
         }
-        return text.isEmpty() || text.startsWith(TIP) ? text : TIP + "   " + text;
+        return text.isEmpty() || text.startsWith(click) ? text : TEXTS.get("plot.tip", text);
     }
 
     private final class Mouse extends MouseAdapter {

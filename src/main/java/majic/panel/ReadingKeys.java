@@ -7,12 +7,15 @@ import java.util.List;
 import javax.swing.AbstractAction;
 import javax.swing.JLabel;
 import javax.swing.KeyStroke;
+import majic.text.Texts;
 
 /**
  * Makes the values of a panel that can be plotted usable by keyboard: together they are one stop of the Tab key, Up and
  * Down move among them. Must be used on the event dispatch thread.
  */
 final class ReadingKeys {
+    private static final Texts TEXTS = Texts.of(ReadingKeys.class);
+
     private final List<JLabel> values = new ArrayList<>();
     private final List<List<String>> parameters = new ArrayList<>();
 
@@ -65,7 +68,9 @@ final class ReadingKeys {
             values.get(index)
                     .getAccessibleContext()
                     .setAccessibleDescription(
-                            isPlottable(index) ? "Enter plots " + String.join(", ", parameters.get(index)) : null);
+                            isPlottable(index)
+                                    ? TEXTS.get("enterPlots", String.join(", ", parameters.get(index)))
+                                    : null);
             found |= first;
         }
     }

@@ -4,10 +4,12 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.bot.Value;
+import majic.text.Texts;
 
 /** Formats readings for display: parameter names as plain words, and angles with {@code °}. Thread-safe. */
 public final class ReadingText {
     private static final String WORD_STARTS = "(?<=[a-z0-9])(?=[A-Z])";
+    private static final Texts TEXTS = Texts.of(ReadingText.class);
 
     private ReadingText() {}
 
@@ -30,7 +32,7 @@ public final class ReadingText {
      * @return one line
      */
     public static String tip(String parameter) {
-        return "In commands: " + parameter;
+        return TEXTS.get("inCommands", parameter);
     }
 
     /**

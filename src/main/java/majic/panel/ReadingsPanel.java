@@ -6,6 +6,7 @@ import java.awt.Rectangle;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -106,6 +107,19 @@ public final class ReadingsPanel<S> extends JPanel {
         texts.add(text);
         add(names.get(names.size() - 1));
         add(value);
+        return this;
+    }
+
+    /**
+     * Sets the labels of the rows added so far, which are the names in plain English words otherwise.
+     *
+     * @param labels returns the label of a reading, by its name, in the user's language
+     * @return this panel
+     */
+    public ReadingsPanel<S> labelled(UnaryOperator<String> labels) {
+        for (int index = 0; index < names.size(); index++) {
+            names.get(index).setText(labels.apply(values.get(index).getName()));
+        }
         return this;
     }
 

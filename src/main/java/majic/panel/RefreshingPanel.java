@@ -6,6 +6,7 @@ import javax.swing.Timer;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
+import majic.text.Texts;
 
 /**
  * A panel that shows one robot. An event of the robot only sets a flag, on whatever thread it arrives; a timer of the
@@ -15,6 +16,7 @@ import majic.bot.MajicBot;
 public abstract class RefreshingPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int REFRESH_MS = 100;
+    private static final Texts TEXTS = Texts.of(RefreshingPanel.class);
 
     /**
      * Number of timer ticks without an event after which the panel is refreshed anyway, so that a missing report is
@@ -78,7 +80,7 @@ public abstract class RefreshingPanel extends JPanel {
         if (bot.isConnected() || state.equals(BotState.UNKNOWN)) {
             return "";
         }
-        return "Not connected: all values are " + ReadingText.age(bot.time().secondsSince(state.atNanos())) + " old.";
+        return TEXTS.get("old", ReadingText.age(bot.time().secondsSince(state.atNanos())));
     }
 
     /** Refreshes if the robot has reported anything since the last refresh; for a panel that has just been created. */

@@ -10,6 +10,8 @@ import javax.swing.JSlider;
 import javax.swing.SwingConstants;
 import majic.bot.Parameter;
 import majic.bot.Range;
+import majic.text.Texts;
+import net.miginfocom.layout.AC;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
@@ -20,6 +22,7 @@ import org.jspecify.annotations.Nullable;
 public final class SetpointSlider extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int KNOB_ROOM = 48;
+    private static final Texts TEXTS = Texts.of(SetpointSlider.class);
 
     private final String unit;
     private final JSlider slider;
@@ -58,7 +61,7 @@ public final class SetpointSlider extends JPanel {
         setOpaque(false);
         slider.setInverted(positiveLeft);
         slider.setName("slider " + parameter.name());
-        slider.setToolTipText(parameter.help() + ". " + ReadingText.tip(parameter.name()));
+        slider.setToolTipText(TEXTS.get("slider.tip", parameter.help(), parameter.name()));
         name.setToolTipText(slider.getToolTipText());
         slider.setPreferredSize(new Dimension(UIScale.scale(KNOB_ROOM), slider.getPreferredSize().height));
         slider.setMinimumSize(new Dimension(UIScale.scale(KNOB_ROOM), slider.getPreferredSize().height));
@@ -74,6 +77,17 @@ public final class SetpointSlider extends JPanel {
     }
 
     /**
+     * Sets the label, which is the parameter's name in plain English words otherwise.
+     *
+     * @param label a few words in the user's language
+     * @return this slider
+     */
+    public SetpointSlider labelled(String label) {
+        name.setText(label);
+        return this;
+    }
+
+    /**
      * Aligns sliders below each other: their names and readings get the same widths.
      *
      * @param sliders all that stand below each other
@@ -85,15 +99,20 @@ public final class SetpointSlider extends JPanel {
             names = Math.max(names, one.name.getPreferredSize().width);
             readings = Math.max(readings, one.widestReading());
         }
-        String columns = "[" + unscaled(names) + "!][grow, fill][right, " + unscaled(readings) + "!]";
+        AC columns = new AC()
+                .size(unscaled(names), 0)
+                .grow(100f, 1)
+                .fill(1)
+                .size(unscaled(readings), 2)
+                .align("right", 2);
         for (SetpointSlider one : sliders) {
             ((MigLayout) one.getLayout()).setColumnConstraints(columns);
         }
     }
 
-    /** Converts pixels to the pixels of a layout constraint, which are scaled with the font. */
-    private static int unscaled(int pixels) {
-        return (int) Math.ceil(pixels / UIScale.getUserScaleFactor());
+    /** Returns the fixed size of a column, in the pixels of a layout, which are scaled with the font. */
+    private static String unscaled(int pixels) {
+        return (int) Math.ceil(pixels / UIScale.getUserScaleFactor()) + "!";
     }
 
     private int widestReading() {

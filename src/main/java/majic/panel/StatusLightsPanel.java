@@ -15,7 +15,7 @@ public final class StatusLightsPanel extends JPanel {
     private static final int SLACK = 4;
 
     private final transient List<StatusLight> lights;
-    private final String longest;
+    private final transient List<String> widest;
 
     /**
      * Creates a panel of lights in the order of reading.
@@ -24,8 +24,18 @@ public final class StatusLightsPanel extends JPanel {
      * @param lights all lights
      */
     public StatusLightsPanel(String longest, List<StatusLight> lights) {
+        this(List.of(longest), lights);
+    }
+
+    /**
+     * Creates a panel of lights in the order of reading.
+     *
+     * @param widest texts of lights, the widest of which determines the width
+     * @param lights all lights
+     */
+    public StatusLightsPanel(List<String> widest, List<StatusLight> lights) {
         super(null);
-        this.longest = longest;
+        this.widest = List.copyOf(widest);
         this.lights = List.copyOf(lights);
         setOpaque(false);
         lights.forEach(this::add);
@@ -75,7 +85,7 @@ public final class StatusLightsPanel extends JPanel {
         StatusLight light = lights.get(0);
         return light.getIcon().getIconWidth()
                 + light.getIconTextGap()
-                + metrics().stringWidth(longest)
+                + widest.stream().mapToInt(metrics()::stringWidth).max().orElse(0)
                 + SLACK;
     }
 
