@@ -11,6 +11,7 @@ import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 import majic.panel.map.TrailContent;
 import majic.panel.map.TrailDrawing;
+import majic.text.Texts;
 
 /**
  * The floor with the estimated way of the robot: dashed and marked as an estimate, because nothing measures it. {@link
@@ -19,7 +20,7 @@ import majic.panel.map.TrailDrawing;
 final class FloorDrawing extends TrailContent {
     private static final Reach REACH = new Reach(0.18, 400, 900, 200);
     private static final double LEAST_RADIUS_PX = 7;
-    private static final String MARK = "an estimate";
+    private static final Texts TEXTS = Texts.of(FloorDrawing.class);
     private static final int INSET = 6;
 
     /** What the scale takes at the foot of the map, and how narrow a map has no room beside it. */
@@ -55,12 +56,13 @@ final class FloorDrawing extends TrailContent {
     }
 
     private static void paintMark(Graphics2D pen, MapView view) {
+        String mark = TEXTS.get("estimate");
         FontMetrics metrics = pen.getFontMetrics();
         int foot = view.width() < NARROW_PX ? SCALE_PX : 0;
         pen.setColor(DrawingColors.current().faint());
         pen.drawString(
-                MARK,
-                view.width() - metrics.stringWidth(MARK) - INSET,
+                mark,
+                view.width() - metrics.stringWidth(mark) - INSET,
                 view.height() - foot - INSET - metrics.getDescent());
     }
 

@@ -1,5 +1,6 @@
 package majic.hemisson.panel;
 
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -7,9 +8,7 @@ import org.jspecify.annotations.Nullable;
  * wrong with its switches. For the event thread.
  */
 final class HemissonAdvice {
-    static final Words LIFT =
-            new Words("It cannot be reached and may be moving: lift it, or press 5 on a TV remote control.", true);
-
+    private static final Texts TEXTS = Texts.of(HemissonAdvice.class);
     private static final Words NONE = new Words("", false);
     private static final long REFUSAL_NANOS = 8_000_000_000L;
 
@@ -33,16 +32,13 @@ final class HemissonAdvice {
     Words on(HemissonScene view, long nowNanos) {
         String why = nowNanos - refusedNanos < REFUSAL_NANOS ? refusal : null;
         if (view.line().outOfControl()) {
-            return LIFT;
+            return new Words(TEXTS.get("lift"), true);
         }
         if (why != null) {
             return new Words(why, false);
         }
         if (view.isConnected() && !view.isRemoteControlled()) {
-            return new Words(
-                    "It runs as its switches say (" + view.mode()
-                            + ") and may move by itself: set all four to the side marked 1, then switch it off and on.",
-                    false);
+            return new Words(TEXTS.get("otherMode", view.mode()), false);
         }
         return NONE;
     }

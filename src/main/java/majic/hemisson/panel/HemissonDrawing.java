@@ -15,6 +15,7 @@ import javax.swing.JPanel;
 import majic.hemisson.readings.Proximity;
 import majic.panel.DrawingColors;
 import majic.panel.PlotLink;
+import majic.text.Texts;
 
 /**
  * The robot from above, its front upward, as large as fits: its body, around it the bars of its sensors over the light
@@ -34,6 +35,7 @@ final class HemissonDrawing extends JPanel {
 
     private static final double LEAST_LED_PX = 3.5;
     private static final int LEAST_CLICK_PX = 16;
+    private static final Texts TEXTS = Texts.of(HemissonDrawing.class);
 
     private final transient LedSwitch ledSwitch;
     private final transient List<LedButton> buttons;
@@ -46,7 +48,7 @@ final class HemissonDrawing extends JPanel {
         this.buttons = Arrays.stream(LedOrBuzzer.values()).map(LedButton::new).toList();
         setName("robot");
         setOpaque(false);
-        getAccessibleContext().setAccessibleName("the Hemisson from above with its proximity readings");
+        getAccessibleContext().setAccessibleName(TEXTS.get("drawing"));
         setToolTipText("");
         PlotLink.install(this, List.of(), this::readingsAt);
         buttons.forEach(button -> {
@@ -142,8 +144,7 @@ final class HemissonDrawing extends JPanel {
                 return words(mount, sensor);
             }
         }
-        return "Bars: proximity, 0 nothing to 255 near. Shade: infra-red light, yellow bright, grey dark. "
-                + "At the wheels: what the motors are told, \u22129 to 9.";
+        return TEXTS.get("drawing.tip");
     }
 
     /** Returns the parameters whose values are drawn at a point: of a sensor, or of the wheels. */
@@ -168,11 +169,14 @@ final class HemissonDrawing extends JPanel {
     private String words(SensorDrawing mount, int sensor) {
         Proximity seen = view.seen();
         List<Integer> light = view.light();
-        String text = mount.name() + ": proximity " + (seen == null ? "not yet known" : view.proximity(sensor));
-        OptionalDouble mm = seen == null || mount.looksDown() ? OptionalDouble.empty() : seen.distanceMm(sensor);
-        if (mm.isPresent()) {
-            text += String.format(Locale.ROOT, ", about %.0f mm if it is white", mm.getAsDouble());
-        }
-        return text + (light == null ? "" : "; light " + light.get(sensor) + ", 0 bright to 255 dark");
+        String text = seen == null ? TEXTS.get("proximity.none", mount.words()) : words(mount, sensor, seen);
+        return light == null ? text : TEXTS.get("light", text, light.get(sensor));
+    }
+
+    private String words(SensorDrawing mount, int sensor, Proximity seen) {
+        OptionalDouble mm = mount.looksDown() ? OptionalDouble.empty() : seen.distanceMm(sensor);
+        return mm.isPresent()
+                ? TEXTS.get("proximity.mm", mount.words(), view.proximity(sensor), Math.round(mm.getAsDouble()))
+                : TEXTS.get("proximity", mount.words(), view.proximity(sensor));
     }
 }

@@ -6,22 +6,20 @@ import majic.hemisson.panel.HemissonScene.Line;
 import majic.panel.StatusLight;
 import majic.panel.StatusLight.Kind;
 import majic.panel.StatusLightsPanel;
+import majic.text.Texts;
 
 /** Motion, line and running mode, each by word and shape. For the event thread. */
 final class HemissonLights {
-    private static final String LONGEST = "answers missing";
+    private static final Texts TEXTS = Texts.of(HemissonLights.class);
 
     /** Longer than a robot that is polled ten times a second may be silent, seconds. */
     private static final double SILENT_S = 0.7;
 
-    private final StatusLight motors =
-            new StatusLight("motors", "The last motion command; the robot does not measure its wheels");
-    private final StatusLight line = new StatusLight(
-            "line", "The mean time from a question to its answer; or that answers are missing, or since when");
-    private final StatusLight mode = new StatusLight(
-            "mode",
-            "The mode that the four switches selected when the robot was switched on; 1, 1, 1, 1 is remote control");
-    private final StatusLightsPanel panel = new StatusLightsPanel(LONGEST, List.of(motors, line, mode));
+    private final StatusLight motors = new StatusLight("motors", TEXTS.get("motors.tip"));
+    private final StatusLight line = new StatusLight("line", TEXTS.get("line.tip"));
+    private final StatusLight mode = new StatusLight("mode", TEXTS.get("mode.tip"));
+    private final StatusLightsPanel panel = new StatusLightsPanel(
+            List.of(TEXTS.get("line.missing"), TEXTS.get("line.lost")), List.of(motors, line, mode));
 
     /** All of them. */
     StatusLightsPanel panel() {
@@ -37,9 +35,9 @@ final class HemissonLights {
 
     private void showMotors(HemissonScene view) {
         if (view.line().outOfControl()) {
-            motors.show(Kind.ALARM, "may be moving");
+            motors.show(Kind.ALARM, TEXTS.get("motors.alarm"));
         } else if (!view.isConnected()) {
-            motors.show(Kind.QUIET, "not driven");
+            motors.show(Kind.QUIET, TEXTS.get("motors.notDriven"));
         } else {
             showMotorsOfOneInReach(view);
         }
@@ -47,37 +45,37 @@ final class HemissonLights {
 
     private void showMotorsOfOneInReach(HemissonScene view) {
         if (!view.state().moving()) {
-            motors.show(Kind.QUIET, "stopped");
+            motors.show(Kind.QUIET, TEXTS.get("motors.stopped"));
         } else if (view.isRemoteControlled()) {
-            motors.show(Kind.GOOD, "moving");
+            motors.show(Kind.GOOD, TEXTS.get("motors.moving"));
         } else {
-            motors.show(Kind.WARNING, "moves by itself");
+            motors.show(Kind.WARNING, TEXTS.get("motors.byItself"));
         }
     }
 
     private void showLine(Line now) {
         switch (now.connection()) {
-            case NEW, CONNECTING -> line.show(Kind.QUIET, "connecting");
-            case LOST, CLOSED -> line.show(Kind.ALARM, "link lost");
+            case NEW, CONNECTING -> line.show(Kind.QUIET, TEXTS.get("line.connecting"));
+            case LOST, CLOSED -> line.show(Kind.ALARM, TEXTS.get("line.lost"));
             case CONNECTED -> showAnswers(now);
         }
     }
 
     private void showAnswers(Line now) {
         if (now.silentS() > SILENT_S) {
-            line.show(Kind.WARNING, String.format(Locale.ROOT, "silent %.1f s", now.silentS()));
+            line.show(Kind.WARNING, TEXTS.get("line.silent", String.format(Locale.ROOT, "%.1f", now.silentS())));
         } else if (now.missesAnswers()) {
-            line.show(Kind.WARNING, "answers missing");
+            line.show(Kind.WARNING, TEXTS.get("line.missing"));
         } else {
-            line.show(Kind.GOOD, HemissonReadings.milliseconds("link", now.quality()));
+            line.show(Kind.GOOD, TEXTS.get("line.good", HemissonReadings.roundTrip(now.quality())));
         }
     }
 
     private void showMode(HemissonScene view) {
         if (view.identity().switches().isEmpty()) {
-            mode.show(Kind.QUIET, "mode not known");
+            mode.show(Kind.QUIET, TEXTS.get("mode.unknown"));
         } else if (view.areSwitchesMoved()) {
-            mode.show(Kind.WARNING, "switches moved since its start");
+            mode.show(Kind.WARNING, TEXTS.get("mode.moved"));
         } else {
             mode.show(view.isRemoteControlled() ? Kind.GOOD : Kind.WARNING, view.mode());
         }

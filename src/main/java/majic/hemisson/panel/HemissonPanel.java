@@ -13,6 +13,7 @@ import majic.panel.ReadingsPanel;
 import majic.panel.RefreshingPanel;
 import majic.panel.SidePane;
 import majic.panel.map.ZoomableMap;
+import majic.text.Texts;
 
 /**
  * Shows a Hemisson from above with its readings where its sensors are, its estimated way, the quality of its line, and
@@ -35,7 +36,8 @@ public final class HemissonPanel extends RefreshingPanel {
         this.views = views;
         this.drawing = new HemissonDrawing(
                 views.get(), new LedSwitch(bot, background, part -> part.isOn(views.get()), this::refused));
-        map.getAccessibleContext().setAccessibleName("Map of the way the Hemisson should have come, an estimate");
+        map.getAccessibleContext()
+                .setAccessibleName(Texts.of(HemissonPanel.class).get("map"));
         add(drawing);
         add(lights.panel());
         add(map);

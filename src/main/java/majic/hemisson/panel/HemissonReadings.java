@@ -1,6 +1,5 @@
 package majic.hemisson.panel;
 
-import java.util.List;
 import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
@@ -10,10 +9,12 @@ import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
 import majic.panel.ReadingText;
 import majic.panel.ReadingsPanel;
+import majic.text.Texts;
 
 /** A Hemisson's readings as text; motion and pose are estimates ("≈"), because the robot does not measure them. */
 final class HemissonReadings {
     private static final double SHORT_MS = 0.1;
+    private static final Texts TEXTS = Texts.of(HemissonReadings.class);
     private static final String LONGEST = "≈ -888 °/s";
 
     private HemissonReadings() {}
@@ -35,15 +36,10 @@ final class HemissonReadings {
                 .with("heading", view -> about("deg", view.state().pose().headingDeg()))
                 .with("switches", HemissonReadings::switches)
                 .with("beep", view -> view.buzzing() ? "on" : "off")
-                .with(
-                        "round trip",
-                        List.of("roundTrip"),
-                        view -> milliseconds("", view.line().quality()))
-                .with(
-                        "missed",
-                        List.of("missedAnswers"),
-                        view -> missed(view.line().quality()))
-                .with("repeated", view -> String.valueOf(view.line().quality().repeats()));
+                .with("roundTrip", view -> roundTrip(view.line().quality()))
+                .with("missedAnswers", view -> missed(view.line().quality()))
+                .with("repeated", view -> String.valueOf(view.line().quality().repeats()))
+                .labelled(TEXTS::get);
     }
 
     private static String distance(HemissonScene view, Function<Proximity, OptionalDouble> from) {
@@ -62,7 +58,7 @@ final class HemissonReadings {
     }
 
     private static String missed(LinkQuality quality) {
-        return quality.misses() + " of " + (quality.misses() + quality.answers());
+        return TEXTS.get("missed", quality.misses(), quality.misses() + quality.answers());
     }
 
     private static String about(String unit, double amount) {
@@ -70,10 +66,10 @@ final class HemissonReadings {
     }
 
     /** The mean round trip, with a decimal place below 10 ms. */
-    static String milliseconds(String name, LinkQuality quality) {
+    static String roundTrip(LinkQuality quality) {
         double ms = quality.roundTripMs();
-        String format = ms < SHORT_MS ? "%s < %.1f ms" : ms < 10 ? "%s %.1f ms" : "%s %.0f ms";
-        return text(format, name, Math.max(SHORT_MS, ms)).strip();
+        String format = ms < SHORT_MS ? "< %.1f ms" : ms < 10 ? "%.1f ms" : "%.0f ms";
+        return text(format, Math.max(SHORT_MS, ms));
     }
 
     private static String text(String format, Object... values) {

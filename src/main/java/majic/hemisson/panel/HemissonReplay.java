@@ -80,7 +80,8 @@ public final class HemissonReplay implements ReplayDisplay {
 
     private static HemissonScene scene(Map<String, String> texts, MajicBot bot) {
         List<Integer> wheels = numbers(texts, WHEELS);
-        String[] leds = texts.getOrDefault(LEDS, "false false false false").split(" ");
+        String[] leds =
+                texts.getOrDefault(LEDS, words(false, false, false, false)).split(" ");
         return new HemissonScene(
                 line(texts.getOrDefault(LINE, "0 0 0 0 false 0 false").split(" "), bot),
                 eight(texts, PROXIMITY) == null ? null : new Proximity(numbers(texts, PROXIMITY)),

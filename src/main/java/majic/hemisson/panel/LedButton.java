@@ -9,6 +9,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import javax.swing.JButton;
 import majic.panel.DrawingColors;
+import majic.text.Texts;
 
 /**
  * An LED or the buzzer on the drawing in its last confirmed state; with a dotted ring while the robot has not yet
@@ -17,6 +18,7 @@ import majic.panel.DrawingColors;
 public final class LedButton extends JButton {
     private static final long serialVersionUID = 1;
     private static final double HALO = 1.7;
+    private static final Texts TEXTS = Texts.of(LedButton.class);
 
     private final LedOrBuzzer part;
     private double radiusPx = 6;
@@ -60,8 +62,9 @@ public final class LedButton extends JButton {
 
     @Override
     public String getToolTipText(MouseEvent event) {
-        String now = waiting ? "being switched" : on ? "on" : "off";
-        return part.words() + ": " + now + " \u2013 click for set " + part.parameter() + " " + (on ? "off" : "on");
+        return waiting
+                ? TEXTS.get(on ? "led.waiting.on" : "led.waiting.off", part.words(), part.parameter())
+                : TEXTS.get(on ? "led.on" : "led.off", part.words(), part.parameter());
     }
 
     @Override

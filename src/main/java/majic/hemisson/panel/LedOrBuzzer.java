@@ -1,29 +1,25 @@
 package majic.hemisson.panel;
 
 import java.util.function.Predicate;
+import majic.text.Texts;
 
 /** The four LEDs and the buzzer, which can be clicked on the drawing; their places on the robot, mm. */
 enum LedOrBuzzer {
-    LEFT("ledLeft", "front left LED", 34, 25, view -> view.leds().left()),
-    RIGHT("ledRight", "front right LED", 34, -25, view -> view.leds().right()),
-    ON_OFF(
-            "ledOnOff",
-            "On/Off LED; the robot takes it back within half a second",
-            -14,
-            24,
-            view -> view.leds().onOff()),
-    PGM("ledPgm", "Pgm/Exec LED", -14, -24, view -> view.leds().pgm()),
-    BUZZER("beep", "buzzer", -14, 0, HemissonScene::buzzing);
+    LEFT("ledLeft", 34, 25, view -> view.leds().left()),
+    RIGHT("ledRight", 34, -25, view -> view.leds().right()),
+    ON_OFF("ledOnOff", -14, 24, view -> view.leds().onOff()),
+    PGM("ledPgm", -14, -24, view -> view.leds().pgm()),
+    BUZZER("beep", -14, 0, HemissonScene::buzzing);
+
+    private static final Texts TEXTS = Texts.of(LedOrBuzzer.class);
 
     private final String parameter;
-    private final String words;
     private final double xMm;
     private final double yMm;
     private final Predicate<HemissonScene> reader;
 
-    LedOrBuzzer(String parameter, String words, double xMm, double yMm, Predicate<HemissonScene> reader) {
+    LedOrBuzzer(String parameter, double xMm, double yMm, Predicate<HemissonScene> reader) {
         this.parameter = parameter;
-        this.words = words;
         this.xMm = xMm;
         this.yMm = yMm;
         this.reader = reader;
@@ -35,7 +31,7 @@ enum LedOrBuzzer {
     }
 
     String words() {
-        return words;
+        return TEXTS.get(parameter);
     }
 
     /** Ahead of the centre of the robot. */

@@ -51,7 +51,7 @@ class ReplayPanelsInLabTest {
             replay(Recording.read(files.files().get(0)), rig.session().factory().types());
         }
         // Counts the questions to the Hemisson, which go on after the last sample.
-        recorded.get(3).remove("missed");
+        recorded.get(3).remove("missedAnswers");
         recorded.forEach((number, texts) ->
                 assertThat(replayed.get(number)).as("robot " + number).containsAllEntriesOf(texts));
         assertThat(recorded.get(2)).containsEntry("motors", "motors on");
