@@ -8,27 +8,27 @@ import javax.swing.JPanel;
 import majic.panel.BatteryIcon;
 import majic.panel.Gauge;
 import majic.panel.PlotLink;
-import majic.panel.ReadingText;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Power;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Speed, turn rate and battery of a Pioneer. For the event thread. */
 final class GaugesPanel extends JPanel {
     private static final long serialVersionUID = 1;
 
-    private final Gauge speed = new Gauge("speed", "mm/s", false);
-    private final Gauge turnRate = new Gauge("turnRate", "°/s", true);
+    private static final Texts TEXTS = Texts.of(GaugesPanel.class);
+
+    private final Gauge speed = new Gauge("speed", "mm/s", false).labelled(TEXTS.get("speed"));
+    private final Gauge turnRate = new Gauge("turnRate", "°/s", true).labelled(TEXTS.get("turnRate"));
     private final JLabel battery =
-            new JLabel("no reading yet", new BatteryIcon(OptionalInt.empty(), false), JLabel.LEADING);
+            new JLabel(TEXTS.get("battery.none"), new BatteryIcon(OptionalInt.empty(), false), JLabel.LEADING);
 
     GaugesPanel() {
         super(new MigLayout("insets 0, wrap 1, fillx, gap 0 2, novisualpadding", "[grow, fill]"));
         setOpaque(false);
-        speed.setToolTipText(
-                "From the wheels, ahead positive; the ends are the speed limits. " + ReadingText.tip("speed"));
-        turnRate.setToolTipText(
-                "To the left positive; the ends are the limits of the turn rate. " + ReadingText.tip("turnRate"));
+        speed.setToolTipText(TEXTS.get("speed.tip"));
+        turnRate.setToolTipText(TEXTS.get("turnRate.tip"));
         battery.setName("battery");
         battery.setFocusable(true);
         PlotLink.install(battery, List.of("voltage", "battery"));
@@ -48,16 +48,24 @@ final class GaugesPanel extends JPanel {
     }
 
     private void showBattery(Power power) {
-        String percent = power.percent().isPresent() ? ", " + power.percent().getAsInt() + " %" : "";
         boolean charging = power.charging().isCharging();
-        battery.setText(String.format(Locale.ROOT, "%.1f V%s%s", power.volts(), percent, charging ? ", charging" : ""));
+        battery.setText(charging ? TEXTS.get("battery.charging", charge(power)) : charge(power));
         battery.setIcon(new BatteryIcon(power.percent(), charging));
         battery.setDisabledIcon(new BatteryIcon(OptionalInt.empty(), false));
         battery.setToolTipText(tip(power));
     }
 
+    private static String charge(Power power) {
+        String volts = String.format(Locale.ROOT, "%.1f", power.volts());
+        OptionalInt percent = power.percent();
+        return percent.isPresent()
+                ? TEXTS.get("battery.percent", volts, percent.getAsInt())
+                : TEXTS.get("battery", volts);
+    }
+
     private static String tip(Power power) {
-        String charge = power.percent().isPresent() ? "" : "; this robot does not report its charge";
-        return "The battery, charger: " + power.charging().words() + charge;
+        boolean known = power.percent().isPresent();
+        return TEXTS.get(
+                known ? "battery.tip" : "battery.noCharge", power.charging().words());
     }
 }

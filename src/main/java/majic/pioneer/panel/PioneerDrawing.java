@@ -13,6 +13,7 @@ import majic.pioneer.state.Model;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.SonarDisc;
 import majic.pioneer.state.SonarScan;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  * {@link #record} is for the driver's threads, everything else for the event thread.
  */
 final class PioneerDrawing extends TrailContent {
+    private static final Texts TEXTS = Texts.of(PioneerDrawing.class);
     private static final Reach REACH = new Reach(0.065, 2000, 4200, 900);
 
     private final Echoes echoes = new Echoes();
@@ -97,7 +99,7 @@ final class PioneerDrawing extends TrailContent {
     }
 
     private static void paintNothing(Graphics2D pen, MapView view) {
-        String text = "no reading yet";
+        String text = TEXTS.get("noReading");
         FontMetrics metrics = pen.getFontMetrics();
         pen.setColor(DrawingColors.current().faint());
         pen.drawString(text, (view.width() - metrics.stringWidth(text)) / 2, view.height() / 2);

@@ -12,6 +12,7 @@ import majic.panel.ReadingsPanel;
 import majic.panel.RefreshingPanel;
 import majic.panel.SidePane;
 import majic.panel.map.ZoomableMap;
+import majic.text.Texts;
 
 /**
  * Shows one Pioneer: a map with the robot, its sonar cones, echoes and path; gauges, lights and readings. Sends the robot
@@ -20,6 +21,7 @@ import majic.panel.map.ZoomableMap;
 public final class PioneerPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
 
+    private static final Texts TEXTS = Texts.of(PioneerPanel.class);
     private static final String LONGEST_READING = "-88888.8 mm";
 
     /** None of these parameters sends a request. */
@@ -42,7 +44,8 @@ public final class PioneerPanel extends RefreshingPanel {
     private final ZoomableMap map = new ZoomableMap(drawing);
     private final GaugesPanel gauges = new GaugesPanel();
     private final transient PioneerLights lights = new PioneerLights();
-    private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
+    private final ReadingsPanel<MajicBot> readings =
+            ReadingsPanel.ofParameters(LONGEST_READING, READINGS).labelled(TEXTS::get);
 
     private final Banner banner = new Banner();
 
@@ -50,7 +53,7 @@ public final class PioneerPanel extends RefreshingPanel {
         super(bot);
         this.bot = bot;
         this.scenes = scenes;
-        map.getAccessibleContext().setAccessibleName("Map of the Pioneer, its sonar echoes and its way");
+        map.getAccessibleContext().setAccessibleName(TEXTS.get("map"));
         add(map);
         add(gauges);
         add(lights.panel());
