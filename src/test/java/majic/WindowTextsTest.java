@@ -51,11 +51,8 @@ class WindowTextsTest {
             "gui",
             "gui/acts",
             "gui/add",
-            "gui/command",
             "gui/editor",
-            "gui/help",
             "gui/kit",
-            "gui/map",
             "gui/plot",
             "gui/replay",
             "gui/start");
@@ -71,9 +68,15 @@ class WindowTextsTest {
     private static final Pattern WORDS =
             Pattern.compile("(?s).*\\p{L}{2,}[.,:;!?…]* \\p{L}+.*|\\W*\\p{Lu}\\p{Ll}+[ .:…]*");
 
+    /** Keys as {@code KeyStroke} reads them. */
+    private static final Pattern KEYS = Pattern.compile("((ctrl|shift|alt) )+[A-Z0-9_]*");
+
+    /** A tag of HTML, which no user sees. */
+    private static final Pattern TAG = Pattern.compile("<[^>]*>");
+
     /**
-     * Calls whose arguments no user sees: names of threads, messages of the log, lines of MAJIC Script, patterns. The
-     * bodies of lambdas among them are looked at.
+     * Calls whose arguments no user sees: names of threads, messages of the log, lines of MAJIC Script, patterns, styles.
+     * The bodies of lambdas among them are looked at.
      */
     private static final Set<String> UNSEEN = Set.of(
             "background",
@@ -86,6 +89,7 @@ class WindowTextsTest {
             "split",
             "putClientProperty",
             "getClientProperty",
+            "addRule",
             "setProperty",
             "setName",
             "setFont",
@@ -265,8 +269,9 @@ class WindowTextsTest {
         @Override
         public Void visitLiteral(LiteralTree literal, Void nothing) {
             if (literal.getValue() instanceof String text
-                    && WORDS.matcher(text).matches()
-                    && !LAYOUT.matcher(text).matches()) {
+                    && WORDS.matcher(TAG.matcher(text).replaceAll("")).matches()
+                    && !LAYOUT.matcher(text).matches()
+                    && !KEYS.matcher(text).matches()) {
                 found.add(source.place(literal));
             }
             return null;

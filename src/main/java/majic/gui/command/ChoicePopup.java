@@ -23,6 +23,7 @@ import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.JTextComponent;
 import majic.script.help.Completion;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,6 +31,7 @@ import org.jspecify.annotations.Nullable;
  * until {@link #move} or {@link #choose}. Must be used on the event dispatch thread.
  */
 final class ChoicePopup {
+    private static final Texts TEXTS = Texts.of(ChoicePopup.class);
     private static final int MOST_ROWS = 8;
     private static final int GAP = 2;
 
@@ -48,7 +50,7 @@ final class ChoicePopup {
     ChoicePopup(JTextComponent field, Consumer<Completion> clicked) {
         this.field = field;
         list.setName("choices");
-        list.getAccessibleContext().setAccessibleName("Completions");
+        list.getAccessibleContext().setAccessibleName(TEXTS.get("completions"));
         list.setFocusable(false);
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(cell);

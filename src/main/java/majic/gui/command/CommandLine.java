@@ -2,23 +2,22 @@ package majic.gui.command;
 
 import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
-import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
-import javax.swing.AbstractAction;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.KeyAction;
+import majic.gui.kit.TextChange;
 import majic.script.MajicParser;
 import majic.script.Refusal;
 import majic.script.help.Completion;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,6 +27,7 @@ import org.jspecify.annotations.Nullable;
  * another thread, and if it is refused because of them it returns only if nothing has been typed since.
  */
 public final class CommandLine extends JTextField implements ClosesByEsc {
+    private static final Texts TEXTS = Texts.of(CommandLine.class);
     private static final long serialVersionUID = 1L;
 
     /** A key that follows the return of a refused line sooner than this was typed for a new line. */
@@ -66,18 +66,18 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         search = new HistorySearch(this, history, popup, hint);
         popupUse = completer;
         setName("commandLine");
-        getAccessibleContext().setAccessibleName("Command line");
-        putClientProperty("JTextField.placeholderText", "a command, for instance: 1 move 500");
+        getAccessibleContext().setAccessibleName(TEXTS.get("line"));
+        putClientProperty("JTextField.placeholderText", TEXTS.get("line.example"));
         putClientProperty("JTextField.selectAllOnFocusPolicy", "never");
         putClientProperty("FlatLaf.styleClass", "monospaced");
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of());
         addActionListener(event -> enter());
-        bind(KeyEvent.VK_UP, 0, "older line", this::up);
-        bind(KeyEvent.VK_DOWN, 0, "newer line", this::down);
-        bind(KeyEvent.VK_TAB, 0, "complete", this::tab);
-        bind(KeyEvent.VK_ESCAPE, 0, "close", this::escape);
-        bind(KeyEvent.VK_R, KeyEvent.CTRL_DOWN_MASK, "search earlier lines", this::searchOrNext);
-        getDocument().addDocumentListener(new Edits());
+        bind("UP", this::up);
+        bind("DOWN", this::down);
+        bind("TAB", this::tab);
+        bind("ESCAPE", this::escape);
+        bind("ctrl R", this::searchOrNext);
+        getDocument().addDocumentListener(new TextChange(this::changed));
         addCaretListener(event -> caretMoved());
         addFocusListener(new FocusAdapter() {
             @Override
@@ -104,16 +104,8 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         super.removeNotify();
     }
 
-    private void bind(int key, int modifiers, String name, Runnable action) {
-        getInputMap().put(KeyStroke.getKeyStroke(key, modifiers), name);
-        getActionMap().put(name, new AbstractAction(name) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
+    private void bind(String key, Runnable action) {
+        KeyAction.bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key), action);
     }
 
     private void enter() {
@@ -151,7 +143,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         if (edited || !getText().isEmpty()) {
             history.add(line);
             refusedLater = new RefusedLater(line, why);
-            hint.accept(why.message() + "   Up: the line");
+            hint.accept(TEXTS.get("line.refused", why.message()));
         } else {
             put(new CompletedLine(line, line.length()));
             mark(why);
@@ -292,24 +284,6 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
                 editPending = false;
                 popupUse.edited();
             });
-        }
-    }
-
-    /** Follows what is typed. */
-    private final class Edits implements DocumentListener {
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            changed();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            changed();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            changed();
         }
     }
 }

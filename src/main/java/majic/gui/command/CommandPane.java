@@ -6,10 +6,12 @@ import javax.swing.JPanel;
 import majic.gui.kit.Palette;
 import majic.gui.kit.ProgramServices;
 import majic.script.MajicParser;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Holds the message area, the command line, and below it the line's error or a hint. */
 public final class CommandPane extends JPanel {
+    private static final Texts TEXTS = Texts.of(CommandPane.class);
     private static final long serialVersionUID = 1L;
 
     private final MessagePane messages;
@@ -28,9 +30,9 @@ public final class CommandPane extends JPanel {
         messages = new MessagePane(services.settings(), line::requestFocusInWindow);
         hint.setName("hint");
         hint.putClientProperty("html.disable", true);
-        JLabel prompt = new JLabel("Command");
+        JLabel prompt = new JLabel(TEXTS.get("prompt"));
         prompt.setLabelFor(line);
-        prompt.setDisplayedMnemonic('C');
+        prompt.setDisplayedMnemonic(prompt.getText().charAt(0));
         add(messages, "spanx 2, grow, wrap");
         add(prompt);
         add(line, "wrap");
@@ -50,10 +52,7 @@ public final class CommandPane extends JPanel {
     private void showHint(String text) {
         boolean wrong = "error".equals(line == null ? null : line.getClientProperty("JComponent.outline"));
         hint.setForeground(wrong ? Palette.error() : Palette.text());
-        hint.setText(
-                text.isEmpty()
-                        ? "Up and Down: earlier commands   Ctrl R: search them   Tab: complete   help: all commands"
-                        : text);
+        hint.setText(text.isEmpty() ? TEXTS.get("keys") : text);
         hint.setToolTipText(text.isEmpty() ? null : text);
         hint.setEnabled(!text.isEmpty());
     }

@@ -3,12 +3,14 @@ package majic.gui.command;
 import java.util.List;
 import java.util.function.Consumer;
 import majic.script.help.Completion;
+import majic.text.Texts;
 
 /**
  * Searches the history for lines that contain the typed text. Enter takes the chosen line without running it; Esc
  * brings the typed text back. Must be used on the event dispatch thread.
  */
 final class HistorySearch implements PopupUse {
+    private static final Texts TEXTS = Texts.of(HistorySearch.class);
     private final CommandLine line;
     private final History history;
     private final ChoicePopup popup;
@@ -33,9 +35,9 @@ final class HistorySearch implements PopupUse {
         List<Completion> found = history.containing(line.getText()).stream()
                 .map(text -> new Completion(text, "", ""))
                 .toList();
-        popup.show(0, found.isEmpty() ? List.of(new Completion("", "", "no earlier command has this text")) : found);
+        popup.show(0, found.isEmpty() ? List.of(new Completion("", "", TEXTS.get("search.none"))) : found);
         popup.choose(found.isEmpty() ? -1 : 0);
-        hint.accept("Earlier commands with this text   Enter: take it   Ctrl R: the next   Esc: back");
+        hint.accept(TEXTS.get("search.keys"));
     }
 
     @Override

@@ -1,26 +1,24 @@
 package majic.gui.command;
 
-import java.awt.event.ActionEvent;
-import java.awt.event.KeyEvent;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import javax.swing.AbstractAction;
 import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
-import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import majic.gui.kit.ClosesByEsc;
+import majic.gui.kit.KeyAction;
+import majic.gui.kit.TextChange;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** The controls above the messages: which robots and kinds are shown, and the search. */
 final class MessageBar extends JPanel implements ClosesByEsc {
+    private static final Texts TEXTS = Texts.of(MessageBar.class);
     private static final long serialVersionUID = 1L;
 
     private final MessageArea area;
@@ -30,8 +28,8 @@ final class MessageBar extends JPanel implements ClosesByEsc {
     private final JButton kinds = new JButton();
     private final JTextField find = new JTextField(14);
     private final JLabel count = new JLabel();
-    private final JButton previous = button("\u2191", "Previous place found (Shift F3)");
-    private final JButton next = button("\u2193", "Next place found (F3)");
+    private final JButton previous = button("\u2191", TEXTS.get("find.previous"));
+    private final JButton next = button("\u2193", TEXTS.get("find.next"));
 
     /**
      * Creates the controls of an area.
@@ -43,8 +41,8 @@ final class MessageBar extends JPanel implements ClosesByEsc {
         this.area = area;
         this.toCommandLine = toCommandLine;
         search = new MessageSearch(area.text());
-        prepare(robots, "messageRobots", "Robots whose messages are shown");
-        prepare(kinds, "messageKinds", "Kinds of messages that are shown");
+        prepare(robots, "messageRobots", TEXTS.get("robots.hint"));
+        prepare(kinds, "messageKinds", TEXTS.get("kinds.hint"));
         robots.addActionListener(event -> robotMenu().show(robots, 0, robots.getHeight()));
         kinds.addActionListener(event -> kindMenu().show(kinds, 0, kinds.getHeight()));
         prepareFind();
@@ -76,41 +74,14 @@ final class MessageBar extends JPanel implements ClosesByEsc {
 
     private void prepareFind() {
         find.setName("findMessage");
-        find.putClientProperty("JTextField.placeholderText", "Find (Ctrl F)");
+        find.putClientProperty("JTextField.placeholderText", TEXTS.get("find.hint"));
         find.putClientProperty("JTextField.showClearButton", true);
-        find.getAccessibleContext().setAccessibleName("Find in the messages");
+        find.getAccessibleContext().setAccessibleName(TEXTS.get("find.field"));
         count.setName("foundCount");
         find.addActionListener(event -> move(-1));
-        bind(find, KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, KeyEvent.SHIFT_DOWN_MASK), () -> move(1));
-        bind(find, KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), this::endFind);
-        find.getDocument().addDocumentListener(new DocumentListener() {
-            @Override
-            public void insertUpdate(DocumentEvent event) {
-                findText();
-            }
-
-            @Override
-            public void removeUpdate(DocumentEvent event) {
-                findText();
-            }
-
-            @Override
-            public void changedUpdate(DocumentEvent event) {
-                findText();
-            }
-        });
-    }
-
-    private static void bind(JComponent component, KeyStroke key, Runnable action) {
-        component.getInputMap().put(key, key);
-        component.getActionMap().put(key, new AbstractAction() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
+        KeyAction.bind(find, WHEN_FOCUSED, KeyStroke.getKeyStroke("shift ENTER"), () -> move(1));
+        KeyAction.bind(find, WHEN_FOCUSED, KeyStroke.getKeyStroke("ESCAPE"), this::endFind);
+        find.getDocument().addDocumentListener(new TextChange(this::findText));
     }
 
     /** Gives the focus to the field for the search. */
@@ -144,10 +115,9 @@ final class MessageBar extends JPanel implements ClosesByEsc {
     /** Follows a change of the messages or the filter. */
     void update() {
         MessageFilter filter = area.filter();
-        robots.setText((filter.robot() == MessageFilter.ALL_ROBOTS ? "All robots" : "Only robot " + filter.robot())
-                + " \u25be");
+        robots.setText(MessageFilter.label(filter.robot()) + " \u25be");
         boolean all = filter.shown().size() == MessageFilter.Group.values().length;
-        kinds.setText((all ? "All messages" : "Some messages") + " \u25be");
+        kinds.setText((all ? TEXTS.get("kinds.all") : TEXTS.get("kinds.some")) + " \u25be");
         search.repeat();
         showCount();
     }
@@ -157,8 +127,8 @@ final class MessageBar extends JPanel implements ClosesByEsc {
         SortedSet<Integer> numbers = new TreeSet<>(area.robots());
         numbers.add(MessageFilter.ALL_ROBOTS);
         for (int number : numbers) {
-            String label = number == MessageFilter.ALL_ROBOTS ? "All robots" : "Only robot " + number;
-            JCheckBoxMenuItem item = new JCheckBoxMenuItem(label, area.filter().robot() == number);
+            JCheckBoxMenuItem item = new JCheckBoxMenuItem(
+                    MessageFilter.label(number), area.filter().robot() == number);
             item.addActionListener(event -> area.show(area.filter().forRobot(number)));
             menu.add(item);
         }
@@ -173,7 +143,7 @@ final class MessageBar extends JPanel implements ClosesByEsc {
             item.addActionListener(event -> area.show(area.filter().with(group, item.isSelected())));
             menu.add(item);
         }
-        JMenuItem note = new JMenuItem("Lost connections and failed stops are always shown");
+        JMenuItem note = new JMenuItem(TEXTS.get("kinds.always"));
         note.setEnabled(false);
         menu.addSeparator();
         menu.add(note);

@@ -3,6 +3,7 @@ package majic.gui.command;
 import java.util.EnumSet;
 import java.util.Set;
 import majic.log.Line;
+import majic.text.Texts;
 
 /**
  * Selects the messages that are shown. An alarm is always shown. Immutable.
@@ -11,24 +12,25 @@ import majic.log.Line;
  * @param shown the groups of kinds to show
  */
 record MessageFilter(int robot, Set<Group> shown) {
+    private static final Texts TEXTS = Texts.of(MessageFilter.class);
     static final int ALL_ROBOTS = 0;
     static final MessageFilter EVERYTHING = new MessageFilter(ALL_ROBOTS, EnumSet.allOf(Group.class));
 
     /** Kinds of messages that are shown or hidden together. */
     enum Group {
-        COMMANDS("Commands"),
-        ANSWERS("Answers"),
-        NOTICES("Notices"),
-        PROBLEMS("Problems");
+        COMMANDS("commands"),
+        ANSWERS("answers"),
+        NOTICES("notices"),
+        PROBLEMS("problems");
 
-        private final String label;
+        private final String key;
 
-        Group(String label) {
-            this.label = label;
+        Group(String key) {
+            this.key = key;
         }
 
         String label() {
-            return label;
+            return TEXTS.get(key);
         }
 
         private static Group of(Line.Kind kind) {
@@ -44,6 +46,11 @@ record MessageFilter(int robot, Set<Group> shown) {
     /** Keeps a copy of the set. */
     MessageFilter {
         shown = Set.copyOf(shown);
+    }
+
+    /** Returns what a filter for a robot, or for all of them, is called. */
+    static String label(int robot) {
+        return robot == ALL_ROBOTS ? TEXTS.get("robot.all") : TEXTS.get("robot.only", robot);
     }
 
     boolean accepts(Message message) {

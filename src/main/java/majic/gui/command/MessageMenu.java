@@ -2,25 +2,25 @@ package majic.gui.command;
 
 import java.awt.Toolkit;
 import java.awt.datatransfer.StringSelection;
-import java.awt.event.ActionEvent;
 import java.util.Set;
 import java.util.function.IntConsumer;
-import javax.swing.AbstractAction;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import javax.swing.KeyStroke;
 import javax.swing.event.PopupMenuEvent;
 import javax.swing.event.PopupMenuListener;
+import majic.text.Texts;
 
 /** The context menu of the messages. */
 final class MessageMenu extends JPopupMenu {
+    private static final Texts TEXTS = Texts.of(MessageMenu.class);
     private static final long serialVersionUID = 1L;
 
     private final MessageArea area;
     private final JMenuItem copy;
     private final JMenuItem onlyRobot;
-    private final JCheckBoxMenuItem times = new JCheckBoxMenuItem("Time of day");
+    private final JCheckBoxMenuItem times = new JCheckBoxMenuItem(TEXTS.get("times"));
 
     /**
      * Creates the menu of an area.
@@ -31,38 +31,32 @@ final class MessageMenu extends JPopupMenu {
      */
     MessageMenu(MessageArea area, Runnable find, IntConsumer sized, Runnable timesChanged) {
         this.area = area;
-        copy = item("Copy", "ctrl C", () -> area.text().copy());
-        onlyRobot = item("", "", this::showOnlyRobot);
+        copy = item("copy", "ctrl C", () -> area.text().copy());
+        onlyRobot = item("robot.this", "", this::showOnlyRobot);
         times.setName("messageTimes");
         times.addActionListener(event -> {
             area.showTimes(times.isSelected());
             timesChanged.run();
         });
         add(copy);
-        add(item("Copy all", "", this::copyAll));
-        add(item("Find", "ctrl F", find));
+        add(item("copyAll", "", this::copyAll));
+        add(item("find", "ctrl F", find));
         addSeparator();
         add(onlyRobot);
         add(times);
-        add(item("Larger text", "ctrl PLUS", () -> sized.accept(1)));
-        add(item("Smaller text", "ctrl MINUS", () -> sized.accept(-1)));
-        add(item("Usual text size", "ctrl 0", () -> sized.accept(0)));
+        add(item("larger", "ctrl PLUS", () -> sized.accept(1)));
+        add(item("smaller", "ctrl MINUS", () -> sized.accept(-1)));
+        add(item("usual", "ctrl 0", () -> sized.accept(0)));
         addSeparator();
-        add(item("Clear", "", area::clear));
+        add(item("clear", "", area::clear));
         addPopupMenuListener(new Opening());
     }
 
     /** Creates an entry; its key is only shown, since the pane has the keys. */
-    private static JMenuItem item(String text, String key, Runnable action) {
-        JMenuItem item = new JMenuItem(new AbstractAction(text) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
-        item.setName(text);
+    private static JMenuItem item(String textKey, String key, Runnable action) {
+        JMenuItem item = new JMenuItem(TEXTS.get(textKey));
+        item.addActionListener(event -> action.run());
+        item.setName(textKey);
         item.setAccelerator(key.isEmpty() ? null : KeyStroke.getKeyStroke(key));
         return item;
     }
@@ -94,7 +88,10 @@ final class MessageMenu extends JPopupMenu {
             boolean all = area.filter().robot() == MessageFilter.ALL_ROBOTS;
             int robot = robot();
             boolean named = robot != MessageFilter.ALL_ROBOTS;
-            onlyRobot.setText(!all ? "All robots" : named ? "Only robot " + robot : "Only this robot");
+            onlyRobot.setText(
+                    all && !named
+                            ? TEXTS.get("robot.this")
+                            : MessageFilter.label(all ? robot : MessageFilter.ALL_ROBOTS));
             onlyRobot.setEnabled(!all || named);
         }
 

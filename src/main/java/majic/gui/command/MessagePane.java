@@ -1,13 +1,11 @@
 package majic.gui.command;
 
-import java.awt.event.ActionEvent;
-import java.awt.event.InputEvent;
-import java.awt.event.KeyEvent;
-import javax.swing.AbstractAction;
+import java.util.List;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import majic.bot.Settings;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.KeyAction;
 import net.miginfocom.swing.MigLayout;
 
 /** The messages with their controls and keys. The size of the text and the times of day are kept in the settings. */
@@ -35,33 +33,24 @@ final class MessagePane extends JPanel {
         area.showTimes(settings.get(TIMES).filter("yes"::equals).isPresent());
         add(bar, "wmin 0");
         add(area, "hmin 0");
-        bind(KeyEvent.VK_F, InputEvent.CTRL_DOWN_MASK, bar::startFind);
-        bind(KeyEvent.VK_F3, 0, () -> bar.move(-1));
-        bind(KeyEvent.VK_F3, InputEvent.SHIFT_DOWN_MASK, () -> bar.move(1));
-        for (int key : new int[] {KeyEvent.VK_PLUS, KeyEvent.VK_EQUALS, KeyEvent.VK_ADD}) {
-            bind(key, InputEvent.CTRL_DOWN_MASK, () -> resize(1));
+        bind("ctrl F", bar::startFind);
+        bind("F3", () -> bar.move(-1));
+        bind("shift F3", () -> bar.move(1));
+        for (String key : List.of("PLUS", "EQUALS", "ADD")) {
+            bind("ctrl " + key, () -> resize(1));
         }
-        for (int key : new int[] {KeyEvent.VK_MINUS, KeyEvent.VK_SUBTRACT}) {
-            bind(key, InputEvent.CTRL_DOWN_MASK, () -> resize(-1));
+        for (String key : List.of("MINUS", "SUBTRACT")) {
+            bind("ctrl " + key, () -> resize(-1));
         }
-        bind(KeyEvent.VK_0, InputEvent.CTRL_DOWN_MASK, () -> resize(0));
+        bind("ctrl 0", () -> resize(0));
     }
 
     MessageArea area() {
         return area;
     }
 
-    private void bind(int key, int modifiers, Runnable action) {
-        KeyStroke stroke = KeyStroke.getKeyStroke(key, modifiers);
-        getInputMap(WHEN_IN_FOCUSED_WINDOW).put(stroke, stroke);
-        getActionMap().put(stroke, new AbstractAction() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
+    private void bind(String key, Runnable action) {
+        KeyAction.bind(this, WHEN_IN_FOCUSED_WINDOW, KeyStroke.getKeyStroke(key), action);
     }
 
     private void resize(int step) {

@@ -15,12 +15,14 @@ import javax.swing.text.JTextComponent;
 import javax.swing.text.Position;
 import javax.swing.text.View;
 import majic.gui.kit.Palette;
+import majic.text.Texts;
 
 /**
  * Finds a text in the messages, in any case, marks every place, and selects one after the other. Must be used on the
  * event dispatch thread.
  */
 final class MessageSearch {
+    private static final Texts TEXTS = Texts.of(MessageSearch.class);
     private static final int MOST_MARKS = 500;
 
     private final JTextComponent text;
@@ -102,7 +104,7 @@ final class MessageSearch {
         if (sought.isEmpty()) {
             return "";
         }
-        return present < 0 ? places.size() + " found" : (present + 1) + " of " + places.size();
+        return present < 0 ? TEXTS.get("found", places.size()) : TEXTS.get("found.place", present + 1, places.size());
     }
 
     /** Draws a frame, which leaves the colours of a message readable. */

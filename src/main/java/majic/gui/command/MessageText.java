@@ -9,10 +9,12 @@ import javax.swing.BorderFactory;
 import javax.swing.JTextPane;
 import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** Shows a {@link MessageDocument}. It does not scroll when text is added, and leaves typed letters to the window. */
 final class MessageText extends JTextPane {
+    private static final Texts TEXTS = Texts.of(MessageText.class);
     private static final long serialVersionUID = 1L;
     private static final int SMALLEST = -4;
     private static final int LARGEST = 16;
@@ -26,7 +28,7 @@ final class MessageText extends JTextPane {
         setEditable(false);
         setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
         putClientProperty("FlatLaf.styleClass", "monospaced");
-        getAccessibleContext().setAccessibleName("Messages");
+        getAccessibleContext().setAccessibleName(TEXTS.get("messages"));
     }
 
     @Override
