@@ -16,9 +16,11 @@ import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
 import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapView;
+import majic.text.Texts;
 
 /** Draws a scene: tape, walls, lamps, robots and legend, in that order. */
 public final class MapPainter {
+    private static final Texts TEXTS = Texts.of(MapPainter.class);
     /** Height in pixels of the space for scale and legend below the room. */
     public static final int FOOT_PX = 24;
 
@@ -135,18 +137,12 @@ public final class MapPainter {
     /** Returns the texts of the legend, the shorter forms last. */
     private static List<String> keys(MapScene scene) {
         if (!scene.walls().isEmpty() && scene.startsAreGuessed()) {
-            return List.of(
-                    "dashed: true position · beside the room: position unknown", "beside the room: position unknown");
+            return List.of(TEXTS.get("legend.room.unknown"), TEXTS.get("legend.unknown"));
         }
         if (!scene.walls().isEmpty()) {
-            return List.of(
-                    "filled: reported position · dashed: true position",
-                    "filled: reported · dashed: true",
-                    "dashed: true");
+            return List.of(TEXTS.get("legend.room.long"), TEXTS.get("legend.room"), TEXTS.get("legend.room.short"));
         }
-        return scene.startsAreGuessed()
-                ? List.of("starting places unknown: drawn side by side", "starts unknown")
-                : List.of();
+        return scene.startsAreGuessed() ? List.of(TEXTS.get("legend.free"), TEXTS.get("legend.free.short")) : List.of();
     }
 
     private boolean fits(String key) {

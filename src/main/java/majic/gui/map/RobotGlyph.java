@@ -14,9 +14,11 @@ import majic.gui.kit.Palette;
 import majic.gui.kit.RobotColors;
 import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
+import majic.text.Texts;
 
 /** Draws one robot of the map: its trail, its estimated pose, its true pose. */
 final class RobotGlyph {
+    private static final Texts TEXTS = Texts.of(RobotGlyph.class);
     /** Minimum size of a drawn body in pixels, so that a Hemisson can be found in a large room. */
     private static final double SMALLEST_PX = 8;
 
@@ -109,7 +111,8 @@ final class RobotGlyph {
             g.draw(new Ellipse2D.Double(middle.getX() - radius, middle.getY() - radius, 2 * radius, 2 * radius));
         }
         double aside = radiusPx + 2 * ALARM_GAP_PX + 4;
-        g.drawString("! stop not confirmed", (float) (middle.getX() + aside), (float) (middle.getY() - aside / 2));
+        g.drawString(
+                TEXTS.get("stopUnconfirmed"), (float) (middle.getX() + aside), (float) (middle.getY() - aside / 2));
     }
 
     void paintTruth(Graphics2D g) {

@@ -13,6 +13,7 @@ import majic.gui.kit.CommandChannel;
 import majic.panel.map.Trail;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * refused. Must be used on the event dispatch thread.
  */
 final class RobotPlacing extends MouseAdapter {
+    private static final Texts TEXTS = Texts.of(RobotPlacing.class);
     /** How far the mouse must move before a press is a drag, in pixels. */
     private static final int DRAG_PX = 4;
 
@@ -68,15 +70,14 @@ final class RobotPlacing extends MouseAdapter {
 
     /** Returns why a robot cannot be placed now; empty if it can. */
     private static Optional<String> refusal(Member member) {
-        String robot = "Robot " + member.number();
         if (!member.bot().isConnected()) {
-            return Optional.of(robot + " is not connected; Reconnect it, then drag it to its place.");
+            return Optional.of(TEXTS.get("placing.lost", member.number()));
         }
         if (member.owner() != null) {
-            return Optional.of(robot + " is in use; end its act or script, then drag it to its place.");
+            return Optional.of(TEXTS.get("placing.used", member.number()));
         }
         if (!member.isIdle() || member.bot().state().moving()) {
-            return Optional.of(robot + " moves; drag it to its place when it is stationary.");
+            return Optional.of(TEXTS.get("placing.moves", member.number()));
         }
         return Optional.empty();
     }
@@ -111,8 +112,14 @@ final class RobotPlacing extends MouseAdapter {
     }
 
     private void place(Member member, Pose pose) {
-        channel.submit(member.number() + " set pose " + Math.round(pose.xMm()) + " " + Math.round(pose.yMm()) + " "
-                + Math.round(pose.headingDeg()));
+        channel.submit(String.join(
+                " ",
+                "" + member.number(),
+                "set",
+                "pose",
+                "" + Math.round(pose.xMm()),
+                "" + Math.round(pose.yMm()),
+                "" + Math.round(pose.headingDeg())));
         placed.accept(member);
     }
 

@@ -13,10 +13,12 @@ import majic.bot.Pose;
 import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapContent;
 import majic.panel.map.MapView;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** The floor of the team map, as in the last scene. Must be used on the event dispatch thread. */
 final class TeamFloor implements MapContent {
+    private static final Texts TEXTS = Texts.of(TeamFloor.class);
     /** Extent that an empty map shows. */
     private static final Rectangle2D EMPTY = new Rectangle2D.Double(-1500, -1000, 3000, 2000);
 
@@ -122,21 +124,29 @@ final class TeamFloor implements MapContent {
     @Override
     public String tip(double xMm, double yMm, MapView view) {
         Point2D mouse = view.pixel(xMm, yMm);
-        List<String> robots = robotsUnder(mouse, view).map(TeamFloor::describe).toList();
+        boolean alone = robotsAt(mouse, view).size() == 1;
+        List<String> robots = robotsUnder(mouse, view)
+                .map(robot -> describe(alone && placeable ? "robot.placeable" : "robot", robot))
+                .toList();
         return switch (robots.size()) {
             case 0 -> MapContent.super.tip(xMm, yMm, view);
-            case 1 -> robots.get(0) + (placeable ? "; Shift and drag sets its place" : "");
+            case 1 -> robots.get(0);
             default -> "<html>" + String.join("<br>", robots);
         };
     }
 
-    private static String describe(MapScene.Robot robot) {
+    private static String describe(String key, MapScene.Robot robot) {
         Pose at = robot.reported();
-        return robot.number() + " " + robot.label() + ": " + place(at) + " on the map";
+        return TEXTS.get(
+                key,
+                robot.number(),
+                robot.label(),
+                Math.round(at.xMm()),
+                Math.round(at.yMm()),
+                Math.round(at.headingDeg()));
     }
 
     private static String place(Pose at) {
-        return "x " + Math.round(at.xMm()) + " mm, y " + Math.round(at.yMm()) + " mm, heading "
-                + Math.round(at.headingDeg()) + "\u00b0";
+        return TEXTS.get("place", Math.round(at.xMm()), Math.round(at.yMm()), Math.round(at.headingDeg()));
     }
 }

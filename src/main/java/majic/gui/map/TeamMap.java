@@ -11,6 +11,7 @@ import majic.gui.kit.RobotSelection;
 import majic.panel.map.ZoomableMap;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * poses. Fits everything into view until the map is zoomed or dragged; a double click returns to that.
  */
 public final class TeamMap extends ZoomableMap {
+    private static final Texts TEXTS = Texts.of(TeamMap.class);
     private static final long serialVersionUID = 1L;
 
     private final transient TeamFloor floor;
@@ -32,7 +34,7 @@ public final class TeamMap extends ZoomableMap {
         setName("teamMap");
         setPreferredSize(new Dimension(640, 420));
         setMinimumSize(new Dimension(240, 160));
-        getAccessibleContext().setAccessibleName("Team map");
+        getAccessibleContext().setAccessibleName(TEXTS.get("map"));
     }
 
     /**
