@@ -19,7 +19,7 @@ class HelpWindowTest {
         window.focus("commandLine");
         window.press(KeyEvent.VK_F1);
         window.awaitDialog("Help");
-        JTable commands = window.find("help Commands", JTable.class);
+        JTable commands = window.find("help commands", JTable.class);
         int all = commands.getRowCount();
         window.write("helpSearch", "CURVE");
         window.await("the search", () -> commands.getRowCount() < all);

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.stream.Collectors;
+import majic.text.Texts;
 
 /**
  * A page of the documents, in sections that can be searched.
@@ -18,6 +19,7 @@ import java.util.stream.Collectors;
  * @param sections in the order of the page
  */
 record GuidePage(List<Section> sections) {
+    private static final Texts TEXTS = Texts.of(GuidePage.class);
     /**
      * A part of a page below one heading.
      *
@@ -65,6 +67,6 @@ record GuidePage(List<Section> sections) {
                 .filter(section -> section.words().toLowerCase(Locale.ROOT).contains(lower))
                 .map(Section::html)
                 .collect(Collectors.joining());
-        return found.isEmpty() ? "<p>Nothing on this page contains this text.</p>" : found;
+        return found.isEmpty() ? "<p>" + TEXTS.get("guide.nothing") + "</p>" : found;
     }
 }

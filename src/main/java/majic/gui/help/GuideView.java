@@ -17,12 +17,20 @@ final class GuideView extends JScrollPane {
     private static final long serialVersionUID = 1L;
 
     private final String name;
+    private final String title;
     private final JEditorPane text = new JEditorPane();
     private transient @Nullable GuidePage page;
     private String wanted = "";
 
-    GuideView(String name) {
+    /**
+     * Creates an empty view.
+     *
+     * @param name the file of the page
+     * @param title its accessible name
+     */
+    GuideView(String name, String title) {
         this.name = name;
+        this.title = title;
         text.setEditable(false);
         text.setName("guide " + name);
         text.setBorder(BorderFactory.createEmptyBorder(4, 12, 8, 12));
@@ -59,7 +67,7 @@ final class GuideView extends JScrollPane {
             HTMLEditorKit kit = new HTMLEditorKit();
             kit.setStyleSheet(styles(kit.getStyleSheet()));
             text.setEditorKit(kit);
-            text.getAccessibleContext().setAccessibleName("Guide");
+            text.getAccessibleContext().setAccessibleName(title);
             text.setText("<html><body>" + known.html(wanted) + "</body></html>");
             text.setCaretPosition(0);
         }
@@ -69,11 +77,14 @@ final class GuideView extends JScrollPane {
         StyleSheet styles = new StyleSheet();
         styles.addStyleSheet(base);
         Font font = UIManager.getFont("Label.font");
-        styles.addRule("body { font-family: " + font.getFamily() + "; font-size: " + font.getSize() + "px; color: "
-                + hex(Palette.text()) + "; }");
+        styles.addRule("body { font-family: " + font.getFamily() + "; }");
+        styles.addRule("body { font-size: " + font.getSize() + "px; }");
+        styles.addRule("body { color: " + hex(Palette.text()) + "; }");
         styles.addRule("ul, ol { margin-left: 20px; }");
         styles.addRule("h1 { font-size: 1.6em; } h2 { font-size: 1.3em; } h3 { font-size: 1.1em; }");
-        styles.addRule("code, pre { font-family: monospaced; color: " + hex(Palette.command()) + "; }");
+        styles.addRule("code, pre { font-family: monospaced; }");
+        styles.addRule("code { color: " + hex(Palette.command()) + "; }");
+        styles.addRule("pre { color: " + hex(Palette.command()) + "; }");
         return styles;
     }
 

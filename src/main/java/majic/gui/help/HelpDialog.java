@@ -16,17 +16,18 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.RowFilter;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import javax.swing.table.TableModel;
 import javax.swing.table.TableRowSorter;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
+import majic.gui.kit.TextChange;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Shows the commands, the parameters of each robot, the keys, and the pages of the guide; all can be searched. */
 public final class HelpDialog extends MajicDialog {
+    private static final Texts TEXTS = Texts.of(HelpDialog.class);
     private static final long serialVersionUID = 1L;
     private static final int TABLE_WIDTH = 820;
 
@@ -40,18 +41,20 @@ public final class HelpDialog extends MajicDialog {
      * @param current the robot whose parameters are shown first
      */
     public HelpDialog(Window owner, List<Member> members, Optional<Member> current) {
-        super(owner, "Help");
+        super(owner, TEXTS.get("help"));
         tabs.setName("helpTabs");
-        tabs.addTab("Commands", scrolled("Commands", file("commands", "Command"), 300));
+        tabs.addTab(
+                TEXTS.get("commands"),
+                scrolled("commands", file(TEXTS.get("commands.file"), TEXTS.get("commands.command")), 300));
         if (!members.isEmpty()) {
-            tabs.addTab("Parameters", parameters(members, current));
+            tabs.addTab(TEXTS.get("parameters"), parameters(members, current));
         }
-        tabs.addTab("Keys", scrolled("Keys", file("keys", "Key"), 230));
-        tabs.addTab("Guide", new GuideView("user-guide"));
-        tabs.addTab("MAJIC Script", new GuideView("majic-script"));
+        tabs.addTab(TEXTS.get("keys"), scrolled("keys", file(TEXTS.get("keys.file"), TEXTS.get("keys.key")), 230));
+        addPage("user-guide", TEXTS.get("guide"));
+        addPage("majic-script", TEXTS.get("guide.script"));
         tabs.addChangeListener(change -> search());
         tabs.setPreferredSize(UIScale.scale(new Dimension(TABLE_WIDTH, 480)));
-        fill(content(), closing("Close"));
+        fill(content(), closing(TEXTS.get("close")));
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
@@ -60,16 +63,20 @@ public final class HelpDialog extends MajicDialog {
         });
     }
 
+    private void addPage(String name, String title) {
+        tabs.addTab(title, new GuideView(name, title));
+    }
+
     /** Selects the first page of the guide. */
     public void showGuide() {
-        tabs.setSelectedIndex(tabs.indexOfTab("Guide"));
+        tabs.setSelectedIndex(tabs.indexOfTab(TEXTS.get("guide")));
     }
 
     private JPanel content() {
         search.setName("helpSearch");
-        search.getDocument().addDocumentListener(new Searching());
+        search.getDocument().addDocumentListener(new TextChange(this::search));
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 8", "[][grow, fill]", "[][grow, fill]"));
-        content.add(label("Search", search));
+        content.add(label(TEXTS.get("search"), search));
         content.add(search, "wrap");
         content.add(tabs, "spanx 2, grow");
         return content;
@@ -93,27 +100,27 @@ public final class HelpDialog extends MajicDialog {
 
     private JPanel parameters(List<Member> members, Optional<Member> current) {
         MemberChoice choice = new MemberChoice(members, current);
-        JScrollPane rows = scrolled("Parameters", HelpTables.of(choice.chosen()), 130);
+        JScrollPane rows = scrolled("parameters", HelpTables.of(choice.chosen()), 130);
         JTable table = (JTable) rows.getViewport().getView();
         choice.addActionListener(event -> {
             show(table, HelpTables.of(choice.chosen()), 130);
             search();
         });
         JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0", "[][grow, fill]", "[][grow, fill]"));
-        panel.add(label("Robot", choice));
+        panel.add(label(TEXTS.get("robot"), choice));
         panel.add(choice, "grow 0, wmin 220, wrap");
         panel.add(rows, "spanx 2, grow");
         return panel;
     }
 
     private static TableModel file(String name, String left) {
-        return HelpTables.file(name, left, "What it does");
+        return HelpTables.file(name, left, TEXTS.get("effect"));
     }
 
-    private JScrollPane scrolled(String name, TableModel model, int firstWidth) {
+    private JScrollPane scrolled(String key, TableModel model, int firstWidth) {
         JTable table = new JTable();
-        table.setName("help " + name);
-        table.getAccessibleContext().setAccessibleName(name);
+        table.setName("help " + key);
+        table.getAccessibleContext().setAccessibleName(TEXTS.get(key));
         table.setShowHorizontalLines(true);
         table.setAutoResizeMode(JTable.AUTO_RESIZE_LAST_COLUMN);
         table.getTableHeader().setReorderingAllowed(false);
@@ -134,23 +141,5 @@ public final class HelpDialog extends MajicDialog {
             table.getColumnModel().getColumn(column).setPreferredWidth(UIScale.scale(firstWidth));
         }
         table.getColumnModel().getColumn(last).setPreferredWidth(UIScale.scale(TABLE_WIDTH - last * firstWidth));
-    }
-
-    /** Searches after each change of the text. */
-    private final class Searching implements DocumentListener {
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            search();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            search();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            search();
-        }
     }
 }

@@ -13,9 +13,12 @@ import javax.swing.table.TableModel;
 import majic.bot.Parameter;
 import majic.bot.ParameterGroup;
 import majic.team.Member;
+import majic.text.Texts;
 
 /** Creates the tables that the help shows. */
 final class HelpTables {
+    private static final Texts TEXTS = Texts.of(HelpTables.class);
+
     private HelpTables() {}
 
     /** Reads a two-column table from a text resource whose columns are separated by a tab. */
@@ -33,14 +36,15 @@ final class HelpTables {
 
     /** Lists the parameters that can be read and set on a robot, and the commands that only this robot has. */
     static TableModel of(Member member) {
-        Table table = new Table("Name", "Values", "Access", "Meaning");
+        Table table = new Table(TEXTS.get("name"), TEXTS.get("values"), TEXTS.get("access"), TEXTS.get("meaning"));
         for (ParameterGroup group : ParameterGroup.of(member.bot().parameters())) {
             Parameter parameter = group.first();
             table.addRow(new Object[] {group.name(), values(parameter), access(parameter), parameter.help()});
         }
         member.bot()
                 .commands()
-                .forEach(command -> table.addRow(new Object[] {command.usage(), "", "command", command.help()}));
+                .forEach(command ->
+                        table.addRow(new Object[] {command.usage(), "", TEXTS.get("access.command"), command.help()}));
         return table;
     }
 
@@ -48,11 +52,11 @@ final class HelpTables {
         List<String> choices = parameter.choices();
         return switch (parameter.kind()) {
             case NUMBER -> (parameter.range() + " " + parameter.unit().symbol()).strip();
-            case YES_NO -> "yes, no";
-            case ON_OFF -> "on, off";
+            case YES_NO -> String.join(", ", "yes", "no");
+            case ON_OFF -> String.join(", ", "on", "off");
             case CHOICE -> String.join(", ", choices);
-            case TEXT -> "text";
-            case LIST -> ("several " + parameter.unit().symbol()).strip();
+            case TEXT -> TEXTS.get("values.text");
+            case LIST -> TEXTS.get("values.several", parameter.unit().symbol()).strip();
         };
     }
 
@@ -60,7 +64,7 @@ final class HelpTables {
         if (!parameter.writable()) {
             return "get";
         }
-        String set = parameter.moves() ? "set (moves)" : "set";
+        String set = parameter.moves() ? TEXTS.get("access.moves") : "set";
         return parameter.readable() ? "get, " + set : set;
     }
 

@@ -37,13 +37,22 @@ class HelpTablesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"commands", "keys", "libraries"})
+    @ValueSource(strings = {"commands", "commands_de", "keys", "keys_de", "libraries"})
     void everyRowHasTwoColumns(String name) {
         TableModel table = HelpTables.file(name, "left", "right");
 
         assertThat(table.getRowCount()).isPositive();
         assertThat(column(table, 0)).doesNotContainNull().noneMatch(String::isBlank);
         assertThat(column(table, 1)).doesNotContainNull().noneMatch(String::isBlank);
+    }
+
+    @Test
+    void theGermanTablesHaveTheRowsOfTheEnglishOnes() {
+        List<String> commands = column(HelpTables.file("commands", "left", "right"), 0);
+        TableModel keys = HelpTables.file("keys", "left", "right");
+
+        assertThat(column(HelpTables.file("commands_de", "left", "right"), 0)).isEqualTo(commands);
+        assertThat(HelpTables.file("keys_de", "left", "right").getRowCount()).isEqualTo(keys.getRowCount());
     }
 
     @Test
