@@ -51,7 +51,6 @@ class WindowTextsTest {
             "gui",
             "gui/acts",
             "gui/add",
-            "gui/editor",
             "gui/kit",
             "gui/plot",
             "gui/replay",

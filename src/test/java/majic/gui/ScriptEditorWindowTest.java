@@ -228,7 +228,7 @@ class ScriptEditorWindowTest {
         RSyntaxTextArea area = drop(file);
         Files.writeString(file, "1 move 40");
         window.await("the notice", () -> window.isShowing("fileNotice"));
-        window.push("Load it");
+        window.push("loadChanged");
         window.await("the new text", () -> area.getText().equals("1 move 40"));
         assertThat(window.isShowing("fileNotice")).isFalse();
     }

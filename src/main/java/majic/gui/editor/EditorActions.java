@@ -9,9 +9,11 @@ import javax.swing.Action;
 import javax.swing.KeyStroke;
 import majic.gui.kit.IconAction;
 import majic.script.run.ScriptControl.Progress;
+import majic.text.Texts;
 
 /** The actions of the editor's buttons and menus. */
 final class EditorActions {
+    private static final Texts TEXTS = Texts.of(EditorActions.class);
     final IconAction newScript;
     final IconAction open;
     final IconAction save;
@@ -26,40 +28,49 @@ final class EditorActions {
     final IconAction end;
 
     EditorActions(EditorWindow window) {
-        newScript = new IconAction("New", "new", "Begin a new script", window::newScript).withKey(KeyEvent.VK_N);
-        open = new IconAction("Open…", "open", "Open a script or a saved session", window::chooseAndOpen)
+        newScript =
+                new IconAction(TEXTS.get("new"), "new", TEXTS.get("new.tip"), window::newScript).withKey(KeyEvent.VK_N);
+        open = new IconAction(TEXTS.get("open"), "open", TEXTS.get("open.tip"), window::chooseAndOpen)
                 .withKey(KeyEvent.VK_O);
         save = new IconAction(
-                        "Save",
+                        TEXTS.get("save"),
                         "save",
-                        "Save the script",
+                        TEXTS.get("save.tip"),
                         window.onTab(tab -> tab.file().save(() -> {})))
                 .withKey(KeyEvent.VK_S);
         saveAs = new IconAction(
-                        "Save as…",
+                        TEXTS.get("saveAs"),
                         "save",
-                        "Save the script under another name",
+                        TEXTS.get("saveAs.tip"),
                         window.onTab(tab -> tab.file().saveAs(() -> {})))
                 .withKey(KeyStroke.getKeyStroke(KeyEvent.VK_S, menuKey() | InputEvent.SHIFT_DOWN_MASK));
-        makeAct = new IconAction("Make Act…", "act", "Make an act of the script", window.onTab(window::makeAct));
-        close = new IconAction("Close", "quit", "Close the script", window.onTab(tab -> window.close(tab, () -> {})))
+        makeAct = new IconAction(TEXTS.get("makeAct"), "act", TEXTS.get("makeAct.tip"), window.onTab(window::makeAct));
+        close = new IconAction(
+                        TEXTS.get("close"),
+                        "quit",
+                        TEXTS.get("close.tip"),
+                        window.onTab(tab -> window.close(tab, () -> {})))
                 .withKey(KeyEvent.VK_W);
         find = new IconAction(
-                        "Find…",
+                        TEXTS.get("find"),
                         "find",
-                        "Find a text in the script",
+                        TEXTS.get("find.tip"),
                         window.onTab(tab -> tab.find().open()))
                 .withKey(KeyEvent.VK_F);
-        run = running(window, "Run", "run", "Run the script, or go on after a pause", TabRun::run)
+        run = running(window, TEXTS.get("run"), "run", TEXTS.get("run.tip"), TabRun::run)
                 .withKey(key(KeyEvent.VK_F5, 0));
         runSelection = running(
-                        window, "Run selection", "run-selection", "Run the selected lines alone", TabRun::runSelection)
+                        window,
+                        TEXTS.get("runSelection"),
+                        "run-selection",
+                        TEXTS.get("runSelection.tip"),
+                        TabRun::runSelection)
                 .withKey(key(KeyEvent.VK_F5, InputEvent.CTRL_DOWN_MASK));
-        step = running(window, "Step", "step", "Run one line and pause behind it", TabRun::step)
+        step = running(window, TEXTS.get("step"), "step", TEXTS.get("step.tip"), TabRun::step)
                 .withKey(key(KeyEvent.VK_F7, 0));
-        pause = running(window, "Pause", "pause", "Begin no further line; what moves goes on to its end", TabRun::pause)
+        pause = running(window, TEXTS.get("pause"), "pause", TEXTS.get("pause.tip"), TabRun::pause)
                 .withKey(key(KeyEvent.VK_F6, 0));
-        end = running(window, "End", "end", "Stop the robots of the script and end it", TabRun::stop)
+        end = running(window, TEXTS.get("end"), "end", TEXTS.get("end.tip"), TabRun::stop)
                 .withKey(key(KeyEvent.VK_F5, InputEvent.SHIFT_DOWN_MASK));
     }
 
@@ -86,7 +97,7 @@ final class EditorActions {
         Progress progress = tab.progress();
         boolean running = tab.isRunning();
         run.setEnabled(!running || progress.paused());
-        run.putValue(Action.NAME, running ? "Go on" : "Run");
+        run.putValue(Action.NAME, running ? TEXTS.get("run.again") : TEXTS.get("run"));
         runSelection.setEnabled(!running);
         step.setEnabled(!running || progress.next().isPresent() || !progress.paused());
         pause.setEnabled(running && !progress.paused());

@@ -5,21 +5,23 @@ import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import majic.gui.kit.Mnemonics;
+import majic.text.Texts;
 import org.fife.ui.rtextarea.RTextArea;
 
 /** The menu bar of the editor. */
 final class EditorMenu extends JMenuBar {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(EditorMenu.class);
 
     EditorMenu(EditorWindow window, EditorContext context, EditorActions actions) {
         add(file(window, context, actions));
         add(edit(actions));
-        add(menu("Run", actions.run, actions.runSelection, actions.step, actions.pause, actions.end));
+        add(menu(TEXTS.get("menu.run"), actions.run, actions.runSelection, actions.step, actions.pause, actions.end));
         Mnemonics.assign(this);
     }
 
     private static JMenu file(EditorWindow window, EditorContext context, EditorActions actions) {
-        JMenu file = menu("File", actions.newScript, actions.open);
+        JMenu file = menu(TEXTS.get("menu.file"), actions.newScript, actions.open);
         file.add(recent(window, context));
         file.addSeparator();
         addAll(file, actions.save, actions.saveAs);
@@ -31,14 +33,14 @@ final class EditorMenu extends JMenuBar {
     }
 
     private static JMenu edit(EditorActions actions) {
-        JMenu edit = new JMenu("Edit");
-        edit.add(text(RTextArea.UNDO_ACTION, "Undo"));
-        edit.add(text(RTextArea.REDO_ACTION, "Redo"));
+        JMenu edit = new JMenu(TEXTS.get("menu.edit"));
+        edit.add(text(RTextArea.UNDO_ACTION, TEXTS.get("menu.undo")));
+        edit.add(text(RTextArea.REDO_ACTION, TEXTS.get("menu.redo")));
         edit.addSeparator();
-        edit.add(text(RTextArea.CUT_ACTION, "Cut"));
-        edit.add(text(RTextArea.COPY_ACTION, "Copy"));
-        edit.add(text(RTextArea.PASTE_ACTION, "Paste"));
-        edit.add(text(RTextArea.SELECT_ALL_ACTION, "Select all"));
+        edit.add(text(RTextArea.CUT_ACTION, TEXTS.get("menu.cut")));
+        edit.add(text(RTextArea.COPY_ACTION, TEXTS.get("menu.copy")));
+        edit.add(text(RTextArea.PASTE_ACTION, TEXTS.get("menu.paste")));
+        edit.add(text(RTextArea.SELECT_ALL_ACTION, TEXTS.get("menu.selectAll")));
         edit.addSeparator();
         addAll(edit, actions.find);
         return edit;
@@ -55,7 +57,7 @@ final class EditorMenu extends JMenuBar {
     }
 
     private static JMenu recent(EditorWindow window, EditorContext context) {
-        JMenu recent = new JMenu("Open recent");
+        JMenu recent = new JMenu(TEXTS.get("menu.recent"));
         recent.addChangeListener(change -> {
             if (recent.isSelected()) {
                 RecentMenu.fill(recent, context.settings(), window::open);

@@ -11,12 +11,14 @@ import majic.script.ScriptRunner.Checked;
 import majic.script.run.ScriptControl.Progress;
 import majic.script.syntax.Mistake;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /** One script in the editor: its text, its mistakes, its file and its run. */
 final class EditorTab extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(EditorTab.class);
 
     private final ScriptArea area;
     private final FileNotice notice = new FileNotice();
@@ -132,7 +134,7 @@ final class EditorTab extends JPanel {
                 .sorted(Comparator.comparingInt(Member::number))
                 .toList();
         return robots.isEmpty()
-                ? "no robot"
+                ? TEXTS.get("robots.none")
                 : robots.stream()
                         .map(robot -> robot.number() + " " + robot.bot().type().label())
                         .collect(Collectors.joining(", "));
@@ -146,20 +148,24 @@ final class EditorTab extends JPanel {
         }
         List<Mistake> wrong = checked == null ? List.of() : checked.mistakes();
         if (!wrong.isEmpty()) {
-            return Mistake.counted(wrong.size());
+            return TEXTS.get("status.mistakes", wrong.size());
         }
-        return progress.isOver() ? "Last run: " + progress.outcome() : checked == null ? "" : "No mistakes";
+        return progress.isOver()
+                ? TEXTS.get("status.lastRun", progress.outcome())
+                : checked == null ? "" : TEXTS.get("status.noMistakes");
     }
 
     private static String running(Progress progress) {
-        String lines = (progress.running().size() == 1 ? "line " : "lines ")
-                + progress.running().stream().map(String::valueOf).collect(Collectors.joining(", "));
+        int count = progress.running().size();
+        String lines = progress.running().stream().map(String::valueOf).collect(Collectors.joining(", "));
         if (progress.next().isPresent()) {
-            String paused = "Paused before line " + progress.next().getAsInt();
-            return progress.running().isEmpty() ? paused : paused + ", " + lines + " still running";
+            int next = progress.next().getAsInt();
+            return count == 0 ? TEXTS.get("status.paused", next) : TEXTS.get("status.pausedLines", next, count, lines);
         }
-        String running = progress.running().isEmpty() ? "Running" : "Running " + lines;
-        return progress.paused() ? running + ", pausing" : running;
+        if (progress.paused()) {
+            return count == 0 ? TEXTS.get("status.pausing") : TEXTS.get("status.pausingLines", count, lines);
+        }
+        return count == 0 ? TEXTS.get("status.running") : TEXTS.get("status.runningLines", count, lines);
     }
 
     /** Notices edits of the text. */

@@ -11,16 +11,18 @@ import majic.gui.kit.IconAction;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import majic.gui.kit.StopButton;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** The buttons of the editor, the robots that the script commands, and STOP. */
 final class EditorToolbar extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(EditorToolbar.class);
 
     private static final int COMMANDS_WIDTH = 190;
 
     private final transient List<JButton> buttons = new ArrayList<>();
-    private final JLabel caption = new JLabel("Commands");
+    private final JLabel caption = new JLabel(TEXTS.get("commands"));
     private final JLabel robots = new PlainLabel("scriptRobots", "");
 
     private int wordsWidth;
@@ -38,7 +40,7 @@ final class EditorToolbar extends JPanel {
         JPanel commands = new JPanel(new MigLayout("insets 0 6 0 6, gap 0, wrap 1, aligny center", "[grow, fill]"));
         commands.add(caption, "wmin 0");
         commands.add(robots, "wmin 0");
-        add(commands, "w 0:" + COMMANDS_WIDTH + ", pushx, growx");
+        add(commands, "pushx, growx, w 0:" + COMMANDS_WIDTH);
         add(stop, "w 120!");
         caption.setForeground(Palette.faint());
     }

@@ -29,6 +29,7 @@ import majic.gui.kit.StopButton;
 import majic.script.ScriptRunner;
 import majic.team.Member;
 import majic.team.TeamListener;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -37,8 +38,8 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class EditorWindow extends JFrame {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(EditorWindow.class);
     private static final int LOOK_AT_FILES_MS = 2000;
-    private static final String TITLE = "MAJIC: Script Editor";
 
     private final transient EditorContext context;
     private final transient ScriptRunner runner;
@@ -58,7 +59,7 @@ public final class EditorWindow extends JFrame {
      * @param near the window that it is placed on
      */
     public EditorWindow(EditorContext context, Window near) {
-        super(TITLE);
+        super(TEXTS.get("title"));
         this.context = context;
         this.runner = new ScriptRunner(context.session());
         setName("editor");
@@ -75,9 +76,9 @@ public final class EditorWindow extends JFrame {
 
     private void place() {
         tabs.setName("scripts");
-        tabs.getAccessibleContext().setAccessibleName("Scripts");
+        tabs.getAccessibleContext().setAccessibleName(TEXTS.get("scripts"));
         tabs.putClientProperty("JTabbedPane.tabClosable", true);
-        tabs.putClientProperty("JTabbedPane.tabCloseToolTipText", "Close");
+        tabs.putClientProperty("JTabbedPane.tabCloseToolTipText", TEXTS.get("tab.close"));
         tabs.putClientProperty("JTabbedPane.tabCloseCallback", (BiConsumer<JTabbedPane, Integer>)
                 (all, index) -> close((EditorTab) all.getComponentAt(index), () -> {}));
         status.setName("scriptStatus");
@@ -143,7 +144,7 @@ public final class EditorWindow extends JFrame {
 
     /** Asks for a script and opens it. */
     public void chooseAndOpen() {
-        ChooseFile.toOpen(this, context.settings(), "Open Script", ChooseFile.SCRIPTS, this::open);
+        ChooseFile.toOpen(this, context.settings(), TEXTS.get("openScript"), ChooseFile.SCRIPTS, this::open);
     }
 
     /** Opens a script, or selects its tab if it is open. It is read in the background. */
@@ -158,7 +159,7 @@ public final class EditorWindow extends JFrame {
             return;
         }
         EventThread.background(
-                "reading " + path,
+                "reading a script",
                 () -> {
                     ScriptFile read = ScriptFile.read(path);
                     EventThread.later(() -> opened(read));
@@ -175,7 +176,7 @@ public final class EditorWindow extends JFrame {
 
     private void notOpened(Path path, String why) {
         new RecentFiles(context.settings()).remove(path);
-        notice.show(why, new FileNotice.Choice("Close", () -> {}));
+        notice.show(why, new FileNotice.Choice("close", TEXTS.get("notice.close"), () -> {}));
         bringToFront();
     }
 
@@ -216,7 +217,7 @@ public final class EditorWindow extends JFrame {
     private void showTab() {
         all().forEach(tab -> tabs.setTitleAt(tabs.indexOfComponent(tab), tab.title()));
         onTab(tab -> {
-                    setTitle(tab.file().name() + " – " + TITLE);
+                    setTitle(TEXTS.get("title.script", tab.file().name()));
                     actions.update(tab.run());
                     toolbar.showRobots(tab.robots());
                     status.setText(tab.status());
@@ -246,7 +247,7 @@ public final class EditorWindow extends JFrame {
             then.run();
         };
         if (tab.run().isRunning()) {
-            Confirm.ask(this, tab.file().name() + " runs. End it and close it?", "End and close", () -> {
+            Confirm.ask(this, TEXTS.get("running", tab.file().name()), TEXTS.get("running.end"), () -> {
                 tab.run().stop();
                 closeSaved(tab, closed);
             });
@@ -279,7 +280,7 @@ public final class EditorWindow extends JFrame {
         tab.close();
         tabs.remove(tab);
         if (tabs.getTabCount() == 0) {
-            setTitle(TITLE);
+            setTitle(TEXTS.get("title"));
             setVisible(false);
         }
     }

@@ -15,8 +15,12 @@ final class FileNotice extends JPanel {
     private final JLabel words = new PlainLabel("fileNotice", "");
     private final JPanel buttons = new JPanel(new MigLayout("insets 0, gap 6"));
 
-    /** What a bar offers. */
-    record Choice(String text, Runnable action) {}
+    /**
+     * What a bar offers.
+     *
+     * @param name of its button, for tests
+     */
+    record Choice(String name, String text, Runnable action) {}
 
     FileNotice() {
         super(new MigLayout("insets 4 10 4 8", "[grow, fill][]"));
@@ -33,7 +37,7 @@ final class FileNotice extends JPanel {
         buttons.removeAll();
         for (Choice choice : choices) {
             JButton button = new JButton(choice.text());
-            button.setName(choice.text());
+            button.setName(choice.name());
             button.addActionListener(event -> {
                 setVisible(false);
                 choice.action().run();

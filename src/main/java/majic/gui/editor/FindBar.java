@@ -11,6 +11,7 @@ import javax.swing.KeyStroke;
 import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.Mnemonics;
 import majic.gui.kit.Palette;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rtextarea.SearchContext;
@@ -20,6 +21,7 @@ import org.fife.ui.rtextarea.SearchResult;
 /** Finds a text in a script and marks all its places. Hidden until it is asked for; Esc hides it. */
 final class FindBar extends JPanel implements ClosesByEsc {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(FindBar.class);
 
     private final RSyntaxTextArea area;
     private final JTextField field = new JTextField(24);
@@ -28,7 +30,7 @@ final class FindBar extends JPanel implements ClosesByEsc {
     FindBar(RSyntaxTextArea area) {
         super(new MigLayout("insets 4 10 4 8, gap 6", "[][][][][grow, fill][]"));
         this.area = area;
-        JLabel label = new JLabel("Find");
+        JLabel label = new JLabel(TEXTS.get("findBar"));
         label.setLabelFor(field);
         field.setName("find");
         field.addActionListener(event -> find(true));
@@ -39,10 +41,10 @@ final class FindBar extends JPanel implements ClosesByEsc {
         count.setName("findCount");
         add(label);
         add(field);
-        add(button("Previous", () -> find(false)));
-        add(button("Next", () -> find(true)));
+        add(button("findPrevious", TEXTS.get("findBar.previous"), () -> find(false)));
+        add(button("findNext", TEXTS.get("findBar.next"), () -> find(true)));
         add(count, "wmin 0");
-        add(button("Close", this::close));
+        add(button("findClose", TEXTS.get("findBar.close"), this::close));
         getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "close");
         getActionMap().put("close", new AbstractAction() {
             private static final long serialVersionUID = 1L;
@@ -56,9 +58,9 @@ final class FindBar extends JPanel implements ClosesByEsc {
         setVisible(false);
     }
 
-    private static JButton button(String text, Runnable action) {
+    private static JButton button(String name, String text, Runnable action) {
         JButton button = new JButton(text);
-        button.setName("find " + text);
+        button.setName(name);
         button.addActionListener(event -> action.run());
         return button;
     }
@@ -92,6 +94,9 @@ final class FindBar extends JPanel implements ClosesByEsc {
         SearchResult result = SearchEngine.find(area, context);
         boolean wrong = !result.wasFound() && !field.getText().isEmpty();
         count.setForeground(wrong ? Palette.error() : Palette.text());
-        count.setText(field.getText().isEmpty() ? "" : wrong ? "Not found" : result.getMarkedCount() + " found");
+        count.setText(
+                field.getText().isEmpty()
+                        ? ""
+                        : wrong ? TEXTS.get("findBar.notFound") : TEXTS.get("findBar.found", result.getMarkedCount()));
     }
 }

@@ -17,10 +17,12 @@ import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import majic.gui.kit.Palette;
 import majic.script.syntax.Mistake;
+import majic.text.Texts;
 
 /** The list of a script's mistakes. Hidden while there is none. */
 final class MistakeList extends JScrollPane {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(MistakeList.class);
     private static final int MOST_ROWS = 5;
 
     private final DefaultListModel<Mistake> model = new DefaultListModel<>();
@@ -35,7 +37,7 @@ final class MistakeList extends JScrollPane {
         setViewportView(list);
         setBorder(BorderFactory.createEmptyBorder());
         list.setName("mistakes");
-        list.getAccessibleContext().setAccessibleName("Mistakes");
+        list.getAccessibleContext().setAccessibleName(TEXTS.get("mistakes"));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.setCellRenderer(new Cell());
         list.addMouseListener(new MouseAdapter() {
@@ -85,7 +87,7 @@ final class MistakeList extends JScrollPane {
                 JList<?> list, Object value, int index, boolean selected, boolean focused) {
             super.getListCellRendererComponent(list, value, index, selected, focused);
             Mistake mistake = (Mistake) value;
-            setText("\u26A0  Line " + mistake.line() + ":  " + mistake.message());
+            setText("\u26A0  " + TEXTS.get("mistake", mistake.line(), mistake.message()));
             setToolTipText(mistake.message());
             if (!selected) {
                 setForeground(Palette.error());

@@ -6,9 +6,12 @@ import java.util.function.Consumer;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import majic.bot.Settings;
+import majic.text.Texts;
 
-/** The entries of the menu "Open recent". */
+/** The entries of the menu of recent files. */
 public final class RecentMenu {
+    private static final Texts TEXTS = Texts.of(RecentMenu.class);
+
     private RecentMenu() {}
 
     /**
@@ -28,7 +31,7 @@ public final class RecentMenu {
             menu.add(item);
         }
         if (files.isEmpty()) {
-            menu.add(new JMenuItem("No script was opened yet")).setEnabled(false);
+            menu.add(new JMenuItem(TEXTS.get("recent.none"))).setEnabled(false);
         }
     }
 }

@@ -24,6 +24,7 @@ import majic.script.run.ScriptControl.Progress;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Scanner;
 import majic.script.syntax.Token;
+import majic.text.Texts;
 import org.fife.ui.rsyntaxtextarea.RSyntaxDocument;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.parser.AbstractParser;
@@ -35,6 +36,7 @@ import org.fife.ui.rtextarea.RTextScrollPane;
 /** The text of a script with its line numbers: underlines mistakes, and marks the lines that run. */
 final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ScriptArea.class);
     private static final Progress NONE = new Progress(false, Set.of(), OptionalInt.empty(), "");
 
     private final RSyntaxTextArea text;
@@ -47,7 +49,7 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
         text = (RSyntaxTextArea) getTextArea();
         ((RSyntaxDocument) text.getDocument()).setSyntaxStyle(new ScriptTokens());
         text.setName("script");
-        text.getAccessibleContext().setAccessibleName("Script");
+        text.getAccessibleContext().setAccessibleName(TEXTS.get("script"));
         text.setTabsEmulated(true);
         text.setTabSize(2);
         text.setAnimateBracketMatching(false);
@@ -125,7 +127,7 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
 
     /** Returns where the caret is, in words. */
     String caretPlace() {
-        return "Line " + (text.getCaretLineNumber() + 1) + ", column " + (text.getCaretOffsetFromLineStart() + 1);
+        return TEXTS.get("caret", text.getCaretLineNumber() + 1, text.getCaretOffsetFromLineStart() + 1);
     }
 
     /** Puts the caret at a place, which is scrolled to. */
@@ -265,7 +267,7 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
 
         @Override
         public String toString() {
-            return runs ? "runs now" : "runs next";
+            return runs ? TEXTS.get("line.running") : TEXTS.get("line.next");
         }
     }
 }

@@ -16,6 +16,7 @@ import majic.act.RegularFile;
 import majic.bot.BotException;
 import majic.script.ScriptAct;
 import majic.text.IoReason;
+import majic.text.Texts;
 
 /**
  * A script's file as it was last read or written. Keeps its line ends and its byte order mark. Immutable; its methods
@@ -28,6 +29,7 @@ import majic.text.IoReason;
  * @param isUtf8 false if the file was read as Latin-1; it is written as UTF-8
  */
 record ScriptFile(Path path, String text, String lineEnd, boolean mark, boolean isUtf8) {
+    private static final Texts TEXTS = Texts.of(ScriptFile.class);
     /** How scripts that are saved without an ending end. */
     static final String ENDING = ScriptAct.ENDING;
 
@@ -54,12 +56,12 @@ record ScriptFile(Path path, String text, String lineEnd, boolean mark, boolean 
         try {
             bytes = RegularFile.read(path, LARGEST_BYTES + 1);
         } catch (NoSuchFileException e) {
-            throw new BotException(path + ": there is no such file", e);
+            throw new BotException(TEXTS.get("file.missing", path), e);
         } catch (IOException e) {
-            throw new BotException(path + ": cannot be read (" + IoReason.of(e) + ")", e);
+            throw new BotException(TEXTS.get("file.unread", path, IoReason.of(e)), e);
         }
         if (bytes.length > LARGEST_BYTES) {
-            throw new BotException(path + ": too long for a script, more than " + LARGEST_BYTES + " bytes");
+            throw new BotException(TEXTS.get("file.tooLong", path, LARGEST_BYTES));
         }
         return of(path, bytes);
     }
@@ -77,7 +79,7 @@ record ScriptFile(Path path, String text, String lineEnd, boolean mark, boolean 
             utf8 = false;
         }
         if (content.indexOf('\0') >= 0) {
-            throw new BotException(path + ": not a text");
+            throw new BotException(TEXTS.get("file.noText", path));
         }
         boolean mark = content.startsWith(MARK);
         String written = mark ? content.substring(1) : content;
@@ -106,7 +108,7 @@ record ScriptFile(Path path, String text, String lineEnd, boolean mark, boolean 
         try {
             replace(Files.exists(path) ? path.toRealPath() : path, content.getBytes(StandardCharsets.UTF_8));
         } catch (IOException e) {
-            throw new BotException(path + ": cannot be written (" + IoReason.of(e) + ")", e);
+            throw new BotException(TEXTS.get("file.unwritten", path, IoReason.of(e)), e);
         }
         return new ScriptFile(path, newText, lineEnd, mark, true);
     }

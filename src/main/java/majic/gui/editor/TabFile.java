@@ -10,12 +10,14 @@ import majic.gui.editor.ScriptFile.OnDisk;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.Confirm;
 import majic.gui.kit.EventThread;
+import majic.text.Texts;
 
 /**
  * The file of a tab: saves the script, and notices when another program has changed the file. All files are read and
  * written in the background. Must be used on the event dispatch thread.
  */
 final class TabFile {
+    private static final Texts TEXTS = Texts.of(TabFile.class);
     private final EditorTab tab;
     private final EditorContext context;
     private ScriptFile file;
@@ -53,7 +55,7 @@ final class TabFile {
     void showText() {
         tab.replaceText(file.text());
         if (!file.isUtf8()) {
-            tab.notice().show(file.name() + " is not UTF-8. It was read as Latin-1 and will be saved as UTF-8.");
+            tab.notice().show(TEXTS.get("latin1", file.name()));
         }
     }
 
@@ -68,7 +70,7 @@ final class TabFile {
             return;
         }
         EventThread.background(
-                "looking at " + file.path(),
+                "looking at a script",
                 () -> {
                     boolean foreign = file.onDisk() == OnDisk.CHANGED;
                     EventThread.later(() -> save(foreign, then));
@@ -78,11 +80,7 @@ final class TabFile {
 
     private void save(boolean foreign, Runnable then) {
         if (foreign) {
-            Confirm.ask(
-                    window(),
-                    file.name() + " was changed by another program. Overwrite it?",
-                    "Overwrite",
-                    () -> write(then));
+            Confirm.ask(window(), TEXTS.get("overwrite", file.name()), TEXTS.get("overwrite.yes"), () -> write(then));
         } else {
             write(then);
         }
@@ -92,7 +90,7 @@ final class TabFile {
         ScriptFile target = file;
         String text = tab.text();
         EventThread.background(
-                "saving " + target.path(),
+                "saving a script",
                 () -> {
                     ScriptFile written = target.write(text);
                     EventThread.later(() -> saved(written, then));
@@ -104,7 +102,7 @@ final class TabFile {
     void saveAs(Runnable then) {
         String text = tab.text();
         String suggestion = exists ? file.path().toString() : file.name();
-        ChooseFile.toSave(window(), context.settings(), "Save Script", suggestion, path -> {
+        ChooseFile.toSave(window(), context.settings(), TEXTS.get("saveScript"), suggestion, path -> {
             try {
                 ScriptFile target = file.at(
                         ScriptFile.isScript(path) ? path : path.resolveSibling(path.getFileName() + ScriptFile.ENDING));
@@ -128,7 +126,11 @@ final class TabFile {
     }
 
     private void failed(String why) {
-        tab.notice().show(why, new Choice("Save as…", () -> saveAs(() -> {})), new Choice("Close", () -> {}));
+        tab.notice()
+                .show(
+                        why,
+                        new Choice("saveAs", TEXTS.get("failed.saveAs"), () -> saveAs(() -> {})),
+                        new Choice("close", TEXTS.get("failed.close"), () -> {}));
     }
 
     /** Looks in the background whether another program has changed the file, and shows a notice if so. */
@@ -137,7 +139,7 @@ final class TabFile {
             looking = true;
             ScriptFile known = file;
             EventThread.background(
-                    "looking at " + known.path(),
+                    "looking at a script",
                     () -> {
                         OnDisk now = known.onDisk();
                         EventThread.later(() -> looked(known, now));
@@ -157,22 +159,22 @@ final class TabFile {
             case GONE ->
                 tab.notice()
                         .show(
-                                file.name() + " was removed or cannot be read any more.",
-                                new Choice("Save again", () -> write(() -> {})),
-                                new Choice("Close", () -> {}));
+                                TEXTS.get("gone", file.name()),
+                                new Choice("saveAgain", TEXTS.get("gone.save"), () -> write(() -> {})),
+                                new Choice("close", TEXTS.get("gone.close"), () -> {}));
             case CHANGED ->
                 tab.notice()
                         .show(
-                                file.name() + " was changed by another program.",
-                                new Choice("Load it", this::reload),
-                                new Choice("Keep mine", () -> {}));
+                                TEXTS.get("changed", file.name()),
+                                new Choice("loadChanged", TEXTS.get("changed.load"), this::reload),
+                                new Choice("keepMine", TEXTS.get("changed.keep"), () -> {}));
         }
     }
 
     private void reload() {
         Path path = file.path();
         EventThread.background(
-                "reading " + path,
+                "reading a script",
                 () -> {
                     ScriptFile read = ScriptFile.read(path);
                     EventThread.later(() -> reloaded(read));

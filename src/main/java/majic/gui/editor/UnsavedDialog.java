@@ -5,15 +5,21 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.PlainLabel;
+import majic.text.Texts;
 
 /** Asks what to do with unsaved changes before a script is closed. */
 final class UnsavedDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(UnsavedDialog.class);
 
     private UnsavedDialog(Window owner, String name, Runnable save, Runnable discard) {
-        super(owner, "Unsaved Script");
-        JLabel question = new PlainLabel("unsaved", "Save the changes in " + name + "?");
-        fill(question, answer("Save", save), answer("Don't save", discard), closing("Cancel"));
+        super(owner, TEXTS.get("unsaved"));
+        JLabel question = new PlainLabel("unsaved", TEXTS.get("unsaved.question", name));
+        fill(
+                question,
+                answer(TEXTS.get("unsaved.save"), save),
+                answer(TEXTS.get("unsaved.discard"), discard),
+                closing(TEXTS.get("unsaved.cancel")));
     }
 
     private JButton answer(String text, Runnable action) {
