@@ -10,9 +10,11 @@ import majic.aibo.urbi.UrbiValue;
 import majic.bot.MajicBot;
 import majic.bot.ReplayDisplay;
 import majic.bot.Settings;
+import majic.text.Texts;
 
 /** The panel of a recorded dog. */
 public final class AiboReplay implements ReplayDisplay {
+    private static final Texts TEXTS = Texts.of(AiboReplay.class);
     private static final long NANOS_PER_MS = 1_000_000;
 
     private final MajicBot bot;
@@ -40,7 +42,7 @@ public final class AiboReplay implements ReplayDisplay {
     @Override
     public void reset() {
         dog.forgetReadings();
-        pictures.miss("no picture recorded");
+        pictures.miss(TEXTS.get("camera.notRecorded"));
     }
 
     @Override

@@ -13,19 +13,20 @@ import majic.panel.Horizon;
 import majic.panel.PlotLink;
 import majic.panel.StatusLight;
 import majic.panel.StatusLight.Kind;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** How the dog lies in space, its battery, its posture and its motors. For the event thread. */
 final class BodyPanel extends JPanel {
     private static final long serialVersionUID = 1;
+    private static final Texts TEXTS = Texts.of(BodyPanel.class);
     private static final int DISC = 56;
 
     private final Horizon horizon = new Horizon(DISC);
     private final JLabel battery =
-            new JLabel("no reading yet", new BatteryIcon(OptionalInt.empty(), false), JLabel.LEADING);
+            new JLabel(TEXTS.get("battery.none"), new BatteryIcon(OptionalInt.empty(), false), JLabel.LEADING);
     private final JLabel posture = new JLabel("–");
-    private final StatusLight motors =
-            new StatusLight("motorsLight", "Motor power, which makes the legs stiff; the first motion switches it on");
+    private final StatusLight motors = new StatusLight("motorsLight", TEXTS.get("motors.tip"));
 
     BodyPanel() {
         super(new MigLayout("insets 0, gap 8 0, novisualpadding", "[][grow, fill]", "[][][]"));
@@ -33,9 +34,9 @@ final class BodyPanel extends JPanel {
         battery.setName("batteryLeft");
         battery.setFocusable(true);
         PlotLink.install(battery, List.of("battery"));
-        battery.setToolTipText("The battery");
+        battery.setToolTipText(TEXTS.get("battery.tip"));
         posture.setName("postureGuess");
-        posture.setToolTipText("The posture that the dog reports");
+        posture.setToolTipText(TEXTS.get("posture.tip"));
         add(horizon, "span 1 3");
         add(battery, "wrap");
         add(motors, "wrap");
@@ -51,16 +52,16 @@ final class BodyPanel extends JPanel {
         posture.setEnabled(connected);
         motors.setEnabled(connected);
         String guess = senses.posture();
-        posture.setText(guess == null ? "posture unknown" : "posture " + guess);
+        posture.setText(guess == null ? TEXTS.get("posture.unknown") : TEXTS.get("posture", guess));
         Optional<Boolean> on = senses.motorsOn();
         motors.show(
                 on.orElse(false) ? Kind.GOOD : Kind.QUIET,
-                on.map(BodyPanel::words).orElse("motors unknown"));
+                on.map(BodyPanel::words).orElseGet(() -> TEXTS.get("motors.unknown")));
         showBattery(senses.number(Sensor.CHARGE));
     }
 
     private static String words(boolean on) {
-        return on ? "motors on" : "motors off";
+        return on ? TEXTS.get("motors.on") : TEXTS.get("motors.off");
     }
 
     private void showBattery(Optional<Double> charge) {
@@ -68,6 +69,6 @@ final class BodyPanel extends JPanel {
                 charge.isPresent() ? OptionalInt.of((int) Math.round(100 * charge.get())) : OptionalInt.empty();
         battery.setIcon(new BatteryIcon(percent, false));
         battery.setDisabledIcon(new BatteryIcon(OptionalInt.empty(), false));
-        battery.setText(percent.isPresent() ? percent.getAsInt() + " %" : "no reading yet");
+        battery.setText(percent.isPresent() ? percent.getAsInt() + " %" : TEXTS.get("battery.none"));
     }
 }

@@ -8,10 +8,12 @@ import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
 import majic.driver.RobotWait;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** Asks for pictures, one at a time: none is asked for while an earlier one may still be on its way. Thread-safe. */
 final class Camera {
+    private static final Texts TEXTS = Texts.of(Camera.class);
     static final double LONGEST_S = 4;
 
     private final RobotWait waiting;
@@ -51,9 +53,7 @@ final class Camera {
 
     private static String why(UrbiRequest ask) {
         String failure = ask.failure();
-        return failure == null
-                ? "no picture came within " + (int) LONGEST_S + " s"
-                : "the dog gives no picture: " + failure;
+        return failure == null ? TEXTS.get("camera.late", (int) LONGEST_S) : TEXTS.get("camera.failed", failure);
     }
 
     /** The one under way, or a new one; a picture that came while no thread waited for it is an old one. */

@@ -7,6 +7,7 @@ import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.MajicBot;
 import majic.panel.PictureView;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -14,11 +15,12 @@ import org.jspecify.annotations.Nullable;
  * while only a larger copy of the view is visible. For the event thread, except what a poller calls.
  */
 final class CameraPanel implements PanelPoller.PictureReceiver {
+    private static final Texts TEXTS = Texts.of(CameraPanel.class);
     private static final int WIDTH = 208;
     private static final int HEIGHT = 160;
 
     private final PictureView view = new PictureView(WIDTH, HEIGHT);
-    private volatile Seen newest = new Seen(null, "no picture yet");
+    private volatile Seen newest = new Seen(null, TEXTS.get("camera.none"));
     private Seen shown = newest;
 
     /** A picture with its caption, or in words why there is none. */
@@ -26,10 +28,10 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
 
     CameraPanel(MajicBot bot) {
         view.setTitle(() -> bot.membership()
-                .map(member -> "Camera of robot " + member.number())
-                .orElse("Camera"));
+                .map(member -> TEXTS.get("camera.robot", member.number()))
+                .orElseGet(() -> TEXTS.get("camera")));
         view.miss(newest.words());
-        view.setToolTipText("Camera picture; requested only while it is visible. Click for a larger view");
+        view.setToolTipText(TEXTS.get("camera.tip"));
     }
 
     PictureView view() {
@@ -48,7 +50,7 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
 
     /** The first picture has no rate. */
     private static String caption(double perSecond) {
-        return perSecond > 0 ? String.format(Locale.ROOT, "%.1f frames/s", perSecond) : "";
+        return perSecond > 0 ? TEXTS.get("camera.rate", String.format(Locale.ROOT, "%.1f", perSecond)) : "";
     }
 
     @Override

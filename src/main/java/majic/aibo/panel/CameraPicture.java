@@ -13,9 +13,11 @@ import javax.imageio.stream.ImageInputStream;
 import javax.imageio.stream.MemoryCacheImageInputStream;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
+import majic.text.Texts;
 
 /** Turns what the dog's camera sends into pictures: a JFIF file, or three bytes for each pixel (URBI sheet 12). */
 public final class CameraPicture {
+    private static final Texts TEXTS = Texts.of(CameraPicture.class);
     /** Many times what the camera has; more is damage. */
     private static final int MOST_PIXELS = 2_000_000;
 
@@ -30,14 +32,14 @@ public final class CameraPicture {
      */
     static BufferedImage of(UrbiValue value) {
         if (!(value instanceof UrbiValue.Binary binary) || binary.words().isEmpty()) {
-            throw new UrbiRefusal("the dog's camera sends no picture");
+            throw new UrbiRefusal(TEXTS.get("picture.none"));
         }
         return switch (binary.words().get(0)) {
             case "jpeg" -> jpeg(binary.bytes());
             case "YCbCr" -> yCbCr(binary);
             default ->
-                throw new UrbiRefusal("the picture is of a kind not known here: "
-                        + binary.words().get(0));
+                throw new UrbiRefusal(
+                        TEXTS.get("picture.unknown", binary.words().get(0)));
         };
     }
 
@@ -65,7 +67,7 @@ public final class CameraPicture {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
             reader.setInput(in, true, true);
             reader.addIIOReadWarningListener((source, warning) -> {
-                throw new UrbiRefusal("the picture is damaged: " + warning);
+                throw new UrbiRefusal(TEXTS.get("picture.damaged", warning));
             });
             check(reader.getWidth(0), reader.getHeight(0));
             return reader.read(0);
@@ -73,7 +75,7 @@ public final class CameraPicture {
             if (e instanceof UrbiRefusal refusal) {
                 throw refusal;
             }
-            throw new UrbiRefusal("the picture is damaged: " + e.getMessage());
+            throw new UrbiRefusal(TEXTS.get("picture.damaged", e.getMessage()));
         } finally {
             reader.dispose();
         }
@@ -86,7 +88,7 @@ public final class CameraPicture {
         byte[] bytes = binary.bytes();
         int wanted = BYTES_PER_PIXEL * width * height;
         if (bytes.length != wanted) {
-            throw new UrbiRefusal("the picture is damaged: " + bytes.length + " bytes for " + wanted);
+            throw new UrbiRefusal(TEXTS.get("picture.short", bytes.length, wanted));
         }
         int[] pixels = new int[width * height];
         for (int pixel = 0; pixel < pixels.length; pixel++) {
@@ -119,7 +121,7 @@ public final class CameraPicture {
 
     private static void check(int width, int height) {
         if (width <= 0 || height <= 0 || (long) width * height > MOST_PIXELS) {
-            throw new UrbiRefusal("the picture is damaged: it claims " + width + " × " + height + " pixels");
+            throw new UrbiRefusal(TEXTS.get("picture.size", width, height));
         }
     }
 }

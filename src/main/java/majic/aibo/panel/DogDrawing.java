@@ -15,6 +15,7 @@ import majic.aibo.body.DogState;
 import majic.aibo.body.LedNames;
 import majic.aibo.body.Sensor;
 import majic.panel.DrawingColors;
+import majic.text.Texts;
 
 /**
  * Draws the dog three times with its joints as they were measured: from its right, from above with what its distance
@@ -22,6 +23,7 @@ import majic.panel.DrawingColors;
  */
 final class DogDrawing extends JPanel {
     private static final long serialVersionUID = 1;
+    private static final Texts TEXTS = Texts.of(DogDrawing.class);
 
     /** Wider than this for its height, and all three stand in a row. */
     private static final double WIDE = 2.1;
@@ -46,8 +48,8 @@ final class DogDrawing extends JPanel {
     DogDrawing(DogState dog) {
         this.dog = dog;
         setOpaque(false);
-        getAccessibleContext().setAccessibleName("the Aibo from its side, from above, and its face");
-        setToolTipText("Rings: how far the infra-red sensors see. Blue pads are pressed, blue paws on the ground.");
+        getAccessibleContext().setAccessibleName(TEXTS.get("drawing"));
+        setToolTipText(TEXTS.get("drawing.tip"));
     }
 
     /** The areas of the three views. */

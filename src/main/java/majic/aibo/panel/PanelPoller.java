@@ -8,6 +8,7 @@ import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotException;
 import majic.driver.RobotWait;
+import majic.text.Texts;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
@@ -17,6 +18,7 @@ import org.jspecify.annotations.Nullable;
  * the picture took. Thread-safe.
  */
 public final class PanelPoller {
+    private static final Texts TEXTS = Texts.of(PanelPoller.class);
     private static final double LEAST_PERIOD_S = 0.1;
     private static final double AFTER_FAILURE_S = 1;
 
@@ -71,7 +73,7 @@ public final class PanelPoller {
             while (!over) {
                 UrbiConnection on = connection.get();
                 if (on == null) {
-                    audience.miss("not connected");
+                    audience.miss(TEXTS.get("camera.notConnected"));
                     waiting.await(() -> over || connection.get() != null, Signal.FOR_EVER);
                 } else {
                     look(on);
