@@ -65,6 +65,12 @@ class ExamplesTest {
     }
 
     @Test
+    void aProgramRunsLinesOfMajicScript() throws Exception {
+        assertThat(run("TwentyLines", "add " + address("pioneer"), "1 move 100", "1 get distanceFront"))
+                .containsSubsequence("1 move 100: done", "1 distanceFront = clear");
+    }
+
+    @Test
     void aHemissonFeelsItsWay() throws Exception {
         assertThat(run("Feeler", address("hemisson"))).contains("ahead: ", "ground: ");
     }

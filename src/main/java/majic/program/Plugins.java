@@ -8,20 +8,14 @@ import java.net.URLClassLoader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.Iterator;
 import java.util.List;
-import java.util.ServiceConfigurationError;
-import java.util.ServiceLoader;
 import java.util.stream.Stream;
 import majic.bot.BotType;
+import majic.team.BotFactory;
 
 /** Finds the types of robots: those in MAJIC's jar, and those in jars in the plug-ins folder. */
 public final class Plugins {
     private static final System.Logger LOG = System.getLogger(Plugins.class.getName());
-
-    /** The types in the order of the thesis; types from plug-ins follow by name. */
-    private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson");
 
     private Plugins() {}
 
@@ -32,33 +26,7 @@ public final class Plugins {
      * @return the types; a broken plug-in is logged and left out
      */
     public static List<BotType> types(Path folder) {
-        List<BotType> types = new ArrayList<>();
-        Iterator<BotType> found =
-                ServiceLoader.load(BotType.class, loader(folder)).iterator();
-        while (takeNext(found, types)) {
-            LOG.log(Level.DEBUG, "{0} type(s) of robots so far", types.size());
-        }
-        types.sort(Comparator.comparingInt(Plugins::place).thenComparing(BotType::name));
-        return types;
-    }
-
-    /** Adds the next type; returns false at the end. A type that cannot be instantiated is skipped. */
-    private static boolean takeNext(Iterator<BotType> found, List<BotType> types) {
-        try {
-            boolean more = found.hasNext();
-            if (more) {
-                types.add(found.next());
-            }
-            return more;
-        } catch (ServiceConfigurationError | LinkageError e) {
-            LOG.log(Level.WARNING, "a plug-in cannot be used: " + e.getMessage(), e);
-            return true;
-        }
-    }
-
-    private static int place(BotType type) {
-        int place = ORDER.indexOf(type.name());
-        return place < 0 ? ORDER.size() : place;
+        return BotFactory.types(loader(folder));
     }
 
     private static ClassLoader loader(Path folder) {

@@ -1,10 +1,13 @@
 package majic.script;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import majic.act.file.ActCatalog;
+import majic.act.file.ActTrust;
 import majic.bot.BotType;
+import majic.bot.Settings;
 import majic.log.Line;
 import majic.log.ParameterLog;
 import majic.log.Sampling;
@@ -31,6 +34,8 @@ import majic.team.TeamListener;
  * Thread-safe.
  */
 public final class Session {
+    private static final Path ACTS = Path.of("acts");
+
     private final Team team;
     private final BotFactory factory;
     private final SessionLog log;
@@ -65,6 +70,20 @@ public final class Session {
         this.actions = new ActionTable(state, factory, connector, runner, readings, sampling, quit);
         log.onTrouble(this::alarm);
         team.addListener(new TeamRelay());
+    }
+
+    /**
+     * Creates a session for a program that embeds MAJIC Script: with the types of robots on its class path, the acts
+     * that come with MAJIC and those in the folder {@code acts} of the working directory. It has no log file, and
+     * {@code quit} does nothing.
+     *
+     * @param team the robots, as in the constructor
+     * @return the session; give it a listener and make a {@link MajicParser} for it
+     */
+    public static Session of(Team team) {
+        Settings settings = Settings.inMemory();
+        BotFactory factory = new BotFactory(BotFactory.types(Session.class.getClassLoader()), settings);
+        return new Session(team, factory, SessionLog.none(), new ActCatalog(ACTS, new ActTrust(settings)), () -> {});
     }
 
     /**

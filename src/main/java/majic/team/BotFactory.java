@@ -1,10 +1,16 @@
 package majic.team;
 
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
 import java.util.TreeSet;
 import java.util.WeakHashMap;
 import majic.bot.BotAddress;
@@ -20,6 +26,11 @@ import org.jspecify.annotations.Nullable;
 
 /** Creates robot drivers from the addresses that users type. Thread-safe. */
 public final class BotFactory {
+    private static final System.Logger LOG = System.getLogger(BotFactory.class.getName());
+
+    /** The types in the order of the thesis; others follow by name. */
+    private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson");
+
     private final List<BotType> types;
     private final Settings settings;
     private final Map<MajicBot, String> inLab = Collections.synchronizedMap(new WeakHashMap<>());
@@ -34,6 +45,41 @@ public final class BotFactory {
     public BotFactory(List<BotType> types, Settings settings) {
         this.types = List.copyOf(types);
         this.settings = settings;
+    }
+
+    /**
+     * Finds the robot types that a class loader offers as services.
+     *
+     * @param loader also looks into its parents
+     * @return MAJIC's own first, then the others by name; a broken one is logged and left out
+     */
+    public static List<BotType> types(ClassLoader loader) {
+        List<BotType> types = new ArrayList<>();
+        Iterator<BotType> found = ServiceLoader.load(BotType.class, loader).iterator();
+        while (takeNext(found, types)) {
+            LOG.log(Level.DEBUG, "{0} type(s) of robots so far", types.size());
+        }
+        types.sort(Comparator.comparingInt(BotFactory::place).thenComparing(BotType::name));
+        return types;
+    }
+
+    /** Adds the next type; returns false at the end. A type that cannot be instantiated is skipped. */
+    private static boolean takeNext(Iterator<BotType> found, List<BotType> types) {
+        try {
+            boolean more = found.hasNext();
+            if (more) {
+                types.add(found.next());
+            }
+            return more;
+        } catch (ServiceConfigurationError | LinkageError e) {
+            LOG.log(Level.WARNING, "a plug-in cannot be used: " + e.getMessage(), e);
+            return true;
+        }
+    }
+
+    private static int place(BotType type) {
+        int place = ORDER.indexOf(type.name());
+        return place < 0 ? ORDER.size() : place;
     }
 
     /**
