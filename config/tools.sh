@@ -84,12 +84,12 @@ build_majic() {
     log=$1/target/build.log
     mkdir -p "$1/target"
     if [ -t 2 ]; then
-        (cd "$1" && mvn -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip package 2>&1) | tee "$log" |
+        (cd "$1" && mvn -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package 2>&1) | tee "$log" |
             awk '/Downloaded from/ { n++; printf "\rmajic: %d files fetched", n > "/dev/stderr" }
                  /^\[INFO\] --- / { sub(/^\[INFO\] --- /, ""); sub(/ @.*/, ""); printf "\rmajic: %-60s", $0 > "/dev/stderr" }
                  END { printf "\r%-70s\r", "" > "/dev/stderr" }'
     else
-        (cd "$1" && mvn -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip package >"$log" 2>&1) || true
+        (cd "$1" && mvn -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package >"$log" 2>&1) || true
     fi
     if ! grep -q 'BUILD SUCCESS' "$log"; then
         grep '^\[ERROR\]' "$log" | head -n 5 >&2

@@ -26,7 +26,7 @@ import picocli.CommandLine;
 @Timeout(60)
 class LinesOnPagesTest {
     private static final Set<String> LANGUAGES =
-            Set.of("majic", "java", "sh", "console", "python", "ebnf", "yaml", "text", "urbi", "mermaid");
+            Set.of("majic", "java", "sh", "console", "python", "ebnf", "yaml", "text", "urbi", "mermaid", "xml");
     private static final List<String> TYPES = List.of("aibo", "pioneer", "hemisson");
     private static final Pattern SCRIPT = Pattern.compile("(\\d[\\d,-]*|all|me) [a-z].*");
     private static final Pattern CALL = Pattern.compile("(?:^|[ |])\\./majic(?<words> [^|#>]*)?");
