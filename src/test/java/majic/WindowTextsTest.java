@@ -51,7 +51,6 @@ class WindowTextsTest {
             "gui/acts",
             "gui/add",
             "gui/kit",
-            "gui/plot",
             "gui/replay",
             "gui/start");
 

@@ -86,10 +86,10 @@ class PlotWindowTest {
         window.await("the focus", chart::isFocusOwner);
         window.await("the zoom", () -> {
             window.type("+");
-            return window.isEnabled("Show newest");
+            return window.isEnabled("showNewest");
         });
         window.type("0");
-        window.await("the end of the zoom", () -> !window.isEnabled("Show newest"));
+        window.await("the end of the zoom", () -> !window.isEnabled("showNewest"));
     }
 
     @Test
@@ -105,7 +105,7 @@ class PlotWindowTest {
         window.add("one");
         window.add("two");
         plotPose();
-        window.push("Add…");
+        window.push("addCurves");
         window.write("curveFilter", "2 turn");
         window.push("Add");
         window.await("the curve", () -> curves().contains("2 turnRate (deg/s)"));
@@ -119,7 +119,7 @@ class PlotWindowTest {
         plotPose();
         bot.at(new Pose(120, -30, 45), true);
         window.await("the newest value", () -> window.text("value 1 x (mm)").equals("120 mm"));
-        window.push("Save CSV");
+        window.push("saveCsv");
         window.chooseFile(folder.resolve("plot.csv"));
         window.await("the file", () -> !window.isShowing("files"));
         List<String> lines = Files.readAllLines(folder.resolve("plot.csv"));
@@ -132,7 +132,7 @@ class PlotWindowTest {
     void pngIsAPictureOfTheChart() throws IOException {
         window.add("one");
         plotPose();
-        window.push("Save PNG");
+        window.push("savePng");
         window.chooseFile(folder.resolve("plot.png"));
         window.await("the file", () -> !window.isShowing("files"));
         assertThat(ImageIO.read(folder.resolve("plot.png").toFile()).getWidth()).isGreaterThan(400);

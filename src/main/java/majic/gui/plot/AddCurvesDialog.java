@@ -26,18 +26,20 @@ import majic.bot.Unit;
 import majic.gui.kit.Html;
 import majic.gui.kit.MajicDialog;
 import majic.gui.plot.data.PlotSource;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Chooses parameters of robots whose curves are added to a plot. */
 final class AddCurvesDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(AddCurvesDialog.class);
 
     private final transient PlotModel model;
     private final transient List<Entry> all;
     private final DefaultListModel<Entry> shown = new DefaultListModel<>();
     private final JList<Entry> list = new JList<>(shown);
     private final JTextField filter = new JTextField();
-    private final JButton add = button("Add", this::addSelected);
+    private final JButton add = button(TEXTS.get("addSelected"), this::addSelected);
 
     /** A parameter of a robot. */
     private record Entry(PlotSource.Robot robot, Parameter parameter) {
@@ -56,13 +58,13 @@ final class AddCurvesDialog extends MajicDialog {
     }
 
     AddCurvesDialog(Window owner, PlotModel model) {
-        super(owner, "Add Curves");
+        super(owner, TEXTS.get("addCurves"));
         this.model = model;
         this.all = model.source().robots().stream()
                 .flatMap(robot -> robot.parameters().stream().map(parameter -> new Entry(robot, parameter)))
                 .toList();
         filter.setName("curveFilter");
-        filter.putClientProperty("JTextField.placeholderText", "part of a name or of its explanation");
+        filter.putClientProperty("JTextField.placeholderText", TEXTS.get("find.hint"));
         filter.getDocument().addDocumentListener(new Filtering());
         list.setName("parameters");
         list.setCellRenderer(new Renderer());
@@ -79,23 +81,20 @@ final class AddCurvesDialog extends MajicDialog {
                 event -> list.requestFocusInWindow(),
                 KeyStroke.getKeyStroke(KeyEvent.VK_DOWN, 0),
                 JComponent.WHEN_FOCUSED);
-        fill(content(), add, closing("Close"));
+        fill(content(), add, closing(TEXTS.get("close")));
         filter();
     }
 
     private JPanel content() {
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 8, wrap 2", "[][grow, fill]", "[][grow, fill][]"));
-        JLabel label = new JLabel("Find");
-        label.setLabelFor(filter);
-        label.setDisplayedMnemonic('F');
         JScrollPane scroll =
                 new JScrollPane(list, JScrollPane.VERTICAL_SCROLLBAR_ALWAYS, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setPreferredSize(new Dimension(UIScale.scale(560), UIScale.scale(320)));
-        list.getAccessibleContext().setAccessibleName("Parameters of all robots");
-        content.add(label);
+        list.getAccessibleContext().setAccessibleName(TEXTS.get("parameters"));
+        content.add(label(TEXTS.get("find"), filter));
         content.add(filter);
         content.add(scroll, "spanx 2, grow");
-        content.add(new JLabel("Ctrl or Shift selects several."), "spanx 2");
+        content.add(new JLabel(TEXTS.get("several")), "spanx 2");
         return content;
     }
 

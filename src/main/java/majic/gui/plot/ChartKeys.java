@@ -1,6 +1,7 @@
 package majic.gui.plot;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.KeyEvent;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
@@ -26,8 +27,8 @@ final class ChartKeys {
         bind(KeyStroke.getKeyStroke(' '), () -> model.pause(!model.isPaused()));
         bind(KeyStroke.getKeyStroke("LEFT"), () -> cursor.move(-1));
         bind(KeyStroke.getKeyStroke("RIGHT"), () -> cursor.move(1));
-        bind(KeyStroke.getKeyStroke("shift LEFT"), () -> cursor.move(-FAR));
-        bind(KeyStroke.getKeyStroke("shift RIGHT"), () -> cursor.move(FAR));
+        bind(KeyStroke.getKeyStroke(KeyEvent.VK_LEFT, KeyEvent.SHIFT_DOWN_MASK), () -> cursor.move(-FAR));
+        bind(KeyStroke.getKeyStroke(KeyEvent.VK_RIGHT, KeyEvent.SHIFT_DOWN_MASK), () -> cursor.move(FAR));
     }
 
     private void bind(KeyStroke stroke, Runnable action) {

@@ -17,6 +17,7 @@ import javax.swing.KeyStroke;
 import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
 import majic.panel.DrawingColors;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -25,6 +26,7 @@ import net.miginfocom.swing.MigLayout;
  */
 final class CurveList extends JPanel implements Scrollable {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(CurveList.class);
     private static final int STEP = 16;
 
     private final transient PlotModel model;
@@ -109,8 +111,8 @@ final class CurveList extends JPanel implements Scrollable {
         String label = curve.quantity().label();
         JButton button = new JButton("×");
         button.setName("remove " + label);
-        button.setToolTipText("Remove");
-        button.getAccessibleContext().setAccessibleName("Remove " + label);
+        button.setToolTipText(TEXTS.get("remove"));
+        button.getAccessibleContext().setAccessibleName(TEXTS.get("remove.curve", label));
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.addActionListener(event -> model.remove(curve));
         button.getInputMap().put(KeyStroke.getKeyStroke("DELETE"), "remove");

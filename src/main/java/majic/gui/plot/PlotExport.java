@@ -11,9 +11,12 @@ import javax.imageio.ImageIO;
 import majic.gui.plot.data.Points;
 import majic.gui.plot.data.Quantity;
 import majic.gui.plot.data.Span;
+import majic.text.IoReason;
+import majic.text.Texts;
 
 /** Writes files of plots. Every method blocks, and returns why it failed; empty if it did not. */
 final class PlotExport {
+    private static final Texts TEXTS = Texts.of(PlotExport.class);
     private static final String HEADER = "time_s,robot,parameter,value,unit";
 
     private PlotExport() {}
@@ -63,6 +66,6 @@ final class PlotExport {
     }
 
     private static String problem(Path file, IOException cause) {
-        return file + " cannot be written: " + cause.getMessage();
+        return TEXTS.get("notWritten", file, IoReason.of(cause));
     }
 }

@@ -13,6 +13,7 @@ import javax.swing.JComponent;
 import javax.swing.Timer;
 import majic.gui.kit.EventThread;
 import majic.panel.VisibilityWatch;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,6 +23,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class PlotView extends JComponent {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(PlotView.class);
     private static final Logger LOG = System.getLogger(PlotView.class.getName());
     private static final int PERIOD_MS = 100;
 
@@ -147,7 +149,7 @@ final class PlotView extends JComponent {
                     return AccessibleRole.CANVAS;
                 }
             };
-            accessibleContext.setAccessibleName("Chart");
+            accessibleContext.setAccessibleName(TEXTS.get("chart"));
         }
         return accessibleContext;
     }

@@ -19,12 +19,15 @@ import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.Timer;
 import majic.bot.Settings;
 import majic.gui.kit.ChooseFile;
+import majic.gui.kit.Mnemonics;
 import majic.gui.plot.data.Span;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** A window with one plot. Must be used on the event dispatch thread. */
 final class PlotWindow extends JFrame {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(PlotWindow.class);
     private static final int VALUES_MS = 250;
 
     /** Pictures in files have twice the resolution of a usual screen. */
@@ -37,8 +40,8 @@ final class PlotWindow extends JFrame {
     private final PlotView view;
     private final CurveList curves;
     private final Timer values;
-    private final JToggleButton pause = new JToggleButton("Pause");
-    private final JButton reset = button("Show newest", 'S', "End the zoom (double click on the chart, or 0)");
+    private final JToggleButton pause = new JToggleButton(TEXTS.get("pause"));
+    private final JButton reset = button("showNewest", TEXTS.get("newest"), TEXTS.get("newest.hint"));
 
     /**
      * Creates a window, not yet visible.
@@ -59,6 +62,7 @@ final class PlotWindow extends JFrame {
         content.add(view, BorderLayout.CENTER);
         content.add(side(), BorderLayout.EAST);
         setContentPane(content);
+        Mnemonics.assign(content);
         setMinimumSize(new Dimension(UIScale.scale(520), UIScale.scale(260)));
         pack();
         model.addListener(this::modelChanged);
@@ -73,7 +77,7 @@ final class PlotWindow extends JFrame {
 
     private JPanel tools(JComponent stop) {
         JPanel tools = new JPanel(new MigLayout("insets 6 8 4 8, gap 6", "[]12[][][][]12[][]push[][]12[]"));
-        JButton add = button("Add…", 'A', "Add curves of further parameters");
+        JButton add = button("addCurves", TEXTS.get("add"), TEXTS.get("add.hint"));
         add.addActionListener(event -> addCurves());
         tools.add(add);
         ButtonGroup lengths = new ButtonGroup();
@@ -81,15 +85,14 @@ final class PlotWindow extends JFrame {
             tools.add(lengthButton(length, lengths));
         }
         pause.setName("pause");
-        pause.setMnemonic('P');
-        pause.setToolTipText("Hold the picture; readings are collected all the time (space on the chart)");
+        pause.setToolTipText(TEXTS.get("pause.hint"));
         pause.addActionListener(event -> model.pause(pause.isSelected()));
         reset.addActionListener(event -> model.zoom(null));
         tools.add(pause);
         tools.add(reset);
-        JButton png = button("Save PNG", 'G', "Save the chart as a picture");
+        JButton png = button("savePng", TEXTS.get("png"), TEXTS.get("png.hint"));
         png.addActionListener(event -> savePng());
-        JButton csv = button("Save CSV", 'C', "Save all readings of the time that is shown");
+        JButton csv = button("saveCsv", TEXTS.get("csv"), TEXTS.get("csv.hint"));
         csv.addActionListener(event -> saveCsv());
         tools.add(png);
         tools.add(csv);
@@ -97,18 +100,17 @@ final class PlotWindow extends JFrame {
         return tools;
     }
 
-    private static JButton button(String text, char mnemonic, String tip) {
+    private static JButton button(String name, String text, String tip) {
         JButton button = new JButton(text);
-        button.setName(text);
-        button.setMnemonic(mnemonic);
+        button.setName(name);
         button.setToolTipText(tip);
         return button;
     }
 
     private JToggleButton lengthButton(TimeLength length, ButtonGroup group) {
         JToggleButton button = new JToggleButton(length.text(), length == model.length());
-        button.setName(length.text());
-        button.setToolTipText("Time shown");
+        button.setName(length.name());
+        button.setToolTipText(TEXTS.get("length.hint"));
         button.addActionListener(event -> model.show(length));
         group.add(button);
         return button;
@@ -133,9 +135,11 @@ final class PlotWindow extends JFrame {
                 .limit(MOST_IN_TITLE)
                 .map(curve -> curve.quantity().robot() + " " + curve.quantity().name())
                 .collect(Collectors.joining(", "));
-        String more = curves.size() > MOST_IN_TITLE ? ", …" : "";
-        String of = model.source().isReplay() ? "Plot of a REPLAY" : "Plot";
-        return names.isEmpty() ? of : of + ": " + names + more;
+        String shown = curves.size() > MOST_IN_TITLE ? names + ", …" : names;
+        if (model.source().isReplay()) {
+            return names.isEmpty() ? TEXTS.get("title.replay") : TEXTS.get("title.replay.of", shown);
+        }
+        return names.isEmpty() ? TEXTS.get("title") : TEXTS.get("title.of", shown);
     }
 
     void addCurves() {
@@ -144,13 +148,13 @@ final class PlotWindow extends JFrame {
 
     private void savePng() {
         ChartJob job = ChartJob.of(model, view.getWidth(), view.getHeight(), FILE_SCALE, true);
-        ChooseFile.toSave(this, settings, "Save PNG", "plot.png", file -> PlotExport.png(job, file));
+        ChooseFile.toSave(this, settings, TEXTS.get("png"), "plot.png", file -> PlotExport.png(job, file));
     }
 
     private void saveCsv() {
         List<Curve> saved = model.curves();
         Span time = model.time();
-        ChooseFile.toSave(this, settings, "Save CSV", "plot.csv", file -> PlotExport.csv(saved, time, file));
+        ChooseFile.toSave(this, settings, TEXTS.get("csv"), "plot.csv", file -> PlotExport.csv(saved, time, file));
     }
 
     @Override

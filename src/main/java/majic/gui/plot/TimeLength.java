@@ -1,22 +1,26 @@
 package majic.gui.plot;
 
+import majic.text.Texts;
+
 /** The lengths of time that a plot can show. */
 enum TimeLength {
-    TEN_SECONDS("10 s", 10),
-    MINUTE("1 min", 60),
-    TEN_MINUTES("10 min", 600),
-    ALL("All", Double.POSITIVE_INFINITY);
+    TEN_SECONDS("tenSeconds", 10),
+    MINUTE("minute", 60),
+    TEN_MINUTES("tenMinutes", 600),
+    ALL("all", Double.POSITIVE_INFINITY);
 
-    private final String text;
+    private static final Texts TEXTS = Texts.of(TimeLength.class);
+
+    private final String key;
     private final double seconds;
 
-    TimeLength(String text, double seconds) {
-        this.text = text;
+    TimeLength(String key, double seconds) {
+        this.key = key;
         this.seconds = seconds;
     }
 
     String text() {
-        return text;
+        return TEXTS.get(key);
     }
 
     double seconds() {
