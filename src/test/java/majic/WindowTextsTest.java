@@ -51,7 +51,6 @@ class WindowTextsTest {
             "gui/acts",
             "gui/add",
             "gui/kit",
-            "gui/replay",
             "gui/start");
 
     /** Constraints of MigLayout. */

@@ -27,6 +27,16 @@ public record RecordingHead(Instant begin, int part, double beginS) {
         return RecordingReader.readHead(file);
     }
 
+    /**
+     * Returns the time of day at a time of the recording.
+     *
+     * @param seconds since the recording began
+     * @return with milliseconds
+     */
+    public Instant timeOfDay(double seconds) {
+        return begin.plusMillis(Math.round(seconds * 1000));
+    }
+
     String text() {
         return String.join(
                         "\t",

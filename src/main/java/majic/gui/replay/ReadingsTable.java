@@ -11,9 +11,11 @@ import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.ReplayDisplay;
 import majic.panel.PlotLink;
+import majic.text.Texts;
 
 /** Shows all recorded parameters of a robot that has no panel for replays. */
 final class ReadingsTable implements ReplayDisplay {
+    private static final Texts TEXTS = Texts.of(ReadingsTable.class);
     private final Readings readings;
     private final JScrollPane pane;
 
@@ -22,7 +24,7 @@ final class ReadingsTable implements ReplayDisplay {
         JTable table = new JTable(readings);
         table.setName("readings");
         table.setFillsViewportHeight(true);
-        table.getAccessibleContext().setAccessibleName("recorded readings");
+        table.getAccessibleContext().setAccessibleName(TEXTS.get("readings"));
         PlotLink.install(table, List.of(), point -> readings.nameAt(table.rowAtPoint(point)));
         pane = new JScrollPane(table);
     }
@@ -73,7 +75,7 @@ final class ReadingsTable implements ReplayDisplay {
 
         @Override
         public String getColumnName(int column) {
-            return column == 0 ? "reading" : "value";
+            return TEXTS.get(column == 0 ? "reading" : "value");
         }
 
         @Override

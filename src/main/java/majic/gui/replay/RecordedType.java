@@ -6,9 +6,12 @@ import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.recorder.RecordedRobot;
+import majic.text.Texts;
 
 /** The type of a recorded robot of which no driver is installed. */
 record RecordedType(String name, String label, String make) implements BotType {
+    private static final Texts TEXTS = Texts.of(RecordedType.class);
+
     RecordedType(RecordedRobot robot) {
         this(robot.type(), robot.label(), robot.make());
     }
@@ -25,7 +28,7 @@ record RecordedType(String name, String label, String make) implements BotType {
 
     @Override
     public MajicBot create(String address, BotEnvironment environment) {
-        throw new BotException("no driver for the type " + name + " is installed");
+        throw new BotException(TEXTS.get("noDriver", name));
     }
 
     @Override

@@ -8,9 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import javax.swing.JButton;
-import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -23,17 +21,19 @@ import majic.gui.kit.Paragraph;
 import majic.recorder.RecordingFolder;
 import majic.recorder.RecordingHead;
 import majic.text.IoReason;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Asks which recording is to be replayed: one of the user's folder, the newest first, or another file. */
 public final class RecordingsDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(RecordingsDialog.class);
     private static final double MEGABYTE = 1e6;
 
     private final transient ReplayServices services;
     private final JList<Entry> list = new JList<>();
     private final Paragraph problem = new Paragraph("recordingProblem", 2, 40);
-    private final JButton open = button("Open", this::openSelected);
+    private final JButton open = button(TEXTS.get("open"), this::openSelected);
 
     /** A file with the words for it. */
     private record Entry(Path file, String words) {
@@ -51,14 +51,11 @@ public final class RecordingsDialog extends MajicDialog {
      * @param services what a replay needs
      */
     public RecordingsDialog(Window owner, RecordingFolder folder, ReplayServices services) {
-        super(owner, "Open Recording");
+        super(owner, TEXTS.get("openRecording"));
         this.services = services;
-        JLabel title = new JLabel("Recordings, the newest first");
-        title.setLabelFor(list);
-        title.setDisplayedMnemonic('R');
         list.setName("recordings");
         list.setVisibleRowCount(10);
-        list.getAccessibleContext().setAccessibleName("recordings, the newest first");
+        list.getAccessibleContext().setAccessibleName(TEXTS.get("recordings"));
         list.addListSelectionListener(event -> open.setEnabled(list.getSelectedValue() != null));
         list.addMouseListener(new MouseAdapter() {
             @Override
@@ -69,12 +66,12 @@ public final class RecordingsDialog extends MajicDialog {
             }
         });
         JPanel content = new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow, fill]", "[][grow, fill][]"));
-        content.add(title);
+        content.add(label(TEXTS.get("recordings"), list));
         content.add(new JScrollPane(list), "w 420, h 220");
         content.add(problem);
         problem.setVisible(false);
         open.setEnabled(false);
-        fill(content, open, button("Other File…", this::chooseFile), closing("Cancel"));
+        fill(content, open, button(TEXTS.get("otherFile"), this::chooseFile), closing(TEXTS.get("cancel")));
         EventThread.background(
                 "listing recordings",
                 () -> {
@@ -88,7 +85,7 @@ public final class RecordingsDialog extends MajicDialog {
         list.setListData(entries.toArray(new Entry[0]));
         list.setSelectedIndex(0);
         if (entries.isEmpty()) {
-            showProblem("There is no recording yet; MAJIC records while robots are connected.");
+            showProblem(TEXTS.get("noRecording"));
         }
     }
 
@@ -100,29 +97,27 @@ public final class RecordingsDialog extends MajicDialog {
             }
             return entries;
         } catch (IOException e) {
-            throw new BotException("The recordings cannot be listed (" + IoReason.of(e) + ")", e);
+            throw new BotException(TEXTS.get("notListed", IoReason.of(e)), e);
         }
     }
 
     private static String words(Path file) {
         try {
             RecordingHead head = RecordingHead.read(file);
-            String part = head.part() == 1
-                    ? ""
-                    : ", part " + head.part() + " from "
-                            + ReplayTimes.timeOfDay(head.begin().plusMillis(Math.round(head.beginS() * 1000)));
-            return ReplayTimes.day(head.begin())
-                    + part
-                    + String.format(Locale.ROOT, "  \u00b7  %.1f MB", Files.size(file) / MEGABYTE);
+            String begin = ReplayTimes.day(head.begin());
+            String name = head.part() == 1
+                    ? begin
+                    : TEXTS.get("part", begin, head.part(), ReplayTimes.timeOfDay(head.timeOfDay(head.beginS())));
+            return TEXTS.get("entry", name, Files.size(file) / MEGABYTE);
         } catch (IOException e) {
-            return file.getFileName() + "  \u00b7  cannot be read";
+            return file.getFileName() + "  \u00b7  " + TEXTS.get("unreadable");
         }
     }
 
     private void chooseFile() {
         FileNameExtensionFilter filter = new FileNameExtensionFilter(
-                "Recordings (" + RecordingFolder.ENDING + ")", RecordingFolder.ENDING.substring(1));
-        ChooseFile.toOpen(this, services.settings(), "Open", filter, this::open);
+                TEXTS.get("files", RecordingFolder.ENDING), RecordingFolder.ENDING.substring(1));
+        ChooseFile.toOpen(this, services.settings(), TEXTS.get("open"), filter, this::open);
     }
 
     private void openSelected() {

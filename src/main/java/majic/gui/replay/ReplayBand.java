@@ -10,21 +10,23 @@ import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** The striped band above a replay, so that it cannot be mistaken for the robots. */
 final class ReplayBand extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ReplayBand.class);
     private static final int STRIPE_PX = 14;
     private static final int STRIPES_WIDTH_PX = 56;
 
     ReplayBand(String what) {
         super(new MigLayout("insets 7 70 7 70, fillx", "[grow, fill][]"));
-        JLabel title = new JLabel("REPLAY of " + what);
+        JLabel title = new JLabel(TEXTS.get("replayOf", what));
         title.setName("replayBand");
         title.putClientProperty("FlatLaf.styleClass", "h4");
         title.setForeground(ink());
-        JLabel note = new JLabel("No robot can be reached from here; STOP keys stop the team.");
+        JLabel note = new JLabel(TEXTS.get("noRobot"));
         note.setForeground(ink());
         add(title, "wmin pref");
         add(note, "wmin 0");

@@ -15,13 +15,14 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.recorder.RecordedRobot;
 import majic.recorder.RobotTracks;
+import majic.text.Texts;
 
 /**
  * A recorded robot as its panel uses it: gives the parameters, the states and the connection of the time that is
  * replayed, has no link, and refuses every command.
  */
 final class ReplayBot extends MajicBot {
-    private static final String REFUSAL = "this is a replay; no robot is reached from here";
+    private static final Texts TEXTS = Texts.of(ReplayBot.class);
 
     /** Needed by a profile; no motion is ever accepted. */
     private static final Range ANY_SPEED = new Range(-1, 1);
@@ -38,7 +39,7 @@ final class ReplayBot extends MajicBot {
             });
         }
         table().add(
-                        Parameter.number("age", Unit.MS, "time since its last report"),
+                        Parameter.number("age", Unit.MS, TEXTS.get("age")),
                         () -> Value.of(Math.round(ageS() * 1000), Unit.MS));
     }
 
@@ -47,7 +48,7 @@ final class ReplayBot extends MajicBot {
     }
 
     private static BotException refusal() {
-        return new BotException(REFUSAL);
+        return new BotException(TEXTS.get("refused"));
     }
 
     private double ageS() {
@@ -61,7 +62,7 @@ final class ReplayBot extends MajicBot {
         if (wasConnected && !isConnected()) {
             connect();
         } else if (!wasConnected && isConnected()) {
-            lost(new LinkLost("the connection was lost"));
+            lost(new LinkLost(TEXTS.get("connectionLost")));
         }
         long reportedNanos = time().nanos() - (long) (ageS() * 1e9);
         publish(new BotState(

@@ -7,16 +7,19 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.bot.Value;
+import majic.gui.kit.Mnemonics;
 import majic.recorder.Recording;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Play and pause, the time slider and the speed of a replay. */
 final class ReplayControls extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ReplayControls.class);
     private static final List<Double> SPEEDS = List.of(0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0);
 
     private final transient Recording recording;
-    private final JButton play = new JButton("Play");
+    private final JButton play = new JButton(TEXTS.get("play"));
     private final JLabel time = new JLabel();
     private final Timeline timeline;
 
@@ -25,8 +28,7 @@ final class ReplayControls extends JPanel {
         this.recording = recording;
         this.timeline = new Timeline(recording.beginS(), recording.endS(), recording.marks(0), player::jump);
         play.setName("play");
-        play.setMnemonic('P');
-        play.setToolTipText("Play or pause");
+        play.setToolTipText(TEXTS.get("play.hint"));
         play.addActionListener(event -> {
             if (player.isPlaying()) {
                 player.pause();
@@ -39,17 +41,17 @@ final class ReplayControls extends JPanel {
                 .map(times -> Value.plain(times) + " \u00d7")
                 .toArray(String[]::new));
         speed.setName("replaySpeed");
-        speed.getAccessibleContext().setAccessibleName("Speed of the replay");
+        speed.getAccessibleContext().setAccessibleName(TEXTS.get("speed.name"));
         speed.setSelectedIndex(SPEEDS.indexOf(1.0));
         speed.addActionListener(event -> player.setSpeed(SPEEDS.get(speed.getSelectedIndex())));
-        JLabel speedLabel = new JLabel("Speed");
+        JLabel speedLabel = new JLabel(TEXTS.get("speed"));
         speedLabel.setLabelFor(speed);
-        speedLabel.setDisplayedMnemonic('S');
         add(play, "w 84!");
         add(time, "w 230!");
         add(timeline);
         add(speedLabel);
         add(speed);
+        Mnemonics.assign(this);
     }
 
     /** The button that has the focus first. */
@@ -59,9 +61,12 @@ final class ReplayControls extends JPanel {
 
     /** Shows the position. */
     void show(double seconds, boolean playing) {
-        play.setText(playing ? "Pause" : "Play");
-        time.setText(ReplayTimes.clock(seconds) + " of " + ReplayTimes.clock(recording.endS()) + "  \u00b7  "
-                + ReplayTimes.timeOfDay(recording.head().begin().plusMillis(Math.round(seconds * 1000))));
+        play.setText(TEXTS.get(playing ? "pause" : "play"));
+        time.setText(TEXTS.get(
+                "position",
+                ReplayTimes.clock(seconds),
+                ReplayTimes.clock(recording.endS()),
+                ReplayTimes.timeOfDay(recording.head().timeOfDay(seconds))));
         timeline.follow(seconds);
     }
 }

@@ -15,6 +15,7 @@ import javax.swing.ListSelectionModel;
 import majic.gui.kit.Palette;
 import majic.log.Line;
 import majic.recorder.RecordedLine;
+import majic.text.Texts;
 
 /**
  * The lines of the recorded session; the last one up to the position is selected. A double click or Enter on another
@@ -22,6 +23,7 @@ import majic.recorder.RecordedLine;
  */
 final class ReplayLines extends JList<RecordedLine> {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ReplayLines.class);
 
     private final transient List<RecordedLine> lines;
 
@@ -34,8 +36,8 @@ final class ReplayLines extends JList<RecordedLine> {
         super(lines.toArray(new RecordedLine[0]));
         this.lines = lines;
         setName("replayLines");
-        getAccessibleContext().setAccessibleName("Lines of the recorded session");
-        setToolTipText("A double click continues the replay at this line");
+        getAccessibleContext().setAccessibleName(TEXTS.get("lines"));
+        setToolTipText(TEXTS.get("lines.hint"));
         setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         setVisibleRowCount(5);
         setCellRenderer(new LineRenderer());

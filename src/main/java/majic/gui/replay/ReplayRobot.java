@@ -2,7 +2,9 @@ package majic.gui.replay;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import majic.bot.BotType;
 import majic.bot.Pose;
 import majic.bot.ReplayDisplay;
@@ -11,6 +13,7 @@ import majic.panel.map.Trail;
 import majic.recorder.RecordedRobot;
 import majic.recorder.Recording;
 import majic.recorder.RobotTracks;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -18,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  * the thread of the replay.
  */
 final class ReplayRobot implements AutoCloseable {
+    private static final Texts TEXTS = Texts.of(ReplayRobot.class);
     private static final Logger LOG = System.getLogger(ReplayRobot.class.getName());
 
     /** A panel needs so much of what came before, to show echoes and all sonar readings. */
@@ -132,17 +136,35 @@ final class ReplayRobot implements AutoCloseable {
     /** One line about the robot. */
     String status(double atS) {
         if (!isPresent(atS)) {
-            return "not in the team at this time";
+            return TEXTS.get("notInTeam");
         }
         Pose at = pose(atS);
-        String moving = tracks.number("moving", atS).orElse(0.0) > 0 ? ", moving" : ", stationary";
+        return String.join(", ", conditions(atS)) + "   "
+                + TEXTS.get(
+                        robot().estimates() ? "pose.about" : "pose",
+                        Math.round(at.xMm()),
+                        Math.round(at.yMm()),
+                        Math.round(at.headingDeg()));
+    }
+
+    private List<String> conditions(double atS) {
+        List<String> conditions = new ArrayList<>();
+        conditions.add(connection(tracks.status("connection", atS)));
+        if (bot.isConnected()) {
+            conditions.add(TEXTS.get(tracks.number("moving", atS).orElse(0.0) > 0 ? "moving" : "stationary"));
+        }
         String owner = tracks.status("owner", atS);
-        String about = robot().estimates() ? "about " : "";
-        return tracks.status("connection", atS)
-                + (bot.isConnected() ? moving : "")
-                + (owner.isEmpty() ? "" : ", " + owner)
-                + "   " + about + "x " + Math.round(at.xMm()) + " mm   y " + Math.round(at.yMm()) + " mm   heading "
-                + Math.round(at.headingDeg()) + "\u00b0";
+        if (!owner.isEmpty()) {
+            conditions.add(owner);
+        }
+        return conditions;
+    }
+
+    private static String connection(String recorded) {
+        return switch (recorded) {
+            case "connected", "connecting", "lost", "closed" -> TEXTS.get(recorded);
+            default -> TEXTS.get("new");
+        };
     }
 
     @Override

@@ -3,12 +3,13 @@ package majic.gui.replay;
 import java.time.Instant;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
+import java.util.Date;
 import java.util.Locale;
+import majic.text.Texts;
 
 /** The form of times in a replay. */
 final class ReplayTimes {
-    private static final DateTimeFormatter DAY_AND_TIME =
-            DateTimeFormatter.ofPattern("d MMM yyyy, HH:mm:ss", Locale.ENGLISH);
+    private static final Texts TEXTS = Texts.of(ReplayTimes.class);
     private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
 
     private ReplayTimes() {}
@@ -25,7 +26,7 @@ final class ReplayTimes {
 
     /** A day with its time. */
     static String day(Instant moment) {
-        return DAY_AND_TIME.format(moment.atZone(ZoneId.systemDefault()));
+        return TEXTS.get("day", Date.from(moment));
     }
 
     /** The time of day. */

@@ -40,6 +40,7 @@ import majic.panel.PictureViewer;
 import majic.panel.map.ZoomableMap;
 import majic.recorder.Recording;
 import majic.text.IoReason;
+import majic.text.Texts;
 
 /**
  * Replays one file of a recording: the map of the team, the panels of its robots, the lines of the session, and the
@@ -47,6 +48,7 @@ import majic.text.IoReason;
  */
 public final class ReplayWindow extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ReplayWindow.class);
     private static final int BADGE_PX = 18;
 
     private final transient Recording recording;
@@ -61,7 +63,7 @@ public final class ReplayWindow extends JFrame implements PictureViewer {
     private final transient Plots plots;
 
     private ReplayWindow(Recording recording, ReplayServices services) {
-        super("MAJIC: replay of " + ReplayTimes.day(recording.head().begin()));
+        super(TEXTS.get("title", ReplayTimes.day(recording.head().begin())));
         this.recording = recording;
         this.services = services;
         this.robots = recording.tracks().stream()

@@ -18,6 +18,7 @@ import javax.swing.plaf.basic.BasicSliderUI;
 import majic.gui.kit.Palette;
 import majic.panel.DrawingColors;
 import majic.recorder.Mark;
+import majic.text.Texts;
 
 /**
  * The time slider of a replay, in tenths of a second, with marks above its track: a line where a command began, a
@@ -25,6 +26,7 @@ import majic.recorder.Mark;
  */
 final class Timeline extends JSlider {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(Timeline.class);
     private static final int STEPS_PER_S = 10;
     private static final int MARKS_PX = 16;
     private static final int NEAR_PX = 4;
@@ -43,7 +45,7 @@ final class Timeline extends JSlider {
         this.beginS = beginS;
         this.marks = marks.stream().filter(mark -> sign(mark) != Sign.NONE).toList();
         setName("timeline");
-        getAccessibleContext().setAccessibleName("Time of the recording");
+        getAccessibleContext().setAccessibleName(TEXTS.get("timeline"));
         setToolTipText("");
         setExtent(0);
         setUI(new MarkedTrack(this));
@@ -86,12 +88,12 @@ final class Timeline extends JSlider {
 
     private static String words(Mark mark) {
         return switch (mark.kind()) {
-            case STOP -> "STOP: " + mark.text();
-            case LOST -> mark.robot() + " lost: " + mark.text();
-            case UNCONFIRMED -> mark.robot() + " stop not confirmed: " + mark.text();
-            case ADDED -> mark.robot() + " added";
-            case REMOVED -> mark.robot() + " removed";
-            case REGAINED -> mark.robot() + " connected again";
+            case STOP -> TEXTS.get("mark.stop", mark.text());
+            case LOST -> TEXTS.get("mark.lost", mark.robot(), mark.text());
+            case UNCONFIRMED -> TEXTS.get("mark.unconfirmed", mark.robot(), mark.text());
+            case ADDED -> TEXTS.get("mark.added", mark.robot());
+            case REMOVED -> TEXTS.get("mark.removed", mark.robot());
+            case REGAINED -> TEXTS.get("mark.regained", mark.robot());
             default -> mark.text();
         };
     }
