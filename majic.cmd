@@ -15,7 +15,7 @@ if not exist "%JAR%" (
   )
   echo majic: building; the first time this fetches libraries and takes a minute or two 1>&2
   pushd "%HERE%"
-  call mvn -q -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip package <nul || (
+  call mvn -q -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package <nul || (
     echo majic: the build failed 1>&2
     popd
     exit /b 1

@@ -55,6 +55,15 @@ class LauncherTest {
     }
 
     @Test
+    void aLinkToTheLauncherStartsTheSameClone() throws Exception {
+        java("", "echo started; cat");
+        Path near = Files.createSymbolicLink(clone.resolve("link"), Path.of("majic"));
+        Path far = Files.createSymbolicLink(folder.resolve("majic-link"), near);
+
+        assertThat(start(far, "")).contains("started");
+    }
+
+    @Test
     void theLibraryThatAriasWrapperNeedsIsFoundInAriasFolder() throws Exception {
         Path lib = Files.createDirectories(folder.resolve("Aria/lib"));
         Files.createFile(lib.resolve("libAria.so"));
@@ -95,7 +104,11 @@ class LauncherTest {
     }
 
     private String start(String input, String... arguments) throws Exception {
-        ProcessBuilder launcher = new ProcessBuilder(clone.resolve("majic").toString());
+        return start(clone.resolve("majic"), input, arguments);
+    }
+
+    private String start(Path program, String input, String... arguments) throws Exception {
+        ProcessBuilder launcher = new ProcessBuilder(program.toString());
         launcher.command().addAll(List.of(arguments));
         launcher.redirectErrorStream(true);
         launcher.environment().put("JAVA_HOME", clone.toString());
