@@ -9,10 +9,13 @@ import majic.gui.editor.RecentMenu;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.ProgramServices;
 import majic.script.Session;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** Opens scripts in the script editor, which is created at its first use. */
 final class FrameEditor {
+    private static final Texts TEXTS = Texts.of(FrameEditor.class);
+
     private final MajicFrame frame;
     private final ProgramServices services;
     private final EditorContext context;
@@ -43,7 +46,7 @@ final class FrameEditor {
     }
 
     void chooseAndOpen() {
-        ChooseFile.toOpen(frame, services.settings(), "Open Script", ChooseFile.SCRIPTS, this::open);
+        ChooseFile.toOpen(frame, services.settings(), TEXTS.get("openScript.title"), ChooseFile.scripts(), this::open);
     }
 
     void open(Path file) {

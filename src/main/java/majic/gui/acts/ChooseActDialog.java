@@ -74,7 +74,7 @@ final class ChooseActDialog extends MajicDialog {
     }
 
     private void chooseFile() {
-        ChooseFile.toOpen(getOwner(), settings, "Choose", ChooseFile.ACTS, this::readFile);
+        ChooseFile.toOpen(getOwner(), settings, "Choose", ChooseFile.acts(), this::readFile);
     }
 
     private void readAll() {

@@ -144,7 +144,7 @@ public final class EditorWindow extends JFrame {
 
     /** Asks for a script and opens it. */
     public void chooseAndOpen() {
-        ChooseFile.toOpen(this, context.settings(), TEXTS.get("openScript"), ChooseFile.SCRIPTS, this::open);
+        ChooseFile.toOpen(this, context.settings(), TEXTS.get("openScript"), ChooseFile.scripts(), this::open);
     }
 
     /** Opens a script, or selects its tab if it is open. It is read in the background. */

@@ -4,19 +4,22 @@ import majic.bot.BotState;
 import majic.bot.Pose;
 import majic.team.Member;
 import majic.team.Owner;
+import majic.text.Texts;
 
 /** Formats the texts of the status strip above a robot's display. */
 public final class BotStatus {
+    private static final Texts TEXTS = Texts.of(BotStatus.class);
+
     private BotStatus() {}
 
     /** Describes how the robot is connected and whether it moves. */
     public static String condition(Member member) {
         return switch (member.bot().connection()) {
-            case NEW -> "not connected";
-            case CONNECTING -> "connecting…";
-            case CONNECTED -> member.bot().state().moving() ? "connected, moving" : "connected, stationary";
-            case LOST -> "connection lost";
-            case CLOSED -> "closed";
+            case NEW -> TEXTS.get("new");
+            case CONNECTING -> TEXTS.get("connecting");
+            case CONNECTED -> TEXTS.get(member.bot().state().moving() ? "moving" : "stationary");
+            case LOST -> TEXTS.get("lost");
+            case CLOSED -> TEXTS.get("closed");
         };
     }
 
@@ -27,8 +30,8 @@ public final class BotStatus {
             return "";
         }
         return switch (owner.kind()) {
-            case MANUAL -> "driven by hand";
-            case ACT, SCRIPT -> "running " + owner.name();
+            case MANUAL -> TEXTS.get("byHand");
+            case ACT, SCRIPT -> TEXTS.get("running", owner.name());
         };
     }
 
@@ -42,11 +45,13 @@ public final class BotStatus {
     public static String pose(Member member) {
         BotState state = member.bot().state();
         if (state.equals(BotState.UNKNOWN)) {
-            return "no position yet";
+            return TEXTS.get("noPosition");
         }
         Pose at = state.pose();
-        String about = member.bot().profile().estimates() ? "about " : "";
-        return about + "x " + Math.round(at.xMm()) + " mm   y " + Math.round(at.yMm()) + " mm   heading "
-                + Math.round(at.headingDeg()) + "°";
+        return TEXTS.get(
+                member.bot().profile().estimates() ? "pose.estimated" : "pose",
+                Math.round(at.xMm()),
+                Math.round(at.yMm()),
+                Math.round(at.headingDeg()));
     }
 }

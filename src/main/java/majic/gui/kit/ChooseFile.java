@@ -21,22 +21,13 @@ import javax.swing.JTextField;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import majic.bot.Settings;
+import majic.text.Texts;
 
 /** Asks for a file without blocking the window; starts in the folder where a file was chosen last. */
 public final class ChooseFile extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ChooseFile.class);
     private static final String FOLDER = "window.folder";
-
-    /** Accepts the files that Load Act can load. */
-    public static final FileFilter ACTS =
-            new FileNameExtensionFilter("Acts and scripts (.act, .majic)", "act", "majic");
-
-    /** Accepts the files that the script editor can open. */
-    public static final FileFilter SCRIPTS =
-            new FileNameExtensionFilter("Scripts and saved sessions (.majic, .script)", "majic", "script");
-
-    private static final FileFilter SOURCES = new FileNameExtensionFilter(
-            "Classes, jars, sources and scripts (.class, .jar, .java, .majic)", "class", "jar", "java", "majic");
 
     private final JFileChooser chooser = new JFileChooser();
     private final Paragraph problem = new Paragraph("fileProblem", 2, 40);
@@ -58,6 +49,16 @@ public final class ChooseFile extends MajicDialog {
         setContentPane(content);
     }
 
+    /** Accepts the files that Load Act can load. */
+    public static FileFilter acts() {
+        return new FileNameExtensionFilter(TEXTS.get("acts"), "act", "majic");
+    }
+
+    /** Accepts the files that the script editor can open. */
+    public static FileFilter scripts() {
+        return new FileNameExtensionFilter(TEXTS.get("scripts"), "majic", "script");
+    }
+
     /** Asks which file to open; the title is also the button's text. */
     public static void toOpen(Window owner, Settings settings, String title, FileFilter filter, Consumer<Path> chosen) {
         ChooseFile dialog = new ChooseFile(owner, settings, title, JFileChooser.OPEN_DIALOG);
@@ -68,9 +69,10 @@ public final class ChooseFile extends MajicDialog {
 
     /** Asks for the source of an act's file; a folder is accepted. */
     public static void toMakeOf(Window owner, Settings settings, Consumer<Path> chosen) {
-        ChooseFile dialog = new ChooseFile(owner, settings, "Choose", JFileChooser.OPEN_DIALOG);
+        ChooseFile dialog = new ChooseFile(owner, settings, TEXTS.get("choose"), JFileChooser.OPEN_DIALOG);
         dialog.chooser.setFileSelectionMode(JFileChooser.FILES_AND_DIRECTORIES);
-        dialog.chooser.setFileFilter(SOURCES);
+        dialog.chooser.setFileFilter(
+                new FileNameExtensionFilter(TEXTS.get("sources"), "class", "jar", "java", "majic"));
         dialog.open(dialog.closingAfter(chosen));
     }
 
@@ -155,7 +157,7 @@ public final class ChooseFile extends MajicDialog {
     private Consumer<Path> afterConfirmation(Consumer<Path> chosen) {
         return file -> {
             if (Files.exists(file)) {
-                Confirm.ask(this, file + " exists. Overwrite it?", "Overwrite", () -> chosen.accept(file));
+                Confirm.ask(this, TEXTS.get("exists", file), TEXTS.get("overwrite"), () -> chosen.accept(file));
             } else {
                 chosen.accept(file);
             }

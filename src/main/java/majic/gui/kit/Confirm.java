@@ -3,18 +3,20 @@ package majic.gui.kit;
 import java.awt.Window;
 import javax.swing.JButton;
 import javax.swing.JLabel;
+import majic.text.Texts;
 
 /** Asks for confirmation before an action that cannot be undone. */
 public final class Confirm extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(Confirm.class);
 
     private Confirm(Window owner, String question, String yes, Runnable action) {
-        super(owner, "MAJIC asks");
+        super(owner, TEXTS.get("question"));
         JButton agree = button(yes, () -> {
             dispose();
             action.run();
         });
-        fill(new JLabel(question), agree, closing("No"));
+        fill(new JLabel(question), agree, closing(TEXTS.get("no")));
     }
 
     /**

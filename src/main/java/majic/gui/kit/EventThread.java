@@ -6,9 +6,11 @@ import java.nio.file.InvalidPathException;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
+import majic.text.Texts;
 
 /** Runs tasks on the event dispatch thread, and blocking tasks off it. */
 public final class EventThread {
+    private static final Texts TEXTS = Texts.of(EventThread.class);
     private static final Logger LOG = System.getLogger(EventThread.class.getName());
 
     private EventThread() {}
@@ -41,7 +43,7 @@ public final class EventThread {
         try {
             background(doing, () -> attempt(doing, work, failed));
         } catch (OutOfMemoryError e) {
-            failed.accept("The system has no thread left for " + doing + "; end another program and try again.");
+            failed.accept(TEXTS.get("noThread"));
         }
     }
 
@@ -52,7 +54,7 @@ public final class EventThread {
             later(() -> failed.accept(String.valueOf(e.getMessage())));
         } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, doing + " failed", e);
-            later(() -> failed.accept("An error in MAJIC, see its log."));
+            later(() -> failed.accept(TEXTS.get("error")));
         }
     }
 }

@@ -5,10 +5,12 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.JComboBox;
 import majic.team.Member;
+import majic.text.Texts;
 
 /** A drop-down list of robots. */
 public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(MemberChoice.class);
 
     /** One robot, or several together, as the list shows them. */
     public record Entry(List<Member> members) {
@@ -20,8 +22,9 @@ public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
         public String toString() {
             String numbers =
                     members.stream().map(member -> "" + member.number()).collect(Collectors.joining(", "));
-            return numbers + "  "
-                    + (members.size() == 1 ? members.get(0).bot().type().label() : "the selected robots");
+            return members.size() == 1
+                    ? numbers + "  " + members.get(0).bot().type().label()
+                    : TEXTS.get("selected", numbers);
         }
     }
 

@@ -4,10 +4,12 @@ import java.awt.Color;
 import java.util.function.Supplier;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import majic.text.Texts;
 
 /** A text that is wrapped to the available width, and that can be copied but not edited. */
 public final class Paragraph extends JTextArea {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(Paragraph.class);
 
     private transient Supplier<Color> color = Palette::text;
 
@@ -19,7 +21,7 @@ public final class Paragraph extends JTextArea {
     public Paragraph(String name, int rows, int columns) {
         super(rows, columns);
         setName(name);
-        getAccessibleContext().setAccessibleName("Message");
+        getAccessibleContext().setAccessibleName(TEXTS.get("message"));
         setEditable(false);
         setLineWrap(true);
         setWrapStyleWord(true);

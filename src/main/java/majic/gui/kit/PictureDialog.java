@@ -11,10 +11,12 @@ import javax.imageio.ImageIO;
 import majic.bot.Settings;
 import majic.panel.PictureView;
 import majic.text.IoReason;
+import majic.text.Texts;
 
 /** Shows a robot's camera pictures as large as its window, and saves one of them as a PNG file. */
 public final class PictureDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(PictureDialog.class);
     private static final Dimension LARGE = new Dimension(640, 480);
     private static final Dimension LEAST = new Dimension(320, 280);
 
@@ -30,24 +32,24 @@ public final class PictureDialog extends MajicDialog {
         super(owner, view.title());
         this.settings = settings;
         large = view.copy(UIScale.scale(LARGE.width), UIScale.scale(LARGE.height));
-        fill(large, button("Save Picture…", this::save), closing("Close"));
+        fill(large, button(TEXTS.get("savePicture.button"), this::save), closing(TEXTS.get("close")));
         setMinimumSize(UIScale.scale(LEAST));
     }
 
     /** Asks for a file for the picture that is shown now. */
     private void save() {
         large.image()
-                .ifPresent(picture ->
-                        ChooseFile.toSave(this, settings, "Save Picture", "picture.png", file -> write(picture, file)));
+                .ifPresent(picture -> ChooseFile.toSave(
+                        this, settings, TEXTS.get("savePicture"), "picture.png", file -> write(picture, file)));
     }
 
     private static Optional<String> write(BufferedImage picture, Path file) {
         try {
             return ImageIO.write(picture, "png", file.toFile())
                     ? Optional.empty()
-                    : Optional.of(file + ": this picture cannot be written as PNG");
+                    : Optional.of(TEXTS.get("notPng", file));
         } catch (IOException e) {
-            return Optional.of(file + " cannot be written (" + IoReason.of(e) + ")");
+            return Optional.of(TEXTS.get("notWritten", file, IoReason.of(e)));
         }
     }
 }

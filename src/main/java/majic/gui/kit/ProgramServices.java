@@ -35,7 +35,7 @@ public record ProgramServices(
             @Nullable Runnable startLab,
             Runnable quit,
             Settings settings) {
-        this(serialPorts, startLab, quit, settings, new RecordingFolder(Path.of("no recordings")), null, null);
+        this(serialPorts, startLab, quit, settings, new RecordingFolder(Path.of("no-recordings")), null, null);
     }
 
     /**

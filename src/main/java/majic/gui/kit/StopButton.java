@@ -4,10 +4,12 @@ import java.awt.Color;
 import javax.swing.JButton;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.Texts;
 
 /** The STOP button of the windows beside the main one. Stops all robots; shows whether STOP is latched. */
 public final class StopButton extends JButton {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(StopButton.class);
     private static final Color RED = new Color(0xC62828);
     private static final Color DARK_RED = new Color(0x7F1D1D);
 
@@ -26,8 +28,7 @@ public final class StopButton extends JButton {
         setForeground(Color.WHITE);
         putClientProperty("JButton.buttonType", "roundRect");
         putClientProperty("FlatLaf.style", "font: bold +4");
-        setToolTipText(
-                "Stops every robot at once; in every window of MAJIC also F12, and Esc unless it closes something");
+        setToolTipText(TEXTS.get("stop.tip"));
         addActionListener(event -> stopAll.run());
         showLatch();
     }
@@ -48,9 +49,9 @@ public final class StopButton extends JButton {
 
     private void showLatch() {
         boolean latched = team.isLatched();
-        setText(latched ? "STOPPED" : "STOP");
+        setText(TEXTS.get(latched ? "stopped" : "stop"));
         setBackground(latched ? DARK_RED : RED);
-        getAccessibleContext().setAccessibleName(latched ? "Stopped; stop again" : "Stop all robots");
+        getAccessibleContext().setAccessibleName(TEXTS.get(latched ? "stopped.name" : "stop.name"));
     }
 
     /** Shows the team's present state rather than the event's, because events may arrive late. */
