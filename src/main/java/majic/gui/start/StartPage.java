@@ -10,20 +10,21 @@ import javax.swing.SwingUtilities;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Offers what can be done while there is no robot. Must be used on the event dispatch thread. */
 public final class StartPage extends JPanel {
     private static final long serialVersionUID = 1L;
-    private static final String NO_TEAM = "None yet; the next team is offered here";
+    private static final Texts TEXTS = Texts.of(StartPage.class);
 
     private final transient LastTeam lastTeam;
     private final transient StartActions actions;
     private final StartButton lab;
     private final StartButton team;
     private final transient List<StartButton> buttons;
-    private final JLabel welcome = new JLabel("Welcome to MAJIC");
-    private final JLabel hint = new PlainLabel("startHint", "No robot is connected yet.");
+    private final JLabel welcome = new JLabel(TEXTS.get("welcome"));
+    private final JLabel hint = new PlainLabel("startHint", TEXTS.get("hint"));
 
     /**
      * Creates the page.
@@ -36,18 +37,17 @@ public final class StartPage extends JPanel {
         this.actions = actions;
         this.lastTeam = lastTeam;
         setName("startPage");
-        lab = new StartButton("Start the simulated lab", "", "lab", actions.startLab());
-        team = new StartButton("Yesterday's team", NO_TEAM, "team", actions.openLastTeam());
+        lab = new StartButton(TEXTS.get("lab"), "", "lab", actions.startLab());
+        team = new StartButton(TEXTS.get("team"), TEXTS.get("team.none"), "team", actions.openLastTeam());
         welcome.putClientProperty("FlatLaf.styleClass", "h2");
         add(welcome);
         add(hint, "gapbottom 8");
         buttons = List.of(
                 lab,
-                new StartButton("Add a robot", "By its address, or found on the network", "add", actions.addBot()),
+                new StartButton(TEXTS.get("robot"), TEXTS.get("robot.detail"), "add", actions.addBot()),
                 team,
-                new StartButton(
-                        "Open a session", "A saved session or another script", "session", actions.openSession()),
-                new StartButton("Tour", "Five minutes with the robots of the lab", "tour", actions.startTour()));
+                new StartButton(TEXTS.get("session"), TEXTS.get("session.detail"), "session", actions.openSession()),
+                new StartButton(TEXTS.get("tour"), TEXTS.get("tour.detail"), "tour", actions.startTour()));
         buttons.forEach(this::add);
         showTeam(List.of());
         lastTeam.onChange(this::showTeam);
@@ -56,15 +56,14 @@ public final class StartPage extends JPanel {
 
     private void showTeam(List<String> names) {
         team.setEnabled(!names.isEmpty());
-        team.describe(names.isEmpty() ? NO_TEAM : String.join(", ", names));
+        team.describe(names.isEmpty() ? TEXTS.get("team.none") : String.join(", ", names));
     }
 
     /** Shows whether the lab can be started; called before the page is shown. */
     private void showLab() {
         boolean can = actions.canStartLab().getAsBoolean();
         lab.setEnabled(can);
-        lab.describe(
-                can ? "Three robots in a room on this computer" : "The lab runs already; Add a robot lists its robots");
+        lab.describe(TEXTS.get(can ? "lab.detail" : "lab.running"));
     }
 
     @Override

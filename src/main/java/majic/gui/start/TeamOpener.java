@@ -26,16 +26,16 @@ public final class TeamOpener {
     }
 
     public void open(Path file) {
-        open("opening " + file.getFileName(), () -> SavedTeam.read(file));
+        open(() -> SavedTeam.read(file));
     }
 
     public void open(LastTeam last) {
-        open("opening the last team", () -> last.saved().orElseThrow());
+        open(() -> last.saved().orElseThrow());
     }
 
-    private void open(String doing, Supplier<SavedTeam> reading) {
+    private void open(Supplier<SavedTeam> reading) {
         EventThread.background(
-                doing,
+                "opening a team",
                 () -> {
                     SavedTeam team = reading.get();
                     Runnable startLab = services.startLab();

@@ -14,6 +14,7 @@ import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.PlainLabel;
 import majic.script.Session;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -22,6 +23,7 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class Tour extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(Tour.class);
     private static final int LOOK_MS = 200;
 
     /** The share of the window's width to the left of the panel, which has the pad. */
@@ -35,9 +37,9 @@ public final class Tour extends MajicDialog {
     private final Paragraph text = new Paragraph("tourText", 9, 30);
     private final JLabel state = new PlainLabel("tourState", "");
     private final JProgressBar progress = new JProgressBar(0, TourStep.ALL.size());
-    private final JButton next = button("Next", this::next);
-    private final JButton skip = button("Skip", this::next);
-    private final JButton leave = closing("Leave");
+    private final JButton next = button(TEXTS.get("next"), this::next);
+    private final JButton skip = button(TEXTS.get("skip"), this::next);
+    private final JButton leave = closing(TEXTS.get("leave"));
     private final Timer look = new Timer(LOOK_MS, event -> look());
     private int step = -1;
     private boolean done;
@@ -48,12 +50,12 @@ public final class Tour extends MajicDialog {
      * @param owner the main window
      */
     public Tour(Window owner, Session session) {
-        super(owner, "Tour");
+        super(owner, TEXTS.get("tour.title"));
         events = new TourEvents(session);
         title.putClientProperty("FlatLaf.styleClass", "h3");
         text.setFocusable(true);
         fill(content(), next, skip, leave);
-        getAccessibleContext().setAccessibleDescription("Shows one step after the other");
+        getAccessibleContext().setAccessibleDescription(TEXTS.get("tour.description"));
         next();
         placeBeside(owner);
         look.start();
@@ -61,7 +63,7 @@ public final class Tour extends MajicDialog {
 
     private JPanel content() {
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 6 6, wrap 1", "[340, fill]", "[][][][grow, fill][]"));
-        progress.getAccessibleContext().setAccessibleName("Steps done");
+        progress.getAccessibleContext().setAccessibleName(TEXTS.get("steps"));
         panel.add(count, "split 2, growx 0");
         panel.add(progress, "h 6!, gapleft 10");
         panel.add(title);
@@ -79,21 +81,21 @@ public final class Tour extends MajicDialog {
             end();
             return;
         }
-        count.setText("Step " + (step + 1) + " of " + TourStep.ALL.size());
-        title.setText(TourStep.ALL.get(step).title());
+        count.setText(TEXTS.get("step", step + 1, TourStep.ALL.size()));
+        title.setText(TEXTS.get(TourStep.ALL.get(step).title()));
         skip.setVisible(true);
         look();
     }
 
     private void end() {
         look.stop();
-        count.setText("Done");
-        title.setText("That was the tour");
-        text.show("Help lists all commands, parameters and keys. Add Bot connects a robot of your own.", false);
+        count.setText(TEXTS.get("end"));
+        title.setText(TEXTS.get("end.title"));
+        text.show(TEXTS.get("end.text"), false);
         state.setText(" ");
         next.setVisible(false);
         skip.setVisible(false);
-        leave.setText("Close");
+        leave.setText(TEXTS.get("close"));
         getRootPane().setDefaultButton(leave);
     }
 
@@ -101,11 +103,11 @@ public final class Tour extends MajicDialog {
     private void look() {
         TourStep now = TourStep.ALL.get(step);
         done |= now.done().test(events);
-        String wanted = events.named(now.text());
+        String wanted = TEXTS.get(now.text(), events.robotNumber());
         if (!wanted.equals(text.getText())) {
             text.show(wanted, false);
         }
-        state.setText(done ? "\u2713 Done; Next goes on." : "Waiting for you to do this …");
+        state.setText(TEXTS.get(done ? "done" : "waiting"));
         next.setEnabled(done);
         skip.setVisible(!done);
     }

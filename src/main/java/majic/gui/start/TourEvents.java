@@ -49,14 +49,14 @@ final class TourEvents implements SessionListener, TeamListener, AutoCloseable {
                 .findFirst();
     }
 
-    /** Replaces the letter {@code N} that stands for the number of the robot. */
-    String named(String text) {
-        return text.replaceAll("\\bN\\b", "" + pioneer().orElse(USUAL_NUMBER));
+    /** Returns the number that the robot has or probably gets. */
+    int robotNumber() {
+        return pioneer().orElse(USUAL_NUMBER);
     }
 
     /** Returns whether an answer matched a pattern, in which {@code N} stands for the number of the robot. */
     boolean answered(String pattern) {
-        Pattern wanted = Pattern.compile(named(pattern));
+        Pattern wanted = Pattern.compile(pattern.replaceAll("\\bN\\b", "" + robotNumber()));
         return answers.stream().anyMatch(answer -> wanted.matcher(answer).matches());
     }
 
