@@ -26,11 +26,11 @@ import majic.gui.start.Tour;
 import majic.panel.PictureView;
 import majic.script.Session;
 import majic.team.Member;
+import majic.text.Texts;
 
 /** Opens the window's dialogs; creates each at its first use and never shows one of them twice at a time. */
 final class FrameDialogs {
-    private static final String KILL_BOT = "Kill Bot";
-    private static final String LOAD_ACT = "Load Act";
+    private static final Texts TEXTS = Texts.of(FrameDialogs.class);
 
     private final MajicFrame frame;
     private final Session session;
@@ -52,7 +52,9 @@ final class FrameDialogs {
     }
 
     void addBot() {
-        open("Add Bot", () -> new AddBotDialog(frame, session, services, selection::select, AddBotDialog.GIVE_UP_MS));
+        open(
+                AddBotDialog.class,
+                () -> new AddBotDialog(frame, session, services, selection::select, AddBotDialog.GIVE_UP_MS));
     }
 
     void removeBot() {
@@ -61,13 +63,13 @@ final class FrameDialogs {
 
     /** Opens the dialog that removes a robot, with this one chosen; one that is open for another robot is closed. */
     void removeBot(Member member) {
-        close(KILL_BOT);
+        close(KillBotDialog.class);
         removeBot(Optional.of(member));
     }
 
     private void removeBot(Optional<Member> chosen) {
         Consumer<Member> kill = member -> frame.submit("remove " + member.number());
-        open(KILL_BOT, () -> new KillBotDialog(frame, session.team().members(), chosen, kill));
+        open(KillBotDialog.class, () -> new KillBotDialog(frame, session.team().members(), chosen, kill));
     }
 
     void loadAct() {
@@ -76,34 +78,32 @@ final class FrameDialogs {
 
     /** Opens the dialogs that load an act, with this robot chosen; one that is open for another robot is closed. */
     void loadAct(Member member) {
-        close(LOAD_ACT);
+        close(LoadActDialog.class);
         loadAct(List.of(member));
     }
 
     private void loadAct(List<Member> chosen) {
-        open(LOAD_ACT, () -> new LoadActDialog(frame, session.team().members(), chosen, loader::load));
+        open(LoadActDialog.class, () -> new LoadActDialog(frame, session.team().members(), chosen, loader::load));
     }
 
     void makeAct() {
-        open("Make Act", () -> new MakeActDialog(frame, session.offers(), services.settings()));
+        open(MakeActDialog.class, () -> new MakeActDialog(frame, session.offers(), services.settings()));
     }
 
     /** Opens the dialog that makes the file of an act, for a script. */
     void makeActOf(Path script) {
         makeAct();
-        shown("Make Act").ifPresent(dialog -> ((MakeActDialog) dialog).makeOf(script));
+        shown(MakeActDialog.class).forEach(dialog -> dialog.makeOf(script));
     }
 
     void help() {
-        open("Help", this::newHelp);
+        open(HelpDialog.class, this::newHelp);
     }
 
     /** Shows the guide, in the help if that is open already. */
     void guide() {
-        open("Help", this::newHelp);
-        Stream.of(frame.getOwnedWindows())
-                .filter(window -> window.isShowing() && window instanceof HelpDialog)
-                .forEach(window -> ((HelpDialog) window).showGuide());
+        open(HelpDialog.class, this::newHelp);
+        shown(HelpDialog.class).forEach(HelpDialog::showGuide);
     }
 
     private HelpDialog newHelp() {
@@ -111,19 +111,21 @@ final class FrameDialogs {
     }
 
     void about() {
-        open("About MAJIC", () -> new AboutDialog(frame));
+        open(AboutDialog.class, () -> new AboutDialog(frame));
     }
 
     void picture(PictureView view) {
-        open(view.title(), () -> new PictureDialog(frame, view, services.settings()));
+        toFrontOr(
+                shown(PictureDialog.class).filter(dialog -> dialog.getTitle().equals(view.title())),
+                () -> new PictureDialog(frame, view, services.settings()));
     }
 
     void saveTeam() {
-        save("Save Team", "lab.team", "save team ");
+        save(TEXTS.get("saveTeam.title"), "lab.team", "team");
     }
 
     void tour() {
-        open("Tour", () -> new Tour(frame, session));
+        open(Tour.class, () -> new Tour(frame, session));
     }
 
     /**
@@ -135,26 +137,26 @@ final class FrameDialogs {
         ChooseFile.toSave(
                 frame,
                 services.settings(),
-                "Save Session",
+                TEXTS.get("saveSession"),
                 "session.majic",
-                file -> save("save session ", file),
-                new ChooseFile.Offer("Open it in the script editor", edit));
+                file -> save("session", file),
+                new ChooseFile.Offer(TEXTS.get("saveSession.edit"), edit));
     }
 
     void saveLog() {
-        save("Save Log", "log.csv", "save log ");
+        save(TEXTS.get("saveLog"), "log.csv", "log");
     }
 
     void openRecording() {
-        open("Open Recording", () -> new RecordingsDialog(frame, services.recordings(), replays()));
+        open(RecordingsDialog.class, () -> new RecordingsDialog(frame, services.recordings(), replays()));
     }
 
     private ReplayServices replays() {
         return new ReplayServices(services.settings(), session.factory().types(), frame::stopButton);
     }
 
-    private void save(String title, String suggestion, String command) {
-        ChooseFile.toSave(frame, services.settings(), title, suggestion, file -> save(command, file));
+    private void save(String title, String suggestion, String what) {
+        ChooseFile.toSave(frame, services.settings(), title, suggestion, file -> save(what, file));
     }
 
     /**
@@ -163,35 +165,38 @@ final class FrameDialogs {
      *
      * @return why it failed; empty if it did not
      */
-    private Optional<String> save(String command, Path file) {
+    private Optional<String> save(String what, Path file) {
         if (file.toString().contains("\"")) {
-            return Optional.of(file + ": a file whose name has a quotation mark in it cannot be used here");
+            return Optional.of(TEXTS.get("quotationMark", file));
         }
-        return AwaitedLine.run(session, command + '"' + file + '"');
+        return AwaitedLine.run(session, "save " + what + " \"" + file + '"');
     }
 
     private void withRobots(Consumer<List<Member>> action) {
         List<Member> members = session.team().members();
         if (members.isEmpty()) {
-            frame.showError("There are no robots yet; Add Bot connects one.");
+            frame.showError(TEXTS.get("noRobot"));
         } else {
             action.accept(members);
         }
     }
 
-    private void open(String title, Supplier<MajicDialog> make) {
-        shown(title).ifPresentOrElse(Window::toFront, () -> make.get().setVisible(true));
+    private <D extends MajicDialog> void open(Class<D> kind, Supplier<D> make) {
+        toFrontOr(shown(kind), make);
     }
 
-    private Optional<Window> shown(String title) {
+    private static <D extends MajicDialog> void toFrontOr(Stream<D> shown, Supplier<D> make) {
+        shown.findFirst().ifPresentOrElse(Window::toFront, () -> make.get().setVisible(true));
+    }
+
+    private <D extends MajicDialog> Stream<D> shown(Class<D> kind) {
         return Stream.of(frame.getOwnedWindows())
-                .filter(window -> window instanceof MajicDialog dialog
-                        && dialog.isShowing()
-                        && dialog.getTitle().equals(title))
-                .findFirst();
+                .filter(Window::isShowing)
+                .filter(kind::isInstance)
+                .map(kind::cast);
     }
 
-    private void close(String title) {
-        shown(title).ifPresent(Window::dispose);
+    private void close(Class<? extends MajicDialog> kind) {
+        shown(kind).forEach(Window::dispose);
     }
 }

@@ -23,10 +23,10 @@ final class FrameMenu extends JMenuBar {
     FrameMenu(MajicFrame frame, FrameActions actions, FrameEditor editor) {
         add(file(actions, editor));
         add(robots(frame, actions));
-        add(menu("Act", actions.loadAct, actions.endAct, null, actions.makeAct));
+        add(menu(TEXTS.get("act"), actions.loadAct, actions.endAct, null, actions.makeAct));
         add(lab(frame));
         add(view(frame));
-        add(menu("Help", actions.help, actions.guide, actions.tour, null, actions.about));
+        add(menu(TEXTS.get("help"), actions.help, actions.guide, actions.tour, null, actions.about));
         Mnemonics.assign(this);
     }
 
@@ -56,8 +56,8 @@ final class FrameMenu extends JMenuBar {
     }
 
     private static JMenu file(FrameActions actions, FrameEditor editor) {
-        JMenu file = menu("File", actions.newScript, actions.openScript);
-        JMenu recent = new JMenu("Open recent");
+        JMenu file = menu(TEXTS.get("file"), actions.newScript, actions.openScript);
+        JMenu recent = new JMenu(TEXTS.get("openRecent"));
         recent.addChangeListener(change -> {
             if (recent.isSelected()) {
                 editor.fillRecent(recent);
@@ -77,11 +77,12 @@ final class FrameMenu extends JMenuBar {
     }
 
     private static JMenu robots(MajicFrame frame, FrameActions actions) {
-        JMenu robots = menu("Robot", actions.addBot, actions.killBot, null, actions.openTeam, actions.saveTeam, null);
+        JMenu robots = menu(
+                TEXTS.get("robot"), actions.addBot, actions.killBot, null, actions.openTeam, actions.saveTeam, null);
         JMenuItem reconnect = new JCheckBoxMenuItem(
-                "Reconnect lost robots", frame.reconnecting().isEnabled());
+                TEXTS.get("reconnect"), frame.reconnecting().isEnabled());
         reconnect.addActionListener(event -> frame.reconnecting().enable(reconnect.isSelected()));
-        JMenuItem gamepad = new JCheckBoxMenuItem("Drive by game controller");
+        JMenuItem gamepad = new JCheckBoxMenuItem(TEXTS.get("gamepad"));
         gamepad.addActionListener(event -> frame.driveByGamepad(gamepad.isSelected()));
         robots.addChangeListener(change -> gamepad.setSelected(frame.isDrivenByGamepad()));
         robots.add(reconnect);
@@ -90,10 +91,10 @@ final class FrameMenu extends JMenuBar {
     }
 
     private static JMenu lab(MajicFrame frame) {
-        JMenu lab = new JMenu("Lab");
-        JMenuItem start = new JMenuItem("Start the simulated lab");
+        JMenu lab = new JMenu(TEXTS.get("lab"));
+        JMenuItem start = new JMenuItem(TEXTS.get("startLab"));
         start.addActionListener(event -> frame.lab().start());
-        JMenuItem poses = new JMenuItem("Show the true positions");
+        JMenuItem poses = new JMenuItem(TEXTS.get("truePositions"));
         poses.addActionListener(event -> frame.submit("lab"));
         lab.add(start);
         lab.add(poses);
@@ -105,17 +106,17 @@ final class FrameMenu extends JMenuBar {
     }
 
     private static JMenu view(MajicFrame frame) {
-        JMenu view = new JMenu("View");
-        JMenuItem all = new JMenuItem("Show the whole map");
+        JMenu view = new JMenu(TEXTS.get("view"));
+        JMenuItem all = new JMenuItem(TEXTS.get("wholeMap"));
         all.addActionListener(event -> frame.showWholeMap());
         view.add(all);
-        JMenuItem plot = new JMenuItem("New plot…");
+        JMenuItem plot = new JMenuItem(TEXTS.get("newPlot"));
         plot.addActionListener(event -> frame.newPlot());
         view.add(plot);
         view.addSeparator();
         ButtonGroup group = new ButtonGroup();
         for (boolean dark : List.of(false, true)) {
-            JMenuItem look = new JRadioButtonMenuItem(dark ? "Dark" : "Light", FlatLaf.isLafDark() == dark);
+            JMenuItem look = new JRadioButtonMenuItem(TEXTS.get(dark ? "dark" : "light"), FlatLaf.isLafDark() == dark);
             look.addActionListener(event -> LookAndFeels.change(dark, frame.settings()));
             group.add(look);
             view.add(look);
@@ -127,7 +128,7 @@ final class FrameMenu extends JMenuBar {
     }
 
     private static JMenu textSize(MajicFrame frame) {
-        JMenu sizes = new JMenu("Text size");
+        JMenu sizes = new JMenu(TEXTS.get("textSize"));
         ButtonGroup group = new ButtonGroup();
         for (int percent : LookAndFeels.TEXT_SIZES) {
             JMenuItem size =

@@ -10,10 +10,11 @@ import majic.gui.kit.ProgramServices;
 import majic.gui.start.LastTeam;
 import majic.gui.start.TeamOpener;
 import majic.script.Session;
+import majic.text.Texts;
 
 /** Opens saved teams and the team of the last session, and keeps the present one. */
 final class FrameTeams {
-    private static final FileFilter TEAMS = new FileNameExtensionFilter("Teams (.team)", "team");
+    private static final Texts TEXTS = Texts.of(FrameTeams.class);
 
     private final Window owner;
     private final ProgramServices services;
@@ -38,6 +39,7 @@ final class FrameTeams {
 
     /** Asks for the file of a team, and opens it. */
     void chooseAndOpen() {
-        ChooseFile.toOpen(owner, services.settings(), "Open Team", TEAMS, opener::open);
+        FileFilter files = new FileNameExtensionFilter(TEXTS.get("teamFiles"), "team");
+        ChooseFile.toOpen(owner, services.settings(), TEXTS.get("openTeam.title"), files, opener::open);
     }
 }

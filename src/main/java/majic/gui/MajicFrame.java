@@ -184,7 +184,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     private void stopAll() {
         if (!session.team().stopAllIfAny()) {
-            showError("There is no robot to stop; Add Bot connects one.");
+            showError(TEXTS.get("noRobotToStop"));
         }
     }
 
@@ -237,7 +237,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         editor.closeThen(() -> {
             if (!quitting) {
                 quitting = true;
-                setTitle("MAJIC: stopping and closing all robots …");
+                setTitle(TEXTS.get("quitting"));
                 EventThread.background("quit", () -> {
                     Runnable keepTeam = teams.last().snapshot();
                     services.quit().run();
@@ -311,10 +311,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                 selection.members().stream().filter(BotStatus::isInAct).toList();
         List<Member> meant = inAct.isEmpty() ? selection.members() : inAct;
         if (meant.isEmpty()) {
-            showError(
-                    totalBots() == 0
-                            ? "There are no robots yet; Add Bot connects one."
-                            : "No robot is selected; click its card first.");
+            showError(TEXTS.get(totalBots() == 0 ? "noRobot" : "noneSelected"));
         } else {
             channel.submit(
                     meant.stream().map(member -> "" + member.number()).collect(Collectors.joining(",")) + " act off");

@@ -12,6 +12,7 @@ import majic.gui.kit.PlainLabel;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -20,18 +21,16 @@ import net.miginfocom.swing.MigLayout;
  */
 final class StopAlarm extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(StopAlarm.class);
     private static final Color RED = new Color(0xB3261E);
 
     /** How many reasons are shown; the reasons of further robots are on their cards. */
     private static final int MOST_REASONS = 4;
 
-    private static final String REMEDY =
-            "Switch off by hand what moves. If lost, Reconnect; then Stop again or Kill Bot.";
-
     private final transient Team team;
     private final JLabel title = label("stopAlarm");
     private final JLabel reasons = label("stopReasons");
-    private final JButton again = new JButton("Stop again");
+    private final JButton again = new JButton(TEXTS.get("stopAgain"));
 
     StopAlarm(Team team) {
         super(new MigLayout("insets 6 12 6 12, gap 8 2, hidemode 3", "[grow, fill][]", "[][][]"));
@@ -40,11 +39,11 @@ final class StopAlarm extends JPanel implements TeamListener {
         title.putClientProperty("FlatLaf.style", "font: bold +2");
         again.setName("stopAgain");
         again.setFocusable(false);
-        again.setToolTipText("Stops the robots named here once more");
+        again.setToolTipText(TEXTS.get("stopAgain.tip"));
         again.addActionListener(event -> stopAgain());
         JLabel remedy = label("stopRemedy");
-        remedy.setText(REMEDY);
-        remedy.setToolTipText(REMEDY);
+        remedy.setText(TEXTS.get("remedy"));
+        remedy.setToolTipText(remedy.getText());
         add(title, "wmin 0");
         add(again, "spany 3, aligny center, wrap");
         add(reasons, "wmin 0, wrap");
@@ -66,8 +65,7 @@ final class StopAlarm extends JPanel implements TeamListener {
     private void showRobots() {
         Map<Integer, String> unconfirmed = team.stopStatus().unconfirmed();
         setVisible(!unconfirmed.isEmpty());
-        title.setText((unconfirmed.size() == 1 ? "Stop not confirmed by robot " : "Stop not confirmed by robots ")
-                + names(List.copyOf(unconfirmed.keySet())));
+        title.setText(TEXTS.get("unconfirmed", unconfirmed.size(), names(List.copyOf(unconfirmed.keySet()))));
         String why = reasons(unconfirmed);
         reasons.setText(why);
         reasons.setToolTipText(why);
@@ -93,8 +91,7 @@ final class StopAlarm extends JPanel implements TeamListener {
             return String.join("   ", texts);
         }
         int others = texts.size() - MOST_REASONS + 1;
-        return String.join("   ", texts.subList(0, MOST_REASONS - 1)) + "   and " + others
-                + " other reasons, on the cards";
+        return TEXTS.get("reasons.more", String.join("   ", texts.subList(0, MOST_REASONS - 1)), others);
     }
 
     private static String names(List<Integer> robots) {

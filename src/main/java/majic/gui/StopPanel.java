@@ -10,11 +10,13 @@ import majic.gui.kit.EventThread;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Shows the large red STOP for all robots, and beside it the button that permits motion again. */
 final class StopPanel extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(StopPanel.class);
     private static final Color RED = new Color(0xC62828);
     private static final String FOCUSED = "focusedWindow";
     private static final Color DARK_RED = new Color(0x7F1D1D);
@@ -24,7 +26,7 @@ final class StopPanel extends JPanel implements TeamListener {
     private final JLabel word = new JLabel();
     private final JLabel below = new JLabel();
     private final transient PropertyChangeListener focus = event -> EventThread.later(this::showLatch);
-    private final JButton release = new JButton("Release");
+    private final JButton release = new JButton(TEXTS.get("release"));
 
     /**
      * Creates the buttons.
@@ -44,11 +46,10 @@ final class StopPanel extends JPanel implements TeamListener {
         below.setName("stopCount");
         below.setForeground(Color.WHITE);
         stop.putClientProperty("JButton.buttonType", "roundRect");
-        stop.setToolTipText(
-                "Stops every robot at once; in every window of MAJIC also F12, and Esc unless it closes something");
+        stop.setToolTipText(TEXTS.get("stop.tip"));
         stop.addActionListener(event -> stopAll.run());
         release.setName("release");
-        release.setToolTipText("Allows motion again; nothing resumes by itself");
+        release.setToolTipText(TEXTS.get("release.tip"));
         release.addActionListener(event -> team.release());
         add(release, "h 52!");
         add(stop, "w 170!, h 52!");
@@ -84,17 +85,16 @@ final class StopPanel extends JPanel implements TeamListener {
     private void showLatch() {
         boolean latched = team.isLatched();
         StopStatus status = team.stopStatus();
-        word.setText(latched ? "STOPPED" : "STOP");
+        word.setText(TEXTS.get(latched ? "stopped" : "stop"));
         below.setText(latched ? receipt(status) : keys());
         stop.setBackground(latched ? DARK_RED : RED);
         stop.getAccessibleContext()
-                .setAccessibleName(
-                        latched ? "Stopped, " + confirmed(status) + "; stop all robots again" : "Stop all robots");
+                .setAccessibleName(latched ? TEXTS.get("stopped.name", confirmed(status)) : TEXTS.get("stop.name"));
         release.setVisible(latched);
     }
 
     private static String keys() {
-        return keysReachMajic() ? "Esc or F12" : "keys go elsewhere";
+        return TEXTS.get(keysReachMajic() ? "keys" : "keys.elsewhere");
     }
 
     private static boolean keysReachMajic() {
@@ -104,12 +104,14 @@ final class StopPanel extends JPanel implements TeamListener {
     /** Returns the count, shortened to make room for the hint that the keys do not reach this program. */
     private static String receipt(StopStatus status) {
         if (keysReachMajic() || status.asked() == 0) {
-            return keysReachMajic() ? confirmed(status) : "keys go elsewhere";
+            return keysReachMajic() ? confirmed(status) : TEXTS.get("keys.elsewhere");
         }
-        return status.confirmed() + " of " + status.asked() + ", keys elsewhere";
+        return TEXTS.get("confirmed.keysElsewhere", status.confirmed(), status.asked());
     }
 
     private static String confirmed(StopStatus status) {
-        return status.asked() == 0 ? "until released" : status.confirmed() + " of " + status.asked() + " confirmed";
+        return status.asked() == 0
+                ? TEXTS.get("untilReleased")
+                : TEXTS.get("confirmed", status.confirmed(), status.asked());
     }
 }
