@@ -29,6 +29,7 @@ public final class Member implements TeamMembership {
     private final TeamEvents events;
     private final Ownership ownership;
     private final AtomicInteger beside = new AtomicInteger();
+    private volatile String name = "";
 
     /**
      * Creates the member; {@link #start} begins its work.
@@ -55,6 +56,40 @@ public final class Member implements TeamMembership {
     @Override
     public int number() {
         return number;
+    }
+
+    /**
+     * Returns the name that the robot was given.
+     *
+     * @return one word; empty if it has none
+     */
+    public String name() {
+        return name;
+    }
+
+    /** Names the robot; {@link Roster#rename} has checked the name. */
+    void rename(String newName) {
+        name = newName;
+    }
+
+    /**
+     * Returns what users call the robot, beside its number.
+     *
+     * @return its name and type, as in {@code Rex (Aibo)}; the type alone if it has no name
+     */
+    public String label() {
+        return label(name, bot.type().label());
+    }
+
+    /**
+     * Returns what users call a robot, beside its number.
+     *
+     * @param name its name; empty for none
+     * @param type what kind of robot it is
+     * @return as {@link #label()}
+     */
+    public static String label(String name, String type) {
+        return name.isEmpty() ? type : name + " (" + type + ")";
     }
 
     /**

@@ -7,11 +7,15 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.IntFunction;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import majic.bot.BotException;
 
-/** The robots of a team by number, and the number of the next one. Thread-safe. */
+/** The robots of a team by number, their names, and the number of the next one. Thread-safe. */
 final class Roster {
+    private static final int LONGEST_NAME = 20;
+    private static final Pattern NAME = Pattern.compile("\\p{L}[\\p{L}\\d_]{0," + (LONGEST_NAME - 1) + "}");
+
     private final int maxBots;
     private final SortedMap<Integer, Member> members = new TreeMap<>();
     private final Set<Integer> usedNumbers = new HashSet<>();
@@ -67,6 +71,25 @@ final class Roster {
                         : "the team is full (" + maxBots + " robots); remove one first");
     }
 
+    /**
+     * Names a robot.
+     *
+     * @param name one word; empty for none
+     * @throws BotException if it cannot be a name, or another robot has it; nothing has changed
+     */
+    synchronized void rename(Member member, String name) {
+        if (!name.isEmpty() && !NAME.matcher(name).matches()) {
+            throw new BotException(name + ": a name is a letter, then letters, digits and _, at most " + LONGEST_NAME
+                    + " characters in all");
+        }
+        for (Member other : members.values()) {
+            if (other != member && !name.isEmpty() && other.name().equalsIgnoreCase(name)) {
+                throw new BotException(name + ": robot " + other.number() + " has this name already");
+            }
+        }
+        member.rename(name);
+    }
+
     /** Removes a robot; false if it was removed already. */
     synchronized boolean remove(Member member) {
         return members.remove(member.number(), member);
@@ -94,13 +117,12 @@ final class Roster {
         return List.copyOf(members.values());
     }
 
-    /** Lists robots by number and name, for instance {@code robots: 1 Aibo, 2 Pioneer}. */
+    /** Lists robots, for instance {@code robots: 1 Rex (Aibo), 2 Pioneer}. */
     static String words(List<Member> robots) {
         return robots.isEmpty()
                 ? "no robots yet; add one"
                 : robots.stream()
-                        .map(member ->
-                                member.number() + " " + member.bot().type().label())
+                        .map(member -> member.number() + " " + member.label())
                         .collect(Collectors.joining(", ", "robots: ", ""));
     }
 }

@@ -123,6 +123,18 @@ public final class Team implements AutoCloseable {
     }
 
     /**
+     * Gives a robot a name, or another one, or takes it away. Commands may use it in place of the number.
+     *
+     * @param member a robot of this team
+     * @param name a letter, then letters, digits and underscores, at most 20 characters in all; empty for no name
+     * @throws BotException if it cannot be a name, or another robot has it, in whatever case; nothing has changed
+     */
+    public void rename(Member member, String name) {
+        roster.rename(member, name);
+        events.publish(listener -> listener.renamed(member));
+    }
+
+    /**
      * Returns a robot by its number.
      *
      * @param number its number
@@ -145,7 +157,7 @@ public final class Team implements AutoCloseable {
     /**
      * Lists the robots as text.
      *
-     * @return for instance {@code robots: 1 Aibo, 2 Pioneer}
+     * @return for instance {@code robots: 1 Rex (Aibo), 2 Pioneer}
      */
     public String listing() {
         return listing(members());

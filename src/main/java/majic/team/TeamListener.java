@@ -53,6 +53,13 @@ public interface TeamListener {
     default void removed(Member member) {}
 
     /**
+     * A robot was given a name, another one, or none.
+     *
+     * @param member the robot; query it for the name
+     */
+    default void renamed(Member member) {}
+
+    /**
      * A robot has another owner, or none.
      *
      * @param member the robot; query it for the owner

@@ -17,6 +17,11 @@ public record EventThreadTeamListener(TeamListener target) implements TeamListen
     }
 
     @Override
+    public void renamed(Member member) {
+        EventThread.later(() -> target.renamed(member));
+    }
+
+    @Override
     public void ownerChanged(Member member) {
         EventThread.later(() -> target.ownerChanged(member));
     }
