@@ -2,9 +2,12 @@ package majic.script;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
@@ -18,6 +21,7 @@ import majic.script.lines.LineSource;
 import majic.script.lines.PreparedLine;
 import majic.script.run.CommandTrait;
 import majic.script.run.InternalError;
+import majic.script.syntax.Command;
 import majic.script.syntax.LineParser;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
@@ -38,12 +42,12 @@ public final class MajicParser {
 
     private final Session session;
     private final SessionOutput output;
-    private final List<String> robotTypes;
     private final LineSource source;
     private final Dispatcher dispatcher;
     private final Deque<String> commands = new ArrayDeque<>();
     private final DefaultRobots defaultRobots;
     private int total;
+    private final Set<String> givenNames = ConcurrentHashMap.newKeySet();
     private @Nullable TypedBlock block;
 
     /**
@@ -60,7 +64,6 @@ public final class MajicParser {
     private MajicParser(Session session, LineSource source) {
         this.session = session;
         this.output = session.output();
-        this.robotTypes = session.robotTypes();
         this.source = source;
         this.dispatcher = new Dispatcher(session.state(), session.actions(), source, this);
         this.defaultRobots = new DefaultRobots(session.team());
@@ -218,15 +221,27 @@ public final class MajicParser {
         if (line.length() > LineParser.LONGEST_LINE) {
             throw new BotException(LineParser.TOO_LONG);
         }
-        LineParser parser = new LineParser(line, robotTypes);
+        LineParser parser = new LineParser(line, robotWords());
         if (parser.isBlank()) {
             return new Accepted(List.of(), line);
         }
         return parser.isBlockLine() ? acceptBlockLine(line) : acceptCommand(parser.line(), line);
     }
 
+    /** The words that stand for robots, with the names given by lines that may still wait for their turn. */
+    private Collection<String> robotWords() {
+        Collection<String> words = session.robotWords();
+        words.addAll(givenNames);
+        return words;
+    }
+
     private Accepted acceptCommand(Statement statement, String line) {
         PreparedLine prepared = dispatcher.prepare(statement, line);
+        if (statement instanceof Statement.ForRobots named
+                && named.command() instanceof Command.Name command
+                && command.name() != null) {
+            givenNames.add(command.name().text());
+        }
         if (source == LineSource.SOCKET && prepared.has(CommandTrait.LOCAL_ONLY)) {
             throw new BotException("trust: not over a socket; type it in the window or at the terminal of MAJIC");
         }
@@ -255,7 +270,7 @@ public final class MajicParser {
 
     private Accepted acceptBlock(String text) {
         List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = ScriptParser.parse(text, robotTypes, mistakes);
+        List<Statement> script = ScriptParser.parse(text, robotWords(), mistakes);
         if (!mistakes.isEmpty()) {
             throw new BotException(mistakes.get(0).message());
         }
@@ -388,7 +403,7 @@ public final class MajicParser {
 
     /** Parses a line; empty for a blank one and for one that belongs to a block. */
     private Optional<Statement> parse(String line) {
-        LineParser parser = new LineParser(line, robotTypes);
+        LineParser parser = new LineParser(line, robotWords());
         if (parser.isBlockLine()) {
             ScriptParser.blockLine(line);
             return Optional.empty();

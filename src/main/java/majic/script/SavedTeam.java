@@ -15,24 +15,43 @@ import majic.team.BotFactory;
 import majic.team.Member;
 
 /**
- * A team that was saved: a script of {@code add} lines, each followed by the calibration and the start pose of its
- * robot. Unlike a script, opening it moves no robot, and a robot that does not answer does not prevent the others from
+ * A team that was saved: a script of {@code add} lines, each followed by the name, the calibration and the start pose
+ * of its robot. Unlike a script, opening it moves no robot, and a robot that does not answer does not prevent the others from
  * being added. Immutable.
  */
 public final class SavedTeam {
     private static final Pattern ADD = Pattern.compile("(?i)add\\s+(\"[^\"]+\"|\\S+)\\s+as\\s+(\\d{1,3})");
-    private static final Pattern SET = Pattern.compile("(?i)(\\d{1,3})\\s+set\\s+(\\w+)\\s+\\S.*");
+    private static final Pattern SET = Pattern.compile("(?i)(\\d{1,3})\\s+(?:set\\s+(\\w+)\\s+\\S.*|(name)\\s+(\\w+))");
 
     private final List<Robot> robots;
 
     /**
      * One robot.
      *
-     * @param settings lines that set its calibration and its pose
+     * @param settings lines that give it its name, and set its calibration and its pose
      */
-    private record Robot(int number, String address, String add, List<Setting> settings) {}
+    private record Robot(int number, String address, String add, List<Setting> settings) {
+        /** Returns its name; empty if it has none. */
+        String name() {
+            return settings.stream()
+                    .filter(setting -> setting.isName)
+                    .map(setting -> setting.what)
+                    .reduce("", (before, last) -> last);
+        }
+    }
 
-    private record Setting(String parameter, String line) {}
+    /**
+     * A line behind {@code add}.
+     *
+     * @param isName whether it gives the robot a name
+     * @param what the name, or the parameter that the line sets
+     */
+    private record Setting(boolean isName, String what, String line) {
+        static Setting of(Matcher set) {
+            boolean isName = set.group(3) != null;
+            return new Setting(isName, isName ? set.group(4) : set.group(2), set.group());
+        }
+    }
 
     private SavedTeam(List<Robot> robots) {
         this.robots = List.copyOf(robots);
@@ -70,8 +89,9 @@ public final class SavedTeam {
         for (int index = 0; index < lines.size(); index++) {
             String line = lines.get(index).strip();
             if (!line.isEmpty() && !line.startsWith("#") && !isTaken(line, robots)) {
-                throw new BotException(place + (index + 1) + ": \"" + line
-                        + "\" is no line of a saved team; it has \"add ADDRESS as N\" and then \"N set P VALUE\"");
+                throw new BotException(
+                        place + (index + 1) + ": \"" + line
+                                + "\" is no line of a saved team; it has \"add ADDRESS as N\" and then \"N name NAME\" and \"N set P VALUE\"");
             }
         }
         return new SavedTeam(robots);
@@ -88,7 +108,7 @@ public final class SavedTeam {
         return set.matches()
                 && robots.stream()
                         .filter(robot -> robot.number == Integer.parseInt(set.group(1)))
-                        .anyMatch(robot -> robot.settings.add(new Setting(set.group(2), line)));
+                        .anyMatch(robot -> robot.settings.add(Setting.of(set)));
     }
 
     /**
@@ -114,11 +134,11 @@ public final class SavedTeam {
      * Names the robots for users.
      *
      * @param factory has the names of the types
-     * @return for instance {@code 1 Pioneer}, {@code 2 Aibo}
+     * @return for instance {@code 1 Pioneer}, {@code 2 Rex (Aibo)}
      */
     public List<String> names(BotFactory factory) {
         return robots.stream()
-                .map(robot -> robot.number + " " + label(robot.address, factory))
+                .map(robot -> robot.number + " " + Member.label(robot.name(), label(robot.address, factory)))
                 .toList();
     }
 
@@ -174,7 +194,8 @@ public final class SavedTeam {
 
     private static Predicate<Setting> belongsTo(Member member) {
         List<String> names = member.bot().calibration();
-        return setting -> setting.parameter.equalsIgnoreCase("pose")
-                || names.stream().anyMatch(name -> name.equalsIgnoreCase(setting.parameter));
+        return setting -> setting.isName
+                || setting.what.equalsIgnoreCase("pose")
+                || names.stream().anyMatch(name -> name.equalsIgnoreCase(setting.what));
     }
 }

@@ -1,6 +1,8 @@
 package majic.script;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
@@ -220,9 +222,11 @@ public final class Session {
         return actions;
     }
 
-    /** The words that stand for all robots of a type. */
-    List<String> robotTypes() {
-        return robotTypes;
+    /** The words that stand for robots: types, and the names that robots have. */
+    Collection<String> robotWords() {
+        List<String> words = new ArrayList<>(robotTypes);
+        words.addAll(new Selection(team).names());
+        return words;
     }
 
     Completer completer() {
@@ -262,7 +266,7 @@ public final class Session {
         public void regained(Member member) {
             String where =
                     connector.address(member).map(address -> " at " + address).orElse("");
-            String label = member.bot().type().label();
+            String label = member.label();
             output.send(Line.Kind.ANSWER, member.number() + ": " + label + where + " connected again");
         }
 

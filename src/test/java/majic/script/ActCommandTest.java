@@ -127,12 +127,14 @@ class ActCommandTest {
 
     @Test
     void aSavedSessionBecomesOneWithItsTypesOfRobots() throws Exception {
-        String saved = file("saved.majic", "add sim:aibo as 1", "add sim:pioneer as 2", "1 move 100", "2 move 100");
+        String saved = file(
+                "saved.majic", "add sim:aibo as 1", "1 name Rex", "add sim:pioneer as 2", "1 move 100", "2 move 100");
         assertThat(fixture.refusal("2 act " + saved + " with 1"))
                 .get()
                 .asString()
                 .contains("robot 2 is of type pioneer, not aibo");
         assertThat(fixture.runPipe("1 act " + saved + " with 2")).noneMatch(line -> line.contains("failed"));
+        assertThat(fixture.team.member(1).name()).isEmpty();
     }
 
     @Test

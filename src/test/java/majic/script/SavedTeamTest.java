@@ -46,6 +46,20 @@ class SavedTeamTest {
     }
 
     @Test
+    void theNamesOfTheRobotsAreSavedAndGivenAgain() throws Exception {
+        fixture.runPipe("add sim:aibo as 2", "2 name Rex");
+        Path file = folder.resolve("names.team");
+        fixture.runPipe("save team " + file);
+        SavedTeam team = SavedTeam.read(file);
+        assertThat(team.names(fixture.factory)).containsExactly("2 Rex (Aibo)");
+        try (ScriptFixture again = new ScriptFixture()) {
+            open(again, team, 1);
+            assertThat(again.team.listing()).isEqualTo("robots: 2 Rex (Aibo)");
+            assertThat(again.session.teamScript()).contains("2 name Rex");
+        }
+    }
+
+    @Test
     void anOpenedTeamHasTheSameRobotsCalibrationsAndPoses() throws Exception {
         Path file = save();
         try (ScriptFixture again = new ScriptFixture()) {

@@ -22,7 +22,7 @@ class WrongLinesTest {
                 "5-9 move 100 | 5-9: there is no such robot (robots: 1 Aibo, 2 Pioneer)",
                 "me move 100 | me: only an act has a robot of its own; write its number",
                 "move 100 | move: which robot? Write its number in front, as in \"1 move\"",
-                "bobs | bobs: no such command; did you mean bots?",
+                "bobs | bobs: no such command or robot; did you mean bots?",
                 "1 mvoe 100 | mvoe: robot 1 (Aibo) has no such command; did you mean move?",
                 "1 headPan 30 | headPan: a parameter; read it with get, or change it with set",
                 "1 fly | fly: robot 1 (Aibo) has no such command",
@@ -72,7 +72,7 @@ class WrongLinesTest {
                 "repeat often | often: how often, a whole number, is expected here",
                 "while distanceFront > 3 | distanceFront: of which robot? Write its number in front",
                 "1.5 move 3 | 1.5: a robot's number is expected here",
-                "% | %: a robot (a number, a range, a type, all) is expected here"
+                "% | %: a robot (a number, a name, a range, a type, all) is expected here"
             })
     void isRefusedWithASentence(String line, String sentence) throws InterruptedException {
         try (ScriptFixture fixture = ScriptFixture.withTwo()) {

@@ -83,6 +83,11 @@ public record ActionTable(
     }
 
     @Override
+    public RobotAction name(Command.Name name) {
+        return new TeamActions.NameAction(name, state.team(), factory);
+    }
+
+    @Override
     public RobotAction act(Command.Act act) {
         return new ActActions.ActAction(act, acts, this);
     }

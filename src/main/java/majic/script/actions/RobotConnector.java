@@ -115,7 +115,7 @@ public final class RobotConnector {
     /** Answers and records that a robot was added. */
     public void joined(Member member, String address) {
         addresses.put(member.number(), address);
-        String label = member.bot().type().label();
+        String label = member.label();
         output.send(Line.Kind.ANSWER, member.number() + ": " + label + " at " + address + " connected");
         record.added(address, member.number());
     }

@@ -2,20 +2,28 @@ package majic.script.actions;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import majic.bot.BotAddress;
+import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.BotType;
 import majic.bot.Pose;
 import majic.lab.LabAccess;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
+import majic.script.run.RobotAction;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
+import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
+import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
+import majic.script.syntax.Token;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
+import org.jspecify.annotations.Nullable;
 
 /** The commands for the team as a whole: the robots in it, STOP, and the simulated lab. */
 final class TeamActions {
@@ -70,6 +78,65 @@ final class TeamActions {
                 execution.waits().awaitFinished(members);
             }
             members.forEach(connector::remove);
+        }
+    }
+
+    /** Names a robot, or answers the name. Takes effect at once, whatever the robot does. */
+    static final class NameAction extends RobotAction {
+        private final @Nullable Token name;
+        private final Team team;
+        private final BotFactory factory;
+
+        NameAction(Command.Name command, Team team, BotFactory factory) {
+            super(command, Scheduling.AT_ONCE, CommandTrait.CHANGES_TEAM);
+            this.name = command.name();
+            this.team = team;
+            this.factory = factory;
+        }
+
+        /** A word that is a type or a command of a robot would be ambiguous in front of a line. */
+        @Override
+        public void check(Check check) {
+            if (name == null || name.is("off")) {
+                return;
+            }
+            if (factory.types().stream().map(BotType::name).anyMatch(name::is)) {
+                throw refused("a type of robot");
+            }
+            boolean isCommand = team.members().stream()
+                    .flatMap(member -> member.bot().commands().stream())
+                    .map(BotCommand::name)
+                    .anyMatch(name::is);
+            if (isCommand) {
+                throw refused("a command of a robot");
+            }
+        }
+
+        private ScriptException refused(String what) {
+            Token word = Objects.requireNonNull(name);
+            return new ScriptException(word, word.text() + ": " + what + " cannot be a name; take another word");
+        }
+
+        @Override
+        public void run(Execution execution, List<Member> robots) {
+            if (name == null) {
+                robots.forEach(robot -> execution.answer(
+                        robot.number() + " name" + (robot.name().isEmpty() ? ": none" : " = " + robot.name())));
+                return;
+            }
+            String given = name.is("off") ? "" : name.text();
+            if (robots.size() > 1 && !given.isEmpty()) {
+                throw new ScriptException(name, given + ": each robot has a name of its own; name one robot at a time");
+            }
+            for (Member robot : robots) {
+                name.check(() -> team.rename(robot, given));
+                execution.answer(robot.number() + " " + text() + ": done");
+            }
+        }
+
+        @Override
+        public String replayText(boolean typed) {
+            return name == null ? "" : text();
         }
     }
 

@@ -17,7 +17,7 @@ final class TeamListing {
         for (Member member : team.members()) {
             String where =
                     connector.address(member).map(address -> " at " + address).orElse("");
-            lines.add(member.number() + ": " + member.bot().type().label() + where + " " + state(member));
+            lines.add(member.number() + ": " + member.label() + where + " " + state(member));
         }
         if (lines.isEmpty()) {
             lines.add("bots: " + team.listing());

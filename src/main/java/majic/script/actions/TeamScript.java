@@ -14,7 +14,7 @@ import majic.team.Member;
 import majic.team.Team;
 
 /**
- * Writes the robots of a team as a script that adds them again: address and number, calibration, start pose. A robot
+ * Writes the robots of a team as a script that adds them again: address and number, name, calibration, start pose. A robot
  * that was added without an address, by a program that embeds MAJIC, is left out.
  *
  * @param team the robots
@@ -47,8 +47,9 @@ public record TeamScript(Team team, RobotConnector connector) {
 
     private String text(Function<Member, String> settings) {
         String robots = team.members().stream()
-                .map(member ->
-                        add(member).map(add -> add + settings.apply(member)).orElse(""))
+                .map(member -> add(member)
+                        .map(add -> add + name(member) + settings.apply(member))
+                        .orElse(""))
                 .collect(Collectors.joining());
         return "# " + team.listing() + "\n" + robots;
     }
@@ -57,6 +58,10 @@ public record TeamScript(Team team, RobotConnector connector) {
         return connector
                 .address(member)
                 .map(address -> "add " + SessionRecord.quoted(address) + " as " + member.number() + "\n");
+    }
+
+    private static String name(Member member) {
+        return member.name().isEmpty() ? "" : member.number() + " name " + member.name() + "\n";
     }
 
     private static String calibration(Member member) {

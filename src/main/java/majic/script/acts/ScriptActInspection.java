@@ -132,6 +132,9 @@ final class ScriptActInspection extends Inspection {
 
     @Override
     public @Nullable Void forRobots(Statement.ForRobots line) {
+        if (line.command() instanceof Command.Name) {
+            return null;
+        }
         robots(line.robots());
         Command command = line.command();
         command.accept(RULES).ifPresent(why -> refuse(command.at(), why));
@@ -181,7 +184,7 @@ final class ScriptActInspection extends Inspection {
                 numbers.add(one.number());
             } else if (item instanceof Robots.Me) {
                 hasMe = true;
-            } else if (item instanceof Robots.Span || item instanceof Robots.OfType) {
+            } else if (item instanceof Robots.Span || item instanceof Robots.Named) {
                 throw new ScriptException(
                         item.at(), item.at().text() + ": an act names its robots one by one: me, 2, 3 or all");
             }

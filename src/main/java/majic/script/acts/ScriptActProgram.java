@@ -19,7 +19,7 @@ import majic.team.Member;
 
 /**
  * MAJIC Script as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a
- * saved session the lines that add robots show the types of the robots. All other commands for a session are refused.
+ * saved session the lines that add robots show the types of the robots, and their names are ignored. All other commands for a session are refused.
  */
 public final class ScriptActProgram {
     private final List<Statement> statements;
@@ -49,7 +49,7 @@ public final class ScriptActProgram {
         }
         refuse(title, mistakes);
         return new ScriptActProgram(
-                script.stream().filter(statement -> !isAdd(statement)).toList(), found);
+                script.stream().filter(statement -> !isForSession(statement)).toList(), found);
     }
 
     /**
@@ -77,11 +77,13 @@ public final class ScriptActProgram {
         }
     }
 
-    private static boolean isAdd(Statement statement) {
-        return statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.Add;
+    /** Whether a line of a saved session adds or names a robot. */
+    private static boolean isForSession(Statement statement) {
+        return (statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.Add)
+                || (statement instanceof Statement.ForRobots named && named.command() instanceof Command.Name);
     }
 
-    /** What is run, without the lines that add robots. */
+    /** What is run, without the lines that add and name robots. */
     public List<Statement> statements() {
         return statements;
     }

@@ -76,6 +76,14 @@ public final class Selection {
         return List.copyOf(found);
     }
 
+    /** The names that robots have. */
+    public List<String> names() {
+        return all.get().stream()
+                .map(Member::name)
+                .filter(name -> !name.isEmpty())
+                .toList();
+    }
+
     private List<Member> members(Robots.Item item) {
         if (item instanceof Robots.One one) {
             return List.of(member(one.at(), one.number()));
@@ -107,7 +115,9 @@ public final class Selection {
         if (item instanceof Robots.Span span) {
             return member.number() >= span.first() && member.number() <= span.last();
         }
-        return !(item instanceof Robots.OfType)
-                || member.bot().type().name().equalsIgnoreCase(item.at().text());
+        String word = item.at().text();
+        return !(item instanceof Robots.Named)
+                || member.bot().type().name().equalsIgnoreCase(word)
+                || member.name().equalsIgnoreCase(word);
     }
 }

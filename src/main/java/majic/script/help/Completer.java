@@ -26,6 +26,7 @@ import majic.team.Team;
  */
 public final class Completer {
     private static final Completion OFF = Completion.word("off", "ends it");
+    private static final Completion NAME = new Completion("", "NAME", "one word of letters, digits and _");
     private static final Completion UNTIL =
             new Completion("until", "CONDITION", "ends the motion as soon as the condition holds");
 
@@ -106,11 +107,18 @@ public final class Completer {
     /** What the parser expects behind a text, if the text is right so far. */
     private List<Completion> expected(String text) {
         try {
-            new LineParser(text, factory.types().stream().map(BotType::name).toList()).line();
+            new LineParser(text, robotWords()).line();
             return List.of();
         } catch (ScriptException e) {
             return e.at().isEnd() && !e.expected().isEmpty() ? List.of(Explained.expected(e.expected())) : List.of();
         }
+    }
+
+    private List<String> robotWords() {
+        return Stream.concat(
+                        factory.types().stream().map(BotType::name),
+                        team.members().stream().map(Member::name).filter(name -> !name.isEmpty()))
+                .toList();
     }
 
     private List<Completion> candidates(List<Token> tokens, List<Member> unnamed) {
@@ -187,6 +195,7 @@ public final class Completer {
                 names
                         ? joined(parameters(members, false), List.of(OFF))
                         : last.is("every") ? List.of() : List.of(new Completion("every", "TIME", "how often"));
+            case "name" -> values.isEmpty() ? List.of(OFF, NAME) : List.of();
             case "set" -> values.isEmpty() ? parameters(members, true) : toSet(values, members);
             case "act" ->
                 values.isEmpty()

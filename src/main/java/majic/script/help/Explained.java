@@ -40,13 +40,16 @@ final class Explained {
                 command.help());
     }
 
-    /** The numbers and types of robots, and {@code all}. */
+    /** The numbers, names and types of robots, and {@code all}. */
     static List<Completion> robots(List<Member> members) {
         List<Completion> words = new ArrayList<>();
         words.add(Completion.word("all", "every robot"));
         for (Member member : members) {
             BotType type = member.bot().type();
-            words.add(Completion.word(String.valueOf(member.number()), type.label()));
+            words.add(Completion.word(String.valueOf(member.number()), member.label()));
+            if (!member.name().isEmpty()) {
+                words.add(Completion.word(member.name(), "robot " + member.number() + ", " + type.label()));
+            }
             words.add(Completion.word(type.name(), "every " + type.label()));
         }
         return words;

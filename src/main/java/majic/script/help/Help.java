@@ -26,17 +26,26 @@ import org.jspecify.annotations.Nullable;
 
 /** The answers to {@code help}, for a robot and for the language. */
 public final class Help {
-    private static final Map<String, String> ROBOT_COMMANDS = new TreeMap<>(Map.of(
-            "move", "1 move DISTANCE [until CONDITION]: straight ahead; negative is backward",
-            "turn", "1 turn ANGLE [until CONDITION]: on the spot, left positive",
-            "drive", "1 drive SPEED TURNRATE [for TIME | until CONDITION]: a curve, one second unless a time is given",
-            "stop", "1 stop: ends the motion, empties the queue, ends act and script; \"stop\" alone is STOP for all",
-            "get", "1 get P[,P...]: reads parameters; \"get now P\" does not wait for its turn",
-            "set", "1 set P VALUE...: sets a parameter",
-            "log", "1 log P[,P...] every TIME: to the parameter log; \"1 log off\" ends it",
-            "act", "1 act NAME [with ROBOTS]: runs an act, a script or an .act file; \"1 act off\" ends it",
-            "wait", "1 wait: holds what follows until robot 1 has finished; \"wait\" for all, \"wait 2s\" for a time",
-            "help", "1 help [P]: commands and parameters of robot 1; \"help\" alone: the language"));
+    private static final Map<String, String> ROBOT_COMMANDS = new TreeMap<>(Map.ofEntries(
+            entry("move", "1 move DISTANCE [until CONDITION]: straight ahead; negative is backward"),
+            entry("turn", "1 turn ANGLE [until CONDITION]: on the spot, left positive"),
+            entry(
+                    "drive",
+                    "1 drive SPEED TURNRATE [for TIME | until CONDITION]: a curve, one second unless a time is given"),
+            entry(
+                    "stop",
+                    "1 stop: ends the motion, empties the queue, ends act and script; \"stop\" alone is STOP for all"),
+            entry("get", "1 get P[,P...]: reads parameters; \"get now P\" does not wait for its turn"),
+            entry("set", "1 set P VALUE...: sets a parameter"),
+            entry("log", "1 log P[,P...] every TIME: to the parameter log; \"1 log off\" ends it"),
+            entry(
+                    "name",
+                    "1 name NAME: NAME may be used for 1 from then on; \"1 name\" shows it, \"1 name off\" removes it"),
+            entry("act", "1 act NAME [with ROBOTS]: runs an act, a script or an .act file; \"1 act off\" ends it"),
+            entry(
+                    "wait",
+                    "1 wait: holds what follows until robot 1 has finished; \"wait\" for all, \"wait 2s\" for a time"),
+            entry("help", "1 help [P]: commands and parameters of robot 1; \"help\" alone: the language")));
 
     private static final Map<String, String> SESSION_COMMANDS = new TreeMap<>(Map.ofEntries(
             entry("acts", "acts: lists the acts"),
@@ -88,7 +97,7 @@ public final class Help {
 
     private static List<String> all() {
         List<String> lines = new ArrayList<>();
-        lines.add("robots are named by a number, a list 1,3, a range 1-4, a type, or all");
+        lines.add("robots are named by a number, a name, a list 1,3, a range 1-4, a type, or all");
         lines.addAll(ROBOT_COMMANDS.values());
         lines.addAll(BLOCKS.values());
         lines.addAll(SESSION_COMMANDS.values());

@@ -61,6 +61,7 @@ public final class Checker extends Inspection {
                     limitsSet.add(robot);
                 }
             }
+            teamMayChange = action.has(CommandTrait.CHANGES_TEAM);
         }
         return null;
     }

@@ -8,7 +8,7 @@ public enum CommandTrait {
     READS_FILES,
     /** Writes a file that a later command of the same script may name. */
     WRITES_FILE,
-    /** Afterwards other robots may be in the team, or other code may be agreed to. */
+    /** Afterwards other robots may be in the team or have other names, or other code may be agreed to. */
     CHANGES_TEAM,
     /** Afterwards {@code maxMove} may be another one, so only the robot can check how far a move may go. */
     CHANGES_LIMIT,

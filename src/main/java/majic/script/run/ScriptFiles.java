@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.List;
 import majic.act.RegularFile;
 import majic.bot.BotException;
-import majic.bot.BotType;
 import majic.log.Line;
 import majic.script.conditions.Selection;
 import majic.script.syntax.Mistake;
@@ -77,8 +76,9 @@ public record ScriptFiles(BotFactory factory, ActionLookup actions) {
      * @param mistakes receives what is wrong
      */
     public List<Statement> checked(String text, Selection selection, List<Mistake> mistakes) {
-        List<Statement> script = ScriptParser.parse(
-                text, factory.types().stream().map(BotType::name).toList(), mistakes);
+        List<String> words = new ArrayList<>(selection.names());
+        factory.types().forEach(type -> words.add(type.name()));
+        List<Statement> script = ScriptParser.parse(text, words, mistakes);
         mistakes.addAll(Checker.check(script, actions, selection));
         return script;
     }

@@ -45,6 +45,8 @@ public sealed interface Command {
 
         R logOff(LogOff logOff);
 
+        R name(Name name);
+
         R act(Act act);
 
         R actOff(ActOff actOff);
@@ -170,6 +172,19 @@ public sealed interface Command {
         @Override
         public String text() {
             return "log off";
+        }
+    }
+
+    /** Names a robot; {@code off} takes the name away, and without a word it is asked for. */
+    record Name(Token at, @Nullable Token name) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.name(this);
+        }
+
+        @Override
+        public String text() {
+            return name == null ? "name" : "name " + name.text();
         }
     }
 

@@ -2,11 +2,13 @@ package majic.script.syntax;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import majic.script.syntax.Literal.Quantity;
 import majic.script.syntax.Token.Kind;
 import majic.text.Suggestion;
@@ -19,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 public final class LineParser {
     /** The words of the commands that every robot has. */
     public static final List<String> COMMAND_WORDS =
-            List.of("act", "drive", "get", "help", "log", "move", "set", "stop", "turn", "wait");
+            List.of("act", "drive", "get", "help", "log", "move", "name", "set", "stop", "turn", "wait");
 
     /** The maximum length of a line, in characters. */
     public static final int LONGEST_LINE = 4000;
@@ -27,24 +29,30 @@ public final class LineParser {
     /** The message for a longer line. */
     public static final String TOO_LONG = "the line is longer than " + LONGEST_LINE + " characters";
 
+    /** Further words that mean something in a line. */
+    private static final List<String> OTHER_WORDS = List.of(
+            "all", "and", "any", "as", "clear", "every", "for", "me", "no", "not", "now", "off", "on", "or", "until",
+            "with", "yes");
+
     private final Cursor at;
-    private final Collection<String> types;
+    private final Collection<String> robotWords;
     private boolean inCall;
 
     /**
      * A parser for one line.
      *
      * @param line the line
-     * @param types the words that stand for all robots of a type
+     * @param robotWords the words that stand for robots: types, names
      */
-    public LineParser(String line, Collection<String> types) {
-        this(new Cursor(Scanner.scan(line)), types);
+    public LineParser(String line, Collection<String> robotWords) {
+        this(new Cursor(Scanner.scan(line)), robotWords);
     }
 
     /** A parser for lines of a script; each starts where the cursor is. */
-    LineParser(Cursor at, Collection<String> types) {
+    LineParser(Cursor at, Collection<String> robotWords) {
         this.at = at;
-        this.types = types;
+        this.robotWords = new HashSet<>();
+        robotWords.forEach(word -> this.robotWords.add(word.toLowerCase(Locale.ROOT)));
     }
 
     /** Whether there is nothing but blanks and a comment. */
@@ -96,16 +104,17 @@ public final class LineParser {
             throw new ScriptException(
                     first, first.text() + ": which robot? Write its number in front, as in \"1 " + word + "\"");
         }
-        if (!word.equals("all") && !word.equals("me") && !types.contains(word)) {
+        if (!word.equals("all") && !word.equals("me") && !robotWords.contains(word)) {
             throw new ScriptException(
-                    first, first.text() + ": no such command" + Suggestion.didYouMean(first.text(), firstWords()));
+                    first,
+                    first.text() + ": no such command or robot" + Suggestion.didYouMean(first.text(), firstWords()));
         }
     }
 
     private Collection<String> firstWords() {
         Collection<String> words = new TreeSet<>(SessionParser.WORDS);
         words.addAll(ScriptParser.BLOCK_WORDS);
-        words.addAll(types);
+        words.addAll(robotWords);
         words.add("all");
         return words;
     }
@@ -121,7 +130,7 @@ public final class LineParser {
         return command;
     }
 
-    /** {@code command = move | turn | drive | stop | get | set | log | act | wait | help | own ;} */
+    /** {@code command = move | turn | drive | stop | get | set | log | name | act | wait | help | own ;} */
     private Command command() {
         return arguments(at.consume(Kind.WORD, "a command"));
     }
@@ -135,6 +144,7 @@ public final class LineParser {
             case "get" -> get(word);
             case "set" -> set(word);
             case "log" -> log(word);
+            case "name" -> name(word);
             case "act" -> act(word);
             case "wait" -> new Command.Await(word);
             case "help" -> help(word);
@@ -206,6 +216,28 @@ public final class LineParser {
             throw at.unexpected("\"every\" and a time");
         }
         return new Command.Log(word, names, at.number(Quantity.TIME));
+    }
+
+    /** {@code name = "name" [ "off" | NAME ] ;} The lines behind it may use the name. */
+    private Command name(Token word) {
+        if (at.peek().isEnd() || at.check(Kind.RIGHT)) {
+            return new Command.Name(word, null);
+        }
+        Token name = at.consume(Kind.WORD, "a name, one word,");
+        if (!name.is("off")) {
+            requireName(name);
+            robotWords.add(name.text().toLowerCase(Locale.ROOT));
+        }
+        return new Command.Name(word, name);
+    }
+
+    private static void requireName(Token name) {
+        boolean taken = Stream.of(SessionParser.WORDS, ScriptParser.BLOCK_WORDS, COMMAND_WORDS, OTHER_WORDS)
+                .anyMatch(name::isOneOf);
+        if (taken) {
+            throw new ScriptException(
+                    name, name.text() + ": a word of MAJIC Script cannot be the name of a robot; take another word");
+        }
     }
 
     /** {@code act = "act" ( "off" | NAME [ "with" robots ] ) ;} */

@@ -23,8 +23,8 @@ public record Robots(Token at, List<Item> items) {
     /** Those there are between two numbers, both included. */
     public record Span(Token at, int first, int last) implements Item {}
 
-    /** All of a type. */
-    public record OfType(Token at) implements Item {}
+    /** By a word: all of a type, or the one with this name. */
+    public record Named(Token at) implements Item {}
 
     /** Every robot. */
     record All(Token at) implements Item {}
@@ -45,14 +45,14 @@ public record Robots(Token at, List<Item> items) {
         return new Robots(first, items);
     }
 
-    /** {@code robot = NUMBER | SPAN | "all" | "me" | TYPE ;} */
+    /** {@code robot = NUMBER | SPAN | "all" | "me" | TYPE | NAME ;} */
     private static Item robot(Cursor at) {
         Token token = at.peek();
         return switch (token.kind()) {
             case NUMBER -> new One(token, at.count("a robot's number"));
             case SPAN -> span(at.advance());
             case WORD -> named(at.advance());
-            default -> throw at.unexpected("a robot (a number, a range, a type, all)");
+            default -> throw at.unexpected("a robot (a number, a name, a range, a type, all)");
         };
     }
 
@@ -69,7 +69,7 @@ public record Robots(Token at, List<Item> items) {
         if (token.is("all")) {
             return new All(token);
         }
-        return token.is("me") ? new Me(token) : new OfType(token);
+        return token.is("me") ? new Me(token) : new Named(token);
     }
 
     public boolean isAny() {

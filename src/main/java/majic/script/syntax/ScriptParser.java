@@ -25,19 +25,19 @@ public final class ScriptParser {
     private final List<Mistake> mistakes;
     private int depth;
 
-    private ScriptParser(String text, Collection<String> types, List<Mistake> mistakes) {
+    private ScriptParser(String text, Collection<String> robotWords, List<Mistake> mistakes) {
         this.at = new Cursor(Scanner.scan(text));
-        this.lines = new LineParser(at, types);
+        this.lines = new LineParser(at, robotWords);
         this.mistakes = mistakes;
     }
 
     /**
      * Parses a script; checks nothing that depends on robots.
      *
-     * @param types the words that stand for all robots of a type
+     * @param robotWords the words that stand for robots: types, names
      * @param mistakes receives what is wrong, in the order of the text
      */
-    public static List<Statement> parse(String text, Collection<String> types, List<Mistake> mistakes) {
+    public static List<Statement> parse(String text, Collection<String> robotWords, List<Mistake> mistakes) {
         String[] lines = LINE_BREAK.split(text, -1);
         for (int index = 0; index < lines.length; index++) {
             if (lines[index].length() > LineParser.LONGEST_LINE) {
@@ -45,7 +45,7 @@ public final class ScriptParser {
                 return List.of();
             }
         }
-        return new ScriptParser(text, types, mistakes).script();
+        return new ScriptParser(text, robotWords, mistakes).script();
     }
 
     /** {@code script = lines ;} */
