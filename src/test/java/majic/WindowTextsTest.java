@@ -46,9 +46,7 @@ class WindowTextsTest {
     private static final Pattern WINDOWS = Pattern.compile("java/majic/(gui|panel|\\w+/panel)/.*\\.java");
 
     /** Packages that still hold their texts themselves. */
-    private static final Set<String> PENDING = Set.of(
-            "gui/acts",
-            "gui/add");
+    private static final Set<String> PENDING = Set.of("gui/acts");
 
     /** Constraints of MigLayout. */
     private static final Pattern LAYOUT = Pattern.compile(

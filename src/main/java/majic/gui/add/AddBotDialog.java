@@ -20,6 +20,7 @@ import majic.link.PortSearch;
 import majic.script.Session;
 import majic.team.Member;
 import majic.text.Advice;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
@@ -32,7 +33,7 @@ public final class AddBotDialog extends MajicDialog {
     public static final int GIVE_UP_MS = 20_000;
 
     private static final long serialVersionUID = 1L;
-    private static final String NONE = "Choose one to fill in its address";
+    private static final Texts TEXTS = Texts.of(AddBotDialog.class);
 
     private final transient Session session;
     private final transient ProgramServices services;
@@ -40,12 +41,12 @@ public final class AddBotDialog extends MajicDialog {
     private final transient Map<String, AddressInput> inputs;
     private final JComboBox<String> type = new JComboBox<>();
     private final JComboBox<String> recent = new JComboBox<>();
-    private final JButton search = button("Search the network…", this::search);
+    private final JButton search = button(TEXTS.get("search"), this::search);
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
     private final JProgressBar progress = new JProgressBar();
     private final Paragraph message = new Paragraph("outcome", 4, 42);
-    private final JButton ok = button("OK", this::connect);
+    private final JButton ok = button(TEXTS.get("ok"), this::connect);
     private final Timer giveUp;
     private transient @Nullable ConnectAttempt attempt;
 
@@ -57,14 +58,14 @@ public final class AddBotDialog extends MajicDialog {
      */
     public AddBotDialog(
             Window owner, Session session, ProgramServices services, Consumer<Member> joined, int giveUpMs) {
-        super(owner, "Add Bot");
+        super(owner, TEXTS.get("addBot"));
         this.session = session;
         this.services = services;
         this.joined = joined;
         this.inputs = AddressInputFactory.all(session.factory(), services);
         this.giveUp = new Timer(giveUpMs, event -> giveUp());
         giveUp.setRepeats(false);
-        fill(content(), ok, closing("Cancel"));
+        fill(content(), ok, closing(TEXTS.get("cancel")));
     }
 
     private JPanel content() {
@@ -81,7 +82,7 @@ public final class AddBotDialog extends MajicDialog {
         progress.setVisible(false);
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 10", "[90!, right][grow, fill]", ""));
         addRecent(panel);
-        panel.add(label("Type", type));
+        panel.add(label(TEXTS.get("type"), type));
         panel.add(type, "wrap");
         panel.add(deck, "spanx 2, growx, wrap");
         panel.add(search, "skip 1, grow 0, gapbottom 4, wrap");
@@ -98,14 +99,14 @@ public final class AddBotDialog extends MajicDialog {
             return;
         }
         recent.setName("recentRobots");
-        recent.addItem(NONE);
+        recent.addItem(TEXTS.get("recent.none"));
         addresses.forEach(recent::addItem);
         recent.addActionListener(event -> {
             if (recent.getSelectedIndex() > 0) {
                 fillIn(String.valueOf(recent.getSelectedItem()));
             }
         });
-        panel.add(label("Recent", recent));
+        panel.add(label(TEXTS.get("recent"), recent));
         panel.add(recent, "wrap");
     }
 
@@ -144,7 +145,7 @@ public final class AddBotDialog extends MajicDialog {
         try {
             String address = input().address();
             busy(true);
-            message.show("Connecting to " + address + " …", false);
+            message.show(TEXTS.get("connecting", address), false);
             attempt = new ConnectAttempt(session, address, new Ending());
             attempt.start();
             giveUp.restart();
@@ -155,7 +156,7 @@ public final class AddBotDialog extends MajicDialog {
 
     private void giveUp() {
         abandon();
-        message.show("Nothing came of it within " + giveUp.getInitialDelay() / 1000 + " s. " + input().advice(), true);
+        message.show(TEXTS.get("timeout", giveUp.getInitialDelay() / 1000, input().advice()), true);
     }
 
     private void busy(boolean connecting) {

@@ -6,9 +6,12 @@ import java.util.Map;
 import majic.bot.BotType;
 import majic.gui.kit.ProgramServices;
 import majic.team.BotFactory;
+import majic.text.Texts;
 
 /** Creates the input that fits each type of robot. */
 final class AddressInputFactory {
+    private static final Texts TEXTS = Texts.of(AddressInputFactory.class);
+
     private AddressInputFactory() {}
 
     /** Creates one input for each type and one for the lab, by their names in the drop-down list. */
@@ -17,7 +20,7 @@ final class AddressInputFactory {
         for (BotType type : factory.types()) {
             inputs.put(type.label() + " (" + type.make() + ")", of(type, services));
         }
-        inputs.put("A robot of the simulated lab", new LabInput(factory, services.startLab()));
+        inputs.put(TEXTS.get("labRobot"), new LabInput(factory, services.startLab()));
         return inputs;
     }
 
@@ -36,8 +39,8 @@ final class AddressInputFactory {
 
     private static String name(BotType.Reach reach) {
         return switch (reach) {
-            case TCP -> "Network";
-            case SERIAL -> "Serial port";
+            case TCP -> TEXTS.get("network");
+            case SERIAL -> TEXTS.get("serialPort");
         };
     }
 }

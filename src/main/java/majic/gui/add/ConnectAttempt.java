@@ -63,7 +63,7 @@ final class ConnectAttempt {
     void cancel() {
         MajicBot begun = bot;
         if (phase.compareAndSet(Phase.CONNECTING, Phase.CANCELLED) && begun != null) {
-            EventThread.background("giving up " + address, begun::close);
+            EventThread.background("cancelling " + address, begun::close);
         }
     }
 

@@ -3,6 +3,7 @@ package majic.gui.add;
 import java.net.InetSocketAddress;
 import majic.bot.BotType;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
+import majic.text.Texts;
 
 /**
  * A place at which there may be a robot.
@@ -11,14 +12,16 @@ import majic.gui.kit.ProgramServices.SerialPortChoice;
  * @param text for the list: type and place
  */
 record FoundRobot(String address, String text) {
+    private static final Texts TEXTS = Texts.of(FoundRobot.class);
+
     static FoundRobot at(InetSocketAddress place, BotType type) {
         String where = place.getAddress().getHostAddress() + ":" + place.getPort();
         String start = type.reaches().get(0) == BotType.Reach.TCP ? "://" : ":tcp://";
-        return new FoundRobot(type.name() + start + where, type.label() + " at " + where);
+        return new FoundRobot(type.name() + start + where, TEXTS.get("found", type.label(), where));
     }
 
     static FoundRobot at(SerialPortChoice port, BotType type) {
-        return new FoundRobot(type.name() + ":" + port.name(), "Serial port " + port + ", perhaps a " + type.label());
+        return new FoundRobot(type.name() + ":" + port.name(), TEXTS.get("foundPort", port, type.label()));
     }
 
     @Override

@@ -11,11 +11,13 @@ import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.lab.LabAccess;
 import majic.team.BotFactory;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** Selects one of the robots of the simulated lab; offers to start the lab while there is none. */
 final class LabInput extends AddressInput {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(LabInput.class);
 
     private final transient BotFactory factory;
     private final transient @Nullable Runnable startLab;
@@ -45,7 +47,7 @@ final class LabInput extends AddressInput {
         if (robots.isEmpty()) {
             offerLab();
         } else {
-            add(MajicDialog.label("Robot", robot));
+            add(MajicDialog.label(TEXTS.get("robot"), robot));
             add(robot);
         }
         revalidate();
@@ -53,9 +55,9 @@ final class LabInput extends AddressInput {
     }
 
     private void offerLab() {
-        add(new JLabel("No simulated lab runs here yet."), "skip 1, wrap");
+        add(new JLabel(TEXTS.get("noLab")), "skip 1, wrap");
         if (startLab != null) {
-            JButton start = new JButton("Start the simulated lab");
+            JButton start = new JButton(TEXTS.get("startLab"));
             start.setName("startLab");
             start.addActionListener(event -> start(start, startLab));
             add(start, "skip 1, grow 0, wrap");
@@ -81,7 +83,7 @@ final class LabInput extends AddressInput {
     String address() {
         Object chosen = robot.getSelectedItem();
         if (chosen == null) {
-            throw new BotException("No simulated lab runs here; start it first, then choose one of its robots");
+            throw new BotException(TEXTS.get("startLabFirst"));
         }
         return BotAddress.SIMULATED + ":" + chosen;
     }
@@ -97,6 +99,6 @@ final class LabInput extends AddressInput {
 
     @Override
     String advice() {
-        return "A robot of the lab takes one connection at a time.";
+        return TEXTS.get("oneConnection");
     }
 }

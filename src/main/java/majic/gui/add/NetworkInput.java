@@ -7,10 +7,12 @@ import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.gui.kit.MajicDialog;
+import majic.text.Texts;
 
 /** Takes host and port of a robot on the network, or of the serial server to which it is connected. */
 final class NetworkInput extends AddressInput {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(NetworkInput.class);
 
     private static final Pattern PLACE = Pattern.compile("(?:tcp:)?//([^/:\\s]+)(?::(\\d{1,5}))?");
 
@@ -22,11 +24,11 @@ final class NetworkInput extends AddressInput {
         this.type = type;
         host.setName("host");
         port.setName("port");
-        host.putClientProperty("JTextField.placeholderText", "name or number, for instance 192.168.1.20");
+        host.putClientProperty("JTextField.placeholderText", TEXTS.get("host.example"));
         port.setText(usualPort());
-        add(MajicDialog.label("Host", host));
+        add(MajicDialog.label(TEXTS.get("host"), host));
         add(host, "wrap");
-        add(MajicDialog.label("Port", port));
+        add(MajicDialog.label(TEXTS.get("port"), port));
         add(port, "grow 0");
     }
 
@@ -60,10 +62,10 @@ final class NetworkInput extends AddressInput {
     private String checkedHost() {
         String text = host.getText().strip();
         if (text.isEmpty()) {
-            throw new BotException("Host: fill in the robot's name or number on the network, such as 192.168.1.20");
+            throw new BotException(TEXTS.get("host.missing"));
         }
         if (text.contains("/") || text.chars().anyMatch(Character::isWhitespace)) {
-            throw new BotException("Host: \"" + text + "\" is not a name or number on the network");
+            throw new BotException(TEXTS.get("host.wrong", text));
         }
         return text;
     }
@@ -76,6 +78,6 @@ final class NetworkInput extends AddressInput {
                 return number;
             }
         }
-        throw new BotException("Port: \"" + text + "\" is not a number from 1 to 65535");
+        throw new BotException(TEXTS.get("port.wrong", text));
     }
 }

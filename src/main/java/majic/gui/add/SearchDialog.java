@@ -26,6 +26,7 @@ import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
 import majic.link.PortSearch;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
@@ -35,6 +36,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class SearchDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(SearchDialog.class);
 
     private final transient Places places;
     private final transient List<BotType> types;
@@ -65,19 +67,19 @@ final class SearchDialog extends MajicDialog {
      * @param chosen receives the address that was chosen
      */
     SearchDialog(Window owner, List<BotType> types, Places places, Consumer<String> chosen) {
-        super(owner, "Search the network");
+        super(owner, TEXTS.get("searchNetwork"));
         this.types = types;
         this.places = places;
         this.chosen = chosen;
-        use = button("Use", this::choose);
+        use = button(TEXTS.get("use"), this::choose);
         use.setEnabled(false);
-        fill(content(), use, closing("Close"));
+        fill(content(), use, closing(TEXTS.get("close")));
         EventThread.background("searching for robots", this::search, reason -> end(reason, true));
     }
 
     private JPanel content() {
         list.setName("foundRobots");
-        list.getAccessibleContext().setAccessibleName("Places where a robot may be");
+        list.getAccessibleContext().setAccessibleName(TEXTS.get("places"));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.addListSelectionListener(event -> use.setEnabled(!list.isSelectionEmpty()));
         list.addMouseListener(new MouseAdapter() {
@@ -90,9 +92,9 @@ final class SearchDialog extends MajicDialog {
         });
         progress.setName("searchProgress");
         progress.setIndeterminate(true);
-        progress.getAccessibleContext().setAccessibleName("Progress of the search");
+        progress.getAccessibleContext().setAccessibleName(TEXTS.get("progress"));
         status.setFocusable(true);
-        status.show("Looking for the networks of this computer …", false);
+        status.show(TEXTS.get("looking"), false);
         JScrollPane scroll = new JScrollPane(list);
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 8, wrap 1", "[440, grow, fill]", "[][][grow, fill]"));
         panel.add(status, "wmin 0, h 40");
@@ -120,17 +122,14 @@ final class SearchDialog extends MajicDialog {
             return;
         }
         if (hosts.isEmpty()) {
-            end("This computer is in no network; only its serial ports are listed.", false);
+            end(TEXTS.get("noNetwork"), false);
             return;
         }
         search = made;
         String ports = sought.stream()
                 .map(type -> type.defaultPort() + " (" + type.label() + ")")
                 .collect(Collectors.joining(", "));
-        status.show(
-                "Trying the ports " + ports + " of " + PortSearch.networks(hosts)
-                        + ". Nothing is sent, and robots of the team are left alone.",
-                false);
+        status.show(TEXTS.get("trying", ports, PortSearch.networks(hosts)), false);
         made.start();
     }
 
@@ -143,11 +142,7 @@ final class SearchDialog extends MajicDialog {
         progress.setMaximum(Math.max(1, all));
         progress.setValue(tried);
         if (tried == all) {
-            end(
-                    found.isEmpty()
-                            ? "Nothing answers at the usual ports. A robot may have another port, or be in another network."
-                            : "The search has ended. What answers need not be a robot; OK in Add Bot finds out.",
-                    false);
+            end(TEXTS.get(found.isEmpty() ? "nothingFound" : "searchEnded"), false);
         }
     }
 

@@ -11,11 +11,13 @@ import majic.bot.BotType;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** Selects one of the serial ports of this computer, or takes one that is typed in. */
 final class SerialInput extends AddressInput {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(SerialInput.class);
 
     private final transient BotType type;
     private final transient Supplier<List<SerialPortChoice>> ports;
@@ -28,10 +30,10 @@ final class SerialInput extends AddressInput {
         this.ports = ports;
         port.setName("serialPort");
         port.setEditable(true);
-        JButton again = new JButton("Look again");
+        JButton again = new JButton(TEXTS.get("lookAgain"));
         again.addActionListener(event -> look());
-        add(MajicDialog.label("Serial port", port));
-        port.getEditor().getEditorComponent().getAccessibleContext().setAccessibleName("Serial port");
+        add(MajicDialog.label(TEXTS.get("serialPort"), port));
+        port.getEditor().getEditorComponent().getAccessibleContext().setAccessibleName(TEXTS.get("serialPort"));
         add(port, "split 2, pushx, wmin 240");
         add(again, "grow 0, wrap");
         add(found, "skip 1");
@@ -45,7 +47,7 @@ final class SerialInput extends AddressInput {
                 ? known.name()
                 : String.valueOf(chosen).strip();
         if (chosen == null || name.isEmpty()) {
-            throw new BotException("Serial port: choose one, or type its name, such as COM3 or /dev/ttyUSB0");
+            throw new BotException(TEXTS.get("serialPort.missing"));
         }
         return type.name() + ":" + name;
     }
@@ -67,7 +69,7 @@ final class SerialInput extends AddressInput {
 
     /** Lists the ports in the background, because the system may be slow to list them. */
     private void look() {
-        found.setText("Looking for ports…");
+        found.setText(TEXTS.get("lookingForPorts"));
         EventThread.background("listing serial ports", () -> {
             List<SerialPortChoice> all = ports.get();
             EventThread.later(() -> show(all));
@@ -80,11 +82,6 @@ final class SerialInput extends AddressInput {
         if (wanted != null) {
             port.setSelectedItem(wanted);
         }
-        found.setText(
-                switch (all.size()) {
-                    case 0 -> "This machine shows no serial port.";
-                    case 1 -> "One port found.";
-                    default -> all.size() + " ports found.";
-                });
+        found.setText(TEXTS.get("ports", all.size()));
     }
 }

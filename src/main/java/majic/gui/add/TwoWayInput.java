@@ -8,10 +8,12 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JRadioButton;
 import majic.bot.BotAddress;
+import majic.text.Texts;
 
 /** Selects one of two ways to connect a robot. */
 final class TwoWayInput extends AddressInput {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(TwoWayInput.class);
 
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
@@ -20,7 +22,7 @@ final class TwoWayInput extends AddressInput {
 
     TwoWayInput(String firstName, AddressInput first, String secondName, AddressInput second) {
         chosen = first;
-        add(new JLabel("Reached by"));
+        add(new JLabel(TEXTS.get("reachedBy")));
         ButtonGroup group = new ButtonGroup();
         JRadioButton one = choice(group, firstName, first);
         one.setSelected(true);
