@@ -109,19 +109,46 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
      */
     public Optional<String> unfit(MajicBot robot) {
         String type = robot.type().name();
-        if (!types.isEmpty() && !types.contains(type.toLowerCase(Locale.ROOT))) {
+        if (!takes(type)) {
             return Optional.of("is of type " + type + ", not " + String.join(" or ", types));
         }
-        List<String> has = robot.parameters().stream().map(Parameter::name).toList();
-        List<String> calls = robot.commands().stream().map(BotCommand::name).toList();
-        return missing("parameter", parameters, has).or(() -> missing("command", commands, calls));
+        return missingParameter(robot)
+                .map(one -> "has no parameter " + one + Suggestion.didYouMean(one, parametersOf(robot)))
+                .or(() -> missingCommand(robot)
+                        .map(one -> "has no command " + one + Suggestion.didYouMean(one, commandsOf(robot))));
     }
 
-    private static Optional<String> missing(String kind, List<String> wanted, List<String> has) {
+    /**
+     * Returns whether robots of a type may take this role.
+     *
+     * @param type the type as in addresses, in any case
+     */
+    public boolean takes(String type) {
+        return types.isEmpty() || types.contains(type.toLowerCase(Locale.ROOT));
+    }
+
+    /** Returns the first parameter that a robot would need for this role and lacks; empty if it has all. */
+    public Optional<String> missingParameter(MajicBot robot) {
+        return missing(parameters, parametersOf(robot));
+    }
+
+    /** Returns the first command that a robot would need for this role and lacks; empty if it has all. */
+    public Optional<String> missingCommand(MajicBot robot) {
+        return missing(commands, commandsOf(robot));
+    }
+
+    private static Optional<String> missing(List<String> wanted, List<String> has) {
         return wanted.stream()
                 .filter(one -> has.stream().noneMatch(one::equalsIgnoreCase))
-                .findFirst()
-                .map(one -> "has no " + kind + " " + one + Suggestion.didYouMean(one, has));
+                .findFirst();
+    }
+
+    private static List<String> parametersOf(MajicBot robot) {
+        return robot.parameters().stream().map(Parameter::name).toList();
+    }
+
+    private static List<String> commandsOf(MajicBot robot) {
+        return robot.commands().stream().map(BotCommand::name).toList();
     }
 
     /**

@@ -3,6 +3,7 @@ package majic.text;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.Locale;
+import java.util.Optional;
 
 /** Finds the word that was probably meant by a mistyped one. */
 public final class Suggestion {
@@ -21,11 +22,14 @@ public final class Suggestion {
      * @return {@code "; did you mean headPan?"}, or nothing when no word is near
      */
     public static String didYouMean(String typed, Collection<String> words) {
+        return nearest(typed, words).map(word -> "; did you mean " + word + "?").orElse("");
+    }
+
+    /** Returns the word that was probably meant; empty if none is near. */
+    public static Optional<String> nearest(String typed, Collection<String> words) {
         return words.stream()
                 .filter(word -> distance(typed, word) <= mostMistakes(typed))
-                .min(Comparator.comparingInt(word -> distance(typed, word)))
-                .map(word -> "; did you mean " + word + "?")
-                .orElse("");
+                .min(Comparator.comparingInt(word -> distance(typed, word)));
     }
 
     private static int mostMistakes(String typed) {
