@@ -45,9 +45,6 @@ class WindowTextsTest {
     /** Packages whose classes show texts: the window and the panels of robots. */
     private static final Pattern WINDOWS = Pattern.compile("java/majic/(gui|panel|\\w+/panel)/.*\\.java");
 
-    /** Packages that still hold their texts themselves. */
-    private static final Set<String> PENDING = Set.of("gui/acts");
-
     /** Constraints of MigLayout. */
     private static final Pattern LAYOUT = Pattern.compile(
             "(\\s*\\b(grow|push|wrap|span|split|skip|gap|al|align|width|height|w|h|wmin|wmax|hmin|hmax|hide|hidemode|"
@@ -135,9 +132,7 @@ class WindowTextsTest {
         List<Path> windows = sources(MAIN, Integer.MAX_VALUE).stream()
                 .filter(file -> WINDOWS.matcher(MAIN.relativize(file).toString().replace('\\', '/'))
                         .matches())
-                .collect(Collectors.toCollection(ArrayList::new));
-        windows.removeIf(
-                file -> PENDING.contains("" + MAIN.resolve("java/majic").relativize(file.getParent())));
+                .toList();
         List<String> left = new ArrayList<>();
         parse(windows).forEach(source -> new TextScanner(source, left).scan(source.unit(), null));
         assertThat(left).isEmpty();

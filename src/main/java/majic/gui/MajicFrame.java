@@ -10,7 +10,6 @@ import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
-import java.util.stream.Collectors;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -41,6 +40,7 @@ import majic.panel.PictureView;
 import majic.panel.PictureViewer;
 import majic.recorder.RecordedHistory;
 import majic.recorder.Recorder;
+import majic.script.ActOffer;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majic.team.Member;
@@ -313,8 +313,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         if (meant.isEmpty()) {
             showError(TEXTS.get(totalBots() == 0 ? "noRobot" : "noneSelected"));
         } else {
-            channel.submit(
-                    meant.stream().map(member -> "" + member.number()).collect(Collectors.joining(",")) + " act off");
+            channel.submit(ActOffer.endLine(meant.stream().map(Member::number).toList()));
         }
     }
 

@@ -27,6 +27,20 @@ public record ActOffer(
     }
 
     /**
+     * Returns the line that ends the acts on robots.
+     *
+     * @param robots their numbers
+     * @return for instance {@code 1,2 act off}
+     */
+    public static String endLine(List<Integer> robots) {
+        return numbers(robots) + " act off";
+    }
+
+    private static String numbers(List<Integer> robots) {
+        return robots.stream().map(String::valueOf).collect(Collectors.joining(","));
+    }
+
+    /**
      * The line that loads it onto a robot.
      *
      * @param me the number of the robot it is loaded onto
@@ -34,7 +48,7 @@ public record ActOffer(
      * @return for instance {@code 1 act Convoy with 2,3}
      */
     public String line(int me, List<Integer> others) {
-        String with = others.stream().map(String::valueOf).collect(Collectors.joining(","));
+        String with = numbers(others);
         return me + " act " + SessionRecord.quoted(called) + (with.isEmpty() ? "" : " with " + with);
     }
 }

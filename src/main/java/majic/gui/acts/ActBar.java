@@ -15,11 +15,13 @@ import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import majic.team.Member;
 import majic.team.Owner;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Shows the act that runs on a robot: its name, its time, its last message, and the button that ends it. */
 public final class ActBar extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ActBar.class);
     private static final int TICK_MS = 200;
     private static final int ARC = 12;
 
@@ -41,11 +43,11 @@ public final class ActBar extends JPanel {
         name = new PlainLabel("act" + member.number(), "");
         name.putClientProperty("FlatLaf.style", "font: bold");
         time.setName("actTime" + member.number());
-        time.setToolTipText("Running time of the act, on the clock of the robot");
+        time.setToolTipText(TEXTS.get("time"));
         message = new PlainLabel("actSaid" + member.number(), "");
-        JButton off = new JButton("End Act");
+        JButton off = new JButton(TEXTS.get("endAct"));
         off.setName("endAct" + member.number());
-        off.setToolTipText("Ends the act and stops its robots");
+        off.setToolTipText(TEXTS.get("endAct.hint"));
         off.setFocusable(false);
         off.addActionListener(event -> end.run());
         add(name, "wmin 40");

@@ -4,10 +4,12 @@ import java.awt.Component;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JList;
 import majic.gui.kit.Palette;
+import majic.text.Texts;
 
 /** Shows an act in a list; paler, and in words, if a robot cannot run it. Its name is never interpreted as HTML. */
 final class ActCell extends DefaultListCellRenderer {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ActCell.class);
 
     private final transient LoadTargets targets;
 
@@ -21,7 +23,7 @@ final class ActCell extends DefaultListCellRenderer {
             JList<?> list, Object value, int index, boolean selected, boolean focused) {
         super.getListCellRendererComponent(list, value, index, selected, focused);
         if (targets.unfit((ActEntry) value).isPresent()) {
-            setText(value + " \u2013 does not fit");
+            setText(TEXTS.get("doesNotFit", value));
             setForeground(selected ? getForeground() : Palette.faint());
         }
         return this;

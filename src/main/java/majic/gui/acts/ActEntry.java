@@ -3,12 +3,12 @@ package majic.gui.acts;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import majic.act.ActDetails;
 import majic.act.Role;
 import majic.bot.BotException;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
 import majic.team.Member;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * @param note whether it contains code and how the code is signed, or what is wrong with the file
  */
 record ActEntry(String name, @Nullable ActOffer offer, String note) {
+    private static final Texts TEXTS = Texts.of(ActEntry.class);
     /** Reads the act of this name; may block. */
     static ActEntry read(ActOffers offers, String called) {
         try {
@@ -38,12 +39,12 @@ record ActEntry(String name, @Nullable ActOffer offer, String note) {
 
     private static String note(ActOffers offers, ActOffer offer) {
         if (offers.needsConsent(offer)) {
-            return "It contains code without your consent so far; MAJIC will ask for it.";
+            return TEXTS.get("note.needsConsent");
         }
         if (offer.file() == null || !offer.file().carriesCode()) {
-            return "It contains data only, no code.";
+            return TEXTS.get("note.dataOnly");
         }
-        return offer.file().isShipped() ? "It is part of MAJIC." : "Its code has your consent.";
+        return TEXTS.get(offer.file().isShipped() ? "note.shipped" : "note.consent");
     }
 
     /** Returns why a robot cannot run the act, as sentences; empty if it can. */
@@ -56,10 +57,12 @@ record ActEntry(String name, @Nullable ActOffer offer, String note) {
         if (offer == null) {
             return "";
         }
-        ActDetails details = offer.details();
-        String version = details.version().isEmpty() ? "" : "version " + details.version();
-        String author = details.author().isEmpty() ? "" : "by " + details.author();
-        return (version + " " + author).strip();
+        String version = offer.details().version();
+        String author = offer.details().author();
+        if (version.isEmpty()) {
+            return author.isEmpty() ? "" : TEXTS.get("author", author);
+        }
+        return author.isEmpty() ? TEXTS.get("version", version) : TEXTS.get("versionAndAuthor", version, author);
     }
 
     /** Describes the act's purpose and the robots it takes. */
@@ -72,8 +75,11 @@ record ActEntry(String name, @Nullable ActOffer offer, String note) {
             lines.add(offer.details().description() + "\n");
         }
         for (Role role : offer.roles()) {
-            lines.add((role.name().equals(Role.ME) ? "Runs on: " : "Further robot, " + role.name() + ": ")
-                    + RoleFit.wanted(role));
+            String wanted = RoleFit.wanted(role);
+            lines.add(
+                    role.name().equals(Role.ME)
+                            ? TEXTS.get("runsOn", wanted)
+                            : TEXTS.get("furtherRobot", role.name(), wanted));
         }
         return String.join("\n", lines);
     }

@@ -46,7 +46,7 @@ public final class ActLoader {
     /** Stores the consent, which may block; if it cannot be stored, it is valid until the program ends. */
     private void agree(LoadTargets targets, ActOffer offer) {
         EventThread.background(
-                "agreeing to " + offer.called(),
+                "agreement-" + offer.called(),
                 () -> {
                     try {
                         session.offers().agree(offer);

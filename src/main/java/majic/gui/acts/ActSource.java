@@ -10,12 +10,14 @@ import majic.act.make.ActMaker;
 import majic.bot.BotException;
 import majic.script.ScriptAct;
 import majic.text.IoReason;
+import majic.text.Texts;
 
 /**
  * A source from which an act's file can be made: compiled classes, a jar, a source file, or a script. Its methods may
  * block.
  */
 final class ActSource {
+    private static final Texts TEXTS = Texts.of(ActSource.class);
     /** Makes the file of one of the source's acts. */
     private interface Making {
         byte[] make(String act, ActDetails details);
@@ -58,7 +60,7 @@ final class ActSource {
      */
     String make(String act, ActDetails details, Path target) {
         if (!target.toString().endsWith(ActCatalog.ENDING)) {
-            throw new BotException(target + ": the name of an act's file ends in " + ActCatalog.ENDING);
+            throw new BotException(TEXTS.get("ending", target, ActCatalog.ENDING));
         }
         byte[] file = making.make(act, details);
         try {
@@ -68,9 +70,9 @@ final class ActSource {
             }
             Files.write(target, file);
         } catch (IOException e) {
-            throw new BotException(target + " cannot be written (" + IoReason.of(e) + ")", e);
+            throw new BotException(TEXTS.get("notWritten", target, IoReason.of(e)), e);
         }
-        return "Made " + target + ", " + file.length + " bytes. Load Act loads it onto a robot.";
+        return TEXTS.get("made", target, file.length);
     }
 
     /** Returns the last part of a class's name, which is the act's name unless another one is given. */

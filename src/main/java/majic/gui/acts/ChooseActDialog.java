@@ -20,6 +20,7 @@ import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
@@ -29,6 +30,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class ChooseActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(ChooseActDialog.class);
 
     private final transient ActOffers offers;
     private final transient Settings settings;
@@ -37,16 +39,16 @@ final class ChooseActDialog extends MajicDialog {
     private final DefaultListModel<ActEntry> entries = new DefaultListModel<>();
     private final JList<ActEntry> list = new JList<>(entries);
     private final ActSummary summary = new ActSummary();
-    private final JButton load = button("Load Act", this::load);
+    private final JButton load = button(TEXTS.get("load"), this::load);
 
     ChooseActDialog(Window owner, ActOffers offers, Settings settings, LoadTargets targets, Consumer<ActOffer> chosen) {
-        super(owner, "Choose Act");
+        super(owner, TEXTS.get("chooseAct"));
         this.offers = offers;
         this.settings = settings;
         this.targets = targets;
         this.chosen = chosen;
         load.setName("loadChosen");
-        fill(content(), load, closing("Cancel"));
+        fill(content(), load, closing(TEXTS.get("cancel")));
         show(null);
         readAll();
     }
@@ -66,19 +68,19 @@ final class ChooseActDialog extends MajicDialog {
         });
         JPanel panel = new JPanel(new MigLayout(
                 "insets 0, gap 14 8", "[200:230:, fill][320:360:, grow, fill]", "[][240::, grow, fill][]"));
-        panel.add(new JLabel("An act for " + targets.names()), "spanx 2, wrap");
+        panel.add(new JLabel(targets.heading()), "spanx 2, wrap");
         panel.add(new JScrollPane(list));
         panel.add(summary, "wmin 0, wrap");
-        panel.add(button("From a file…", this::chooseFile));
+        panel.add(button(TEXTS.get("fromFile"), this::chooseFile));
         return panel;
     }
 
     private void chooseFile() {
-        ChooseFile.toOpen(getOwner(), settings, "Choose", ChooseFile.acts(), this::readFile);
+        ChooseFile.toOpen(getOwner(), settings, TEXTS.get("choose"), ChooseFile.acts(), this::readFile);
     }
 
     private void readAll() {
-        summary.say("Reading the acts …");
+        summary.say(TEXTS.get("reading"));
         EventThread.background(
                 "reading acts",
                 () -> {
@@ -91,8 +93,7 @@ final class ChooseActDialog extends MajicDialog {
     private void fillList(List<ActEntry> all) {
         entries.addAll(all);
         if (list.isSelectionEmpty()) {
-            summary.say(
-                    all.isEmpty() ? "There is no act in MAJIC's folder; choose a file." : "Choose an act, or a file.");
+            summary.say(TEXTS.get(all.isEmpty() ? "noAct" : "chooseOne"));
         }
     }
 

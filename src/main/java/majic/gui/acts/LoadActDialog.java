@@ -9,11 +9,13 @@ import majic.gui.kit.Confirm;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Chooses the robot, or the selected robots, onto which an act is loaded; asks first if one of them runs an act or a script. */
 public final class LoadActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(LoadActDialog.class);
 
     private final MemberChoice choice;
     private final transient Consumer<LoadTargets> load;
@@ -25,14 +27,14 @@ public final class LoadActDialog extends MajicDialog {
      * @param load continues with the chosen robots
      */
     public LoadActDialog(Window owner, List<Member> members, List<Member> chosen, Consumer<LoadTargets> load) {
-        super(owner, "Load Act");
+        super(owner, TEXTS.get("loadAct"));
         this.load = load;
         choice = new MemberChoice(members, chosen);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
-        content.add(label("Robot", choice));
+        content.add(label(TEXTS.get("robot"), choice));
         content.add(choice, "wmin 260");
-        JButton ok = button("OK", this::chosen);
-        fill(content, ok, closing("Cancel"));
+        JButton ok = button(TEXTS.get("ok"), this::chosen);
+        fill(content, ok, closing(TEXTS.get("cancel")));
     }
 
     private void chosen() {
@@ -40,7 +42,7 @@ public final class LoadActDialog extends MajicDialog {
         dispose();
         targets.question()
                 .ifPresentOrElse(
-                        question -> Confirm.ask(getOwner(), question, "Yes", () -> load.accept(targets)),
+                        question -> Confirm.ask(getOwner(), question, TEXTS.get("yes"), () -> load.accept(targets)),
                         () -> load.accept(targets));
     }
 }

@@ -4,6 +4,7 @@ import java.util.List;
 import majic.script.ActOffer;
 import majic.team.Member;
 import majic.team.Owner;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -13,6 +14,8 @@ import org.jspecify.annotations.Nullable;
  * @param ends the owner that, with the user's consent, is ended for the new act; null if there was none
  */
 public record LoadTarget(Member member, @Nullable Owner ends) {
+    private static final Texts TEXTS = Texts.of(LoadTarget.class);
+
     static LoadTarget of(Member member) {
         return new LoadTarget(member, member.owner());
     }
@@ -32,8 +35,19 @@ public record LoadTarget(Member member, @Nullable Owner ends) {
             return start;
         }
         boolean isItsOwn = now.kind() == Owner.Kind.ACT && member.lender() == null;
-        String end = isItsOwn ? " act off" : " stop";
-        return number + end + "\n" + number + " wait\n" + start;
+        String end = isItsOwn ? ActOffer.endLine(List.of(number)) : number + " stop";
+        return end + "\n" + number + " wait\n" + start;
+    }
+
+    /** Returns what a robot does for its owner, as a sentence. */
+    static String occupation(Member member, Owner owner) {
+        if (owner.kind() == Owner.Kind.MANUAL) {
+            return TEXTS.get("drivenByHand", member.number());
+        }
+        Owner lender = member.lender();
+        return lender == null
+                ? TEXTS.get("running", member.number(), owner.name())
+                : TEXTS.get("runningInScript", member.number(), owner.name(), lender.name());
     }
 
     /**

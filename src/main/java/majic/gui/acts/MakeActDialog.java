@@ -17,12 +17,14 @@ import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.script.ActOffers;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /** Makes an act's file of classes, a jar, a source or a script. All work is done in the background. */
 public final class MakeActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(MakeActDialog.class);
 
     private final transient ActOffers offers;
     private final transient Settings settings;
@@ -34,12 +36,12 @@ public final class MakeActDialog extends MajicDialog {
     private final JTextField description = new JTextField();
     private final SuggestedField target = new SuggestedField("makeTarget");
     private final Paragraph outcome = new Paragraph("makeOutcome", 4, 50);
-    private final JButton make = button("Make", this::make);
+    private final JButton make = button(TEXTS.get("make"), this::make);
     private transient @Nullable ActSource source;
     private String looked = "";
 
     public MakeActDialog(Window owner, ActOffers offers, Settings settings) {
-        super(owner, "Make Act");
+        super(owner, TEXTS.get("makeAct"));
         this.offers = offers;
         this.settings = settings;
         act.setName("makeAct");
@@ -50,23 +52,24 @@ public final class MakeActDialog extends MajicDialog {
         from.whenFocusIsLost(this::look);
         act.addActionListener(event -> suggestNames());
         name.whenFocusIsLost(this::suggestTarget);
-        fill(content(), make, closing("Close"));
+        fill(content(), make, closing(TEXTS.get("close")));
         make.setEnabled(false);
-        outcome.show(
-                "Choose what to make it of: a class file, a folder of them, a jar, a single .java source,"
-                        + " a script or a saved session.",
-                false);
+        outcome.show(TEXTS.get("sources"), false);
     }
 
     private JPanel content() {
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 10 8", "[right][360::, grow, fill][]", ""));
-        row(panel, "Made of", from, button("Choose…", () -> ChooseFile.toMakeOf(getOwner(), settings, this::chosen)));
-        row(panel, "Act", act, null);
-        row(panel, "Name", name, null);
-        row(panel, "Version", version, null);
-        row(panel, "Author", author, null);
-        row(panel, "Description", description, null);
-        row(panel, "File", target, button("Save as…", this::chooseTarget));
+        row(
+                panel,
+                TEXTS.get("madeOf"),
+                from,
+                button(TEXTS.get("choose"), () -> ChooseFile.toMakeOf(getOwner(), settings, this::chosen)));
+        row(panel, TEXTS.get("act"), act, null);
+        row(panel, TEXTS.get("name"), name, null);
+        row(panel, TEXTS.get("ofVersion"), version, null);
+        row(panel, TEXTS.get("ofAuthor"), author, null);
+        row(panel, TEXTS.get("description"), description, null);
+        row(panel, TEXTS.get("file"), target, button(TEXTS.get("saveAs"), this::chooseTarget));
         panel.add(outcome, "skip 1, spanx 2, growx, wmin 0, hmin 72, gaptop 4");
         return panel;
     }
@@ -90,7 +93,12 @@ public final class MakeActDialog extends MajicDialog {
     }
 
     private void chooseTarget() {
-        ChooseFile.toName(getOwner(), settings, "Save as", target.getText(), file -> target.setText(file.toString()));
+        ChooseFile.toName(
+                getOwner(),
+                settings,
+                TEXTS.get("saveAs.title"),
+                target.getText(),
+                file -> target.setText(file.toString()));
     }
 
     /** Finds the acts in the source, whenever another path was entered. */
@@ -106,7 +114,7 @@ public final class MakeActDialog extends MajicDialog {
             make.setEnabled(false);
             return;
         }
-        work("Looking for acts …", () -> {
+        work(TEXTS.get("looking"), () -> {
             ActSource found = ActSource.read(Path.of(path));
             return () -> found(path, found);
         });
@@ -117,7 +125,7 @@ public final class MakeActDialog extends MajicDialog {
             source = found;
             found.acts().forEach(act::addItem);
             make.setEnabled(true);
-            outcome.show(found.acts().size() == 1 ? "" : "There are several acts; choose one.", false);
+            outcome.show(found.acts().size() == 1 ? "" : TEXTS.get("several"), false);
         }
     }
 
@@ -137,7 +145,7 @@ public final class MakeActDialog extends MajicDialog {
     private void make() {
         Path file = Path.of(target.getText().strip());
         if (Files.exists(file)) {
-            Confirm.ask(getOwner(), file + " exists. Overwrite it?", "Overwrite", () -> make(file));
+            Confirm.ask(getOwner(), TEXTS.get("exists", file), TEXTS.get("overwrite"), () -> make(file));
         } else {
             make(file);
         }
@@ -148,7 +156,7 @@ public final class MakeActDialog extends MajicDialog {
         String chosen = (String) act.getSelectedItem();
         ActDetails details = new ActDetails(name.getText(), version.getText(), author.getText(), description.getText());
         if (known != null && chosen != null) {
-            work("Making …", () -> {
+            work(TEXTS.get("making"), () -> {
                 String done = known.make(chosen, details, file);
                 return () -> outcome.show(done, false);
             });

@@ -17,6 +17,7 @@ import majic.gui.kit.Mnemonics;
 import majic.gui.kit.Palette;
 import majic.gui.kit.Paragraph;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -25,14 +26,15 @@ import net.miginfocom.swing.MigLayout;
  */
 final class RoleChoice extends JPanel {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(RoleChoice.class);
 
     private final transient Role role;
     private final transient List<Member> fit;
     private final transient List<MemberChoice> choices = new ArrayList<>();
     private final JPanel rows =
             new JPanel(new MigLayout("insets 0, gap 4 4, wrap 3, hidemode 3", "[grow, fill][][]", ""));
-    private final JButton more = MajicDialog.button("One more", this::addOne);
-    private final JButton fewer = MajicDialog.button("One fewer", this::removeOne);
+    private final JButton more = MajicDialog.button(TEXTS.get("oneMore"), this::addOne);
+    private final JButton fewer = MajicDialog.button(TEXTS.get("oneFewer"), this::removeOne);
 
     /**
      * Creates a choice that starts with a robot not yet assigned to a role, if there is one.
@@ -46,7 +48,7 @@ final class RoleChoice extends JPanel {
                 .filter(member -> RoleFit.unfit(role, member, target).isEmpty())
                 .toList();
         if (fit.isEmpty()) {
-            JLabel none = new JLabel("No robot here can take this role.");
+            JLabel none = new JLabel(TEXTS.get("noRobot"));
             none.setForeground(Palette.error());
             add(none);
         } else {
@@ -73,7 +75,7 @@ final class RoleChoice extends JPanel {
                 fit.stream().filter(member -> !taken.contains(member)).findFirst();
         MemberChoice choice = new MemberChoice(fit, free);
         choice.setName("role " + role.name() + (choices.isEmpty() ? "" : " " + (choices.size() + 1)));
-        choice.getAccessibleContext().setAccessibleName("Robot for " + role.name());
+        choice.getAccessibleContext().setAccessibleName(TEXTS.get("robotFor", role.name()));
         boolean first = choices.isEmpty();
         choices.add(choice);
         rows.add(choice, first ? "wmin 0" : "wmin 0, wrap");
@@ -105,7 +107,7 @@ final class RoleChoice extends JPanel {
                 .filter(member -> member != target.member())
                 .flatMap(member -> RoleFit.unfit(role, member, target).stream())
                 .collect(Collectors.joining("\n"));
-        String wanted = "Wanted: " + RoleFit.wanted(role) + ".";
+        String wanted = TEXTS.get("wanted", RoleFit.wanted(role));
         Paragraph why = new Paragraph("why " + role.name(), 1, 40);
         why.showFaint(others.isEmpty() ? wanted : wanted + "\n" + others);
         return why;

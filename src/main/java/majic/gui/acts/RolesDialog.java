@@ -16,11 +16,13 @@ import majic.gui.kit.Paragraph;
 import majic.gui.kit.PlainLabel;
 import majic.script.ActOffer;
 import majic.team.Member;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Assigns a robot to each further role of an act. Offers only suitable robots, and shows why the others are not. */
 final class RolesDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
+    private static final Texts TEXTS = Texts.of(RolesDialog.class);
 
     private final transient List<RoleChoice> choices = new ArrayList<>();
     private final Paragraph outcome = new Paragraph("rolesOutcome", 1, 40);
@@ -33,11 +35,12 @@ final class RolesDialog extends MajicDialog {
      */
     RolesDialog(
             Window owner, ActOffer offer, LoadTarget target, List<Member> members, Consumer<List<Integer>> assigned) {
-        super(owner, "Assign Roles");
+        super(owner, TEXTS.get("assignRoles"));
         this.assigned = assigned;
         JPanel content = new JPanel(new MigLayout("insets 0, gap 12 6", "[right, ::160][360:400:, grow, fill]", ""));
         content.add(
-                new PlainLabel("rolesOf", offer.details().name() + " needs further robots."),
+                new PlainLabel(
+                        "rolesOf", TEXTS.get("needsRobots", offer.details().name())),
                 "spanx 2, growx, wmin 0, gapbottom 4, wrap");
         row(content, "me", new JLabel(new MemberChoice.Entry(target.member()).toString()));
         LinkedHashSet<Member> taken = new LinkedHashSet<>();
@@ -48,14 +51,14 @@ final class RolesDialog extends MajicDialog {
             row(content, role.name(), choice);
         }
         content.add(outcome, "spanx 2, growx, wmin 0");
-        JButton load = button("Load Act", this::load);
+        JButton load = button(TEXTS.get("load"), this::load);
         load.setName("loadChosen");
         load.setEnabled(choices.stream().allMatch(choice -> !choice.chosen().isEmpty()));
-        fill(content, load, closing("Cancel"));
+        fill(content, load, closing(TEXTS.get("cancel")));
     }
 
     private static void row(JPanel content, String role, JComponent value) {
-        JLabel name = new PlainLabel("role of " + role, role);
+        JLabel name = new PlainLabel("roleOf" + role, role);
         name.putClientProperty("FlatLaf.style", "font: bold");
         content.add(name, "aligny top, gaptop 4, wmin 0");
         content.add(value, "wmin 0, wrap");
@@ -65,7 +68,7 @@ final class RolesDialog extends MajicDialog {
         List<Member> robots =
                 choices.stream().flatMap(choice -> choice.chosen().stream()).toList();
         if (new LinkedHashSet<>(robots).size() < robots.size()) {
-            outcome.show("One robot cannot have two roles; choose another one.", true);
+            outcome.show(TEXTS.get("twoRoles"), true);
             return;
         }
         dispose();

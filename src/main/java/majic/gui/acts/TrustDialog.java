@@ -20,16 +20,14 @@ import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Palette;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.PlainLabel;
+import majic.text.Texts;
 import majic.text.VisibleText;
 import net.miginfocom.swing.MigLayout;
 
 /** Shows what code an act contains, before any of it is loaded, and asks whether it may run. Enter refuses. */
 final class TrustDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
-    private static final String CONSEQUENCE =
-            "Once you agree this is trusted code: it can do whatever you can do on this"
-                    + " computer, not only move robots. MAJIC guards against accidents, not against malice. Agree only if you know"
-                    + " where the file comes from. Your answer is remembered for exactly this file.";
+    private static final Texts TEXTS = Texts.of(TrustDialog.class);
 
     /** Number of characters of the title that fit into the dialog's width. */
     private static final int LINE = 80;
@@ -40,31 +38,31 @@ final class TrustDialog extends MajicDialog {
      * @param agreed runs when the user agrees; otherwise nothing is done
      */
     TrustDialog(Window owner, ActFile file, Runnable agreed) {
-        super(owner, "Trust this code?");
+        super(owner, TEXTS.get("trust"));
         JPanel facts = new JPanel(new MigLayout("insets 0, gap 12 6", "[right][520:600:, grow, fill]", ""));
         facts.add(title(file.details().name()), "spanx 2, growx, wmin 0, gapbottom 4, wrap");
-        row(facts, "File", file.label(), "trustFile");
-        row(facts, "Author", author(file), "trustAuthor");
-        lines(facts, "Signature", signature(file.signers()), "trustSignature");
+        row(facts, TEXTS.get("file"), file.label(), "trustFile");
+        row(facts, TEXTS.get("ofAuthor"), author(file), "trustAuthor");
+        lines(facts, TEXTS.get("signature"), signature(file.signers()), "trustSignature");
         mono(row(facts, "SHA-256", file.sha256(), "trustHash"));
-        lines(facts, "Classes", file.classes(), "trustClasses");
-        lines(facts, "They use", file.packages(), "trustPackages");
+        lines(facts, TEXTS.get("classes"), file.classes(), "trustClasses");
+        lines(facts, TEXTS.get("packages"), file.packages(), "trustPackages");
         facts.add(consequence(), "spanx 2, growx, wmin 0, gaptop 6");
-        JButton no = closing("Do not run");
+        JButton no = closing(TEXTS.get("doNotRun"));
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
                 no.requestFocusInWindow();
             }
         });
-        fill(facts, no, button("Agree and run", () -> {
+        fill(facts, no, button(TEXTS.get("agree"), () -> {
             dispose();
             agreed.run();
         }));
     }
 
     private static Paragraph title(String act) {
-        String words = act + " contains code that has no consent yet.";
+        String words = TEXTS.get("noConsent", act);
         Paragraph title = new Paragraph("trustTitle", 1 + words.length() / LINE, LINE / 2);
         title.putClientProperty("FlatLaf.styleClass", "h4");
         title.show(words, false);
@@ -72,7 +70,8 @@ final class TrustDialog extends MajicDialog {
     }
 
     private static String author(ActFile file) {
-        return file.details().author().isEmpty() ? "not given" : file.details().author() + " (as the file says)";
+        String author = file.details().author();
+        return author.isEmpty() ? TEXTS.get("noAuthor") : TEXTS.get("authorInFile", author);
     }
 
     /**
@@ -81,9 +80,9 @@ final class TrustDialog extends MajicDialog {
      */
     private static List<String> signature(List<Signer> signers) {
         return signers.isEmpty()
-                ? List.of("none")
+                ? List.of(TEXTS.get("unsigned"))
                 : signers.stream()
-                        .flatMap(signer -> Stream.of(signer.name(), "certificate " + signer.fingerprint()))
+                        .flatMap(signer -> Stream.of(signer.name(), TEXTS.get("certificate", signer.fingerprint())))
                         .toList();
     }
 
@@ -94,7 +93,7 @@ final class TrustDialog extends MajicDialog {
 
     private static Paragraph consequence() {
         Paragraph words = new Paragraph("trustConsequence", 3, 60);
-        words.show(CONSEQUENCE, false);
+        words.show(TEXTS.get("consequence"), false);
         Color line = Palette.mixed(0.3);
         words.setBorder(BorderFactory.createCompoundBorder(
                 BorderFactory.createMatteBorder(1, 0, 0, 0, line), BorderFactory.createEmptyBorder(10, 0, 0, 0)));
