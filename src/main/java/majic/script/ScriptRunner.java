@@ -3,10 +3,13 @@ package majic.script;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import majic.bot.BotException;
 import majic.log.Line;
 import majic.script.conditions.Selection;
+import majic.script.help.Completion;
 import majic.script.help.Completions;
+import majic.script.help.WordPlace;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
@@ -78,6 +81,22 @@ public final class ScriptRunner {
      */
     public Completions complete(String line, int caret) {
         return session.completer().complete(line, caret, List.of());
+    }
+
+    /**
+     * Explains a word of a script: a command, a robot, a parameter, or the value that is expected in its place. Reads no
+     * files, so nothing is known of names of acts and files.
+     *
+     * @param line one line of the script
+     * @param index a place that the word touches, 0 to the length of the line; in a gap, what is expected there is
+     *     explained
+     * @return empty if nothing is known of the word
+     */
+    public Optional<Completion> explain(String line, int index) {
+        WordPlace word = WordPlace.at(line, index);
+        return MajicParser.readsFiles(line.substring(0, word.start()))
+                ? Optional.empty()
+                : complete(line, word.end()).meaning(line.substring(word.start(), word.end()));
     }
 
     /**

@@ -121,4 +121,29 @@ class CompletionTest {
                 .singleElement()
                 .satisfies(entry -> assertThat(entry.explanation()).isNotBlank());
     }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 tu_rn 90 | turn ANGLE [until CONDITION]: on the spot, left positive",
+                "_turn | ''",
+                "1 turn _ | an angle (deg, rad)",
+                "1 turn 90_deg | an angle (deg, rad)",
+                "_1 turn 90 | 1: Aibo",
+                "1 get distanceFront_ | distanceFront mm: what is ahead",
+                "1 set headPan 3_0 | headPan: where the head looks, left positive (-91 … 91 deg)",
+                "_repeat 3 | repeat [N] ... end: N times, or for ever",
+                "1 _act race | act NAME [with ROBOTS]: runs an act, a script or an .act file; \"1 act off\" ends it",
+                "1 act ra_ce | ''",
+                "1 move 3 # move_ it | ''"
+            })
+    void explainsTheWordThatThePlaceTouches(String text, String words) {
+        String line = text.replace("_", "");
+        assertThat(new ScriptRunner(fixture.session)
+                        .explain(line, text.indexOf('_'))
+                        .map(Completion::inWords)
+                        .orElse(""))
+                .isEqualTo(words);
+    }
 }

@@ -22,6 +22,7 @@ import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.JTextComponent;
+import majic.gui.kit.CompletionCell;
 import majic.script.help.Completion;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
@@ -38,7 +39,7 @@ final class ChoicePopup {
     private final JTextComponent field;
     private final DefaultListModel<Completion> entries = new DefaultListModel<>();
     private final JList<Completion> list = new JList<>(entries);
-    private final ChoiceCell cell = new ChoiceCell();
+    private final CompletionCell cell = new CompletionCell();
     private @Nullable JWindow window;
     private boolean chosen;
 

@@ -37,6 +37,12 @@ final class BackgroundCheck {
         delay.restart();
     }
 
+    /** Checks the script as it is. */
+    void now() {
+        delay.stop();
+        begin();
+    }
+
     private void begin() {
         if (running) {
             soon();

@@ -53,7 +53,7 @@ final class EditorTab extends JPanel {
         file.showText();
         area.text().getDocument().addDocumentListener(new Edits());
         area.text().addCaretListener(event -> changed());
-        check.soon();
+        check.now();
     }
 
     ScriptArea area() {

@@ -15,7 +15,6 @@ import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import javax.swing.JFrame;
-import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.Timer;
@@ -30,7 +29,6 @@ import majic.script.ScriptRunner;
 import majic.team.Member;
 import majic.team.TeamListener;
 import majic.text.Texts;
-import net.miginfocom.swing.MigLayout;
 
 /**
  * The script editor: opens, edits, checks, runs and saves scripts and saved sessions, each in a tab. Must be used on the
@@ -47,8 +45,7 @@ public final class EditorWindow extends JFrame {
     private final EditorToolbar toolbar;
     private final FileNotice notice = new FileNotice();
     private final JTabbedPane tabs = new JTabbedPane(JTabbedPane.TOP, JTabbedPane.SCROLL_TAB_LAYOUT);
-    private final JLabel status = new JLabel(" ");
-    private final JLabel place = new JLabel();
+    private final StatusBar status = new StatusBar();
     private final Timer looking = new Timer(LOOK_AT_FILES_MS, event -> lookAtFiles());
     private final transient TeamListener team = new EventThreadTeamListener(new Rechecking());
     private int created;
@@ -81,18 +78,13 @@ public final class EditorWindow extends JFrame {
         tabs.putClientProperty("JTabbedPane.tabCloseToolTipText", TEXTS.get("tab.close"));
         tabs.putClientProperty("JTabbedPane.tabCloseCallback", (BiConsumer<JTabbedPane, Integer>)
                 (all, index) -> close((EditorTab) all.getComponentAt(index), () -> {}));
-        status.setName("scriptStatus");
-        status.putClientProperty("html.disable", true);
-        JPanel bottom = new JPanel(new MigLayout("insets 4 12 6 12", "[grow, fill][]"));
-        bottom.add(status, "wmin 0");
-        bottom.add(place);
         JPanel top = new JPanel(new BorderLayout());
         top.add(toolbar, BorderLayout.CENTER);
         top.add(notice, BorderLayout.SOUTH);
         JPanel content = new JPanel(new BorderLayout());
         content.add(top, BorderLayout.NORTH);
         content.add(tabs, BorderLayout.CENTER);
-        content.add(bottom, BorderLayout.SOUTH);
+        content.add(status, BorderLayout.SOUTH);
         setContentPane(content);
         setJMenuBar(new EditorMenu(this, context, actions));
     }
@@ -220,8 +212,7 @@ public final class EditorWindow extends JFrame {
                     setTitle(TEXTS.get("title.script", tab.file().name()));
                     actions.update(tab.run());
                     toolbar.showRobots(tab.robots());
-                    status.setText(tab.status());
-                    place.setText(tab.area().caretPlace());
+                    status.show(tab);
                 })
                 .run();
     }

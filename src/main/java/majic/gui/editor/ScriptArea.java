@@ -42,6 +42,7 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
     private final RSyntaxTextArea text;
     private final transient Mistakes mistakes = new Mistakes();
     private final transient ScriptCompletion completion;
+    private final transient WordHints hints;
     private transient Progress shown = NONE;
 
     ScriptArea(ScriptRunner runner) {
@@ -56,6 +57,7 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
         text.setUseFocusableTips(false);
         text.addParser(mistakes);
         completion = new ScriptCompletion(text, runner);
+        hints = new WordHints(text, runner);
         setBorder(BorderFactory.createEmptyBorder());
         setIconRowHeaderEnabled(true);
         setLineNumbersEnabled(true);
@@ -128,6 +130,11 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
     /** Returns where the caret is, in words. */
     String caretPlace() {
         return TEXTS.get("caret", text.getCaretLineNumber() + 1, text.getCaretOffsetFromLineStart() + 1);
+    }
+
+    /** Returns one line on the word at the caret, or on what is expected there; empty if nothing is known of it. */
+    String hint() {
+        return hints.atCaret();
     }
 
     /** Puts the caret at a place, which is scrolled to. */

@@ -1,15 +1,18 @@
 package majic.gui.editor;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.Dimension;
 import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import javax.swing.UIManager;
 import javax.swing.text.JTextComponent;
+import majic.gui.kit.CompletionCell;
 import majic.gui.kit.EventThread;
-import majic.script.MajicParser;
 import majic.script.ScriptRunner;
 import majic.script.help.Completions;
+import org.fife.ui.autocomplete.AbstractCompletion;
 import org.fife.ui.autocomplete.AutoCompletion;
 import org.fife.ui.autocomplete.Completion;
 import org.fife.ui.autocomplete.CompletionProviderBase;
@@ -22,27 +25,36 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
  */
 final class ScriptCompletion extends CompletionProviderBase {
     private static final int DELAY_MS = 200;
-    private static final int WIDTH = 720;
     private static final int MOST_ROWS = 9;
     private static final int FRAME = 16;
+    private static final int SIDES = 24;
     private static final Completions NONE = new Completions(0, List.of());
 
     private final RSyntaxTextArea area;
     private final ScriptRunner runner;
     private final CompletionCell cell = new CompletionCell();
     private final AutoCompletion popup = new Popup();
-    private Place found = new Place("", 0);
+    private ScriptPlace found = new ScriptPlace("", 0);
     private Completions there = NONE;
     private boolean searching;
 
-    /**
-     * A place in a line.
-     *
-     * @param caret 0 to the length of the line
-     */
-    private record Place(String line, int caret) {
-        boolean readsFiles() {
-            return MajicParser.readsFiles(line.substring(0, caret));
+    /** A completion in the list. */
+    private static final class Entry extends AbstractCompletion {
+        private final majic.script.help.Completion completion;
+
+        Entry(ScriptCompletion provider, majic.script.help.Completion completion) {
+            super(provider);
+            this.completion = completion;
+        }
+
+        @Override
+        public String getReplacementText() {
+            return completion.text();
+        }
+
+        @Override
+        public String getSummary() {
+            return completion.explanation();
         }
     }
 
@@ -55,7 +67,9 @@ final class ScriptCompletion extends CompletionProviderBase {
         @Override
         protected int refreshPopupWindow() {
             int rows = Math.min(MOST_ROWS, getCompletions(area).size());
-            setChoicesWindowSize(UIScale.scale(WIDTH), rows * cell.getPreferredSize().height + UIScale.scale(FRAME));
+            cell.measure(there.entries(), UIManager.getFont("List.font"));
+            Dimension row = cell.getPreferredSize();
+            setChoicesWindowSize(row.width + UIScale.scale(SIDES), rows * row.height + UIScale.scale(FRAME));
             return super.refreshPopupWindow();
         }
     }
@@ -69,7 +83,8 @@ final class ScriptCompletion extends CompletionProviderBase {
         popup.setAutoActivationDelay(DELAY_MS);
         popup.setAutoCompleteSingleChoices(false);
         popup.setShowDescWindow(false);
-        popup.setListCellRenderer(cell);
+        popup.setListCellRenderer(
+                (list, value, index, selected, focused) -> cell.show(((Entry) value).completion, selected));
         popup.install(area);
     }
 
@@ -78,26 +93,23 @@ final class ScriptCompletion extends CompletionProviderBase {
         return popup.isPopupVisible();
     }
 
-    private Place place() {
-        int start = area.getLineStartOffsetOfCurrentLine();
-        String line = area.getText().substring(start, Math.max(start, area.getLineEndOffsetOfCurrentLine()));
-        String withoutEnd = line.endsWith("\n") ? line.substring(0, line.length() - 1) : line;
-        return new Place(withoutEnd, Math.min(withoutEnd.length(), area.getCaretOffsetFromLineStart()));
+    private ScriptPlace place() {
+        return ScriptPlace.at(area, area.getCaretPosition());
     }
 
-    private Completions completions(Place place) {
+    private Completions completions(ScriptPlace place) {
         if (!place.equals(found)) {
             if (place.readsFiles()) {
                 search(place);
                 return NONE;
             }
             found = place;
-            there = runner.complete(place.line(), place.caret());
+            there = runner.complete(place.line(), place.index());
         }
         return there;
     }
 
-    private void search(Place place) {
+    private void search(ScriptPlace place) {
         if (searching) {
             return;
         }
@@ -105,13 +117,13 @@ final class ScriptCompletion extends CompletionProviderBase {
         EventThread.background(
                 "completing",
                 () -> {
-                    Completions result = runner.complete(place.line(), place.caret());
+                    Completions result = runner.complete(place.line(), place.index());
                     EventThread.later(() -> searched(place, result));
                 },
                 why -> searching = false);
     }
 
-    private void searched(Place place, Completions result) {
+    private void searched(ScriptPlace place, Completions result) {
         searching = false;
         if (place.equals(place())) {
             found = place;
@@ -124,9 +136,9 @@ final class ScriptCompletion extends CompletionProviderBase {
 
     @Override
     public String getAlreadyEnteredText(JTextComponent component) {
-        Place place = place();
+        ScriptPlace place = place();
         Completions now = completions(place);
-        return now.entries().isEmpty() ? "" : place.line().substring(now.start(), place.caret());
+        return now.entries().isEmpty() ? "" : place.line().substring(now.start(), place.index());
     }
 
     /** A word that is complete is left alone, so that Enter ends the line. The library adds to the list. */
@@ -139,7 +151,7 @@ final class ScriptCompletion extends CompletionProviderBase {
         }
         return now.entries().stream()
                 .filter(entry -> !entry.isHint())
-                .map(entry -> new CompletionCell.Entry(this, entry))
+                .map(entry -> new Entry(this, entry))
                 .collect(Collectors.toCollection(ArrayList::new));
     }
 

@@ -66,32 +66,12 @@ public final class Completer {
         if (commentFrom < typed.length()) {
             return new Completions(caret, List.of());
         }
-        int start = start(tokens, caret);
+        int start = WordPlace.start(tokens, caret);
         tokens.removeIf(token -> token.column() > start);
         String begun = typed.substring(start).toLowerCase(Locale.ROOT);
         List<Completion> candidates = candidates(tokens, unnamed);
         return new Completions(
                 start, matching(candidates.isEmpty() ? expected(typed.substring(0, start)) : candidates, begun));
-    }
-
-    /** Where the tokens begin that stand together at the end of the line; signs that separate words do not belong to them. */
-    private static int start(List<Token> tokens, int caret) {
-        int start = caret;
-        for (int index = tokens.size() - 1; index >= 0; index--) {
-            Token token = tokens.get(index);
-            if (token.end() - 1 != start || separates(token.kind())) {
-                break;
-            }
-            start = token.column() - 1;
-        }
-        return start;
-    }
-
-    private static boolean separates(Token.Kind kind) {
-        return switch (kind) {
-            case COMMA, DOT, LEFT, RIGHT, OPERATOR, NEWLINE, END -> true;
-            case NUMBER, SPAN, WORD, QUOTED, OPEN_QUOTE, OTHER -> false;
-        };
     }
 
     private static List<Completion> matching(List<Completion> candidates, String begun) {
@@ -186,7 +166,7 @@ public final class Completer {
     private List<Completion> afterCommand(List<Token> tokens, int command, List<Member> members) {
         List<Token> behind = tokens.subList(command + 1, tokens.size());
         List<Token> values =
-                behind.stream().filter(token -> !separates(token.kind())).toList();
+                behind.stream().filter(token -> !WordPlace.separates(token)).toList();
         Token last = tokens.get(tokens.size() - 1);
         boolean names = values.isEmpty() || last.kind() == Token.Kind.COMMA || last.is("now");
         return switch (tokens.get(command).text().toLowerCase(Locale.ROOT)) {

@@ -19,4 +19,17 @@ public record Completion(String text, String values, String explanation) {
     public boolean isHint() {
         return text.isEmpty();
     }
+
+    /**
+     * Returns all that is known in one line, such as {@code headPan deg: turns the head} or {@code a distance (mm, cm)}.
+     *
+     * @return one line, without full stop
+     */
+    public String inWords() {
+        if (isHint()) {
+            return values.isEmpty() ? explanation : explanation + " (" + values + ")";
+        }
+        String word = values.isEmpty() ? text : text + " " + values;
+        return explanation.isEmpty() ? word : word + ": " + explanation;
+    }
 }

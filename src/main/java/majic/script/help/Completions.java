@@ -1,6 +1,7 @@
 package majic.script.help;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * The completions at a place of a line. Immutable.
@@ -25,5 +26,19 @@ public record Completions(int start, List<Completion> entries) {
                 .filter(entry -> !entry.isHint())
                 .map(Completion::text)
                 .toList();
+    }
+
+    /**
+     * Finds what a word means that stands at the place.
+     *
+     * @param word from the start to the caret; may be empty
+     * @return the entry that is this word, in any case of its letters; else what is expected at the place; empty if
+     *     neither is known
+     */
+    public Optional<Completion> meaning(String word) {
+        return entries.stream()
+                .filter(entry -> !entry.isHint() && entry.text().equalsIgnoreCase(word))
+                .findFirst()
+                .or(() -> entries.stream().filter(Completion::isHint).findFirst());
     }
 }

@@ -1,4 +1,4 @@
-package majic.gui.command;
+package majic.gui.kit;
 
 import java.awt.Color;
 import java.awt.Component;
@@ -17,12 +17,14 @@ import javax.swing.JList;
 import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
 import javax.swing.plaf.basic.BasicGraphicsUtils;
-import majic.gui.kit.Palette;
 import majic.script.help.Completion;
 import org.jspecify.annotations.Nullable;
 
-/** Paints a completion in three columns: the word, what it takes, and its explanation. */
-final class ChoiceCell extends JLabel implements ListCellRenderer<Completion> {
+/**
+ * Paints a completion in three columns: the word, what it takes, and its explanation. Must be used on the event dispatch
+ * thread.
+ */
+public final class CompletionCell extends JLabel implements ListCellRenderer<Completion> {
     private static final long serialVersionUID = 1L;
     /** Widths in characters. */
     private static final int WIDEST_VALUES = 32;
@@ -35,8 +37,13 @@ final class ChoiceCell extends JLabel implements ListCellRenderer<Completion> {
     private int words;
     private int values;
 
-    /** Sets the widths of the columns and the preferred size, so that the entries fit. */
-    void measure(List<Completion> entries, Font font) {
+    /**
+     * Sets the widths of the columns and the preferred size, so that the entries fit.
+     *
+     * @param entries all that are shown together
+     * @param font of the list
+     */
+    public void measure(List<Completion> entries, Font font) {
         setFont(font);
         FontMetrics plain = getFontMetrics(font);
         character = plain.charWidth('m');
@@ -58,6 +65,16 @@ final class ChoiceCell extends JLabel implements ListCellRenderer<Completion> {
     @Override
     public Component getListCellRendererComponent(
             JList<? extends Completion> list, Completion value, int index, boolean isSelected, boolean hasFocus) {
+        return show(value, isSelected);
+    }
+
+    /**
+     * Shows a completion.
+     *
+     * @param isSelected whether it is painted in the colours of a selection
+     * @return this cell
+     */
+    public Component show(Completion value, boolean isSelected) {
         entry = value;
         selected = isSelected;
         getAccessibleContext()
