@@ -2,12 +2,14 @@ package majic;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Frame;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
+import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
@@ -16,6 +18,7 @@ import majic.gui.MajicFrame;
 import majic.gui.WindowWait;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
+import majic.gui.replay.ReplayWindow;
 import majic.program.Program;
 import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
@@ -100,6 +103,20 @@ final class PictureWindow {
             }
         }
         return null;
+    }
+
+    /** Returns the window that replays a recording; null if none is shown. */
+    static @Nullable JFrame replay() {
+        return Stream.of(Frame.getFrames())
+                .filter(window -> window instanceof ReplayWindow && window.isShowing())
+                .map(JFrame.class::cast)
+                .findFirst()
+                .orElse(null);
+    }
+
+    static boolean isShowing(Container parent, String name) {
+        Component found = search(parent, name);
+        return found != null && found.isShowing();
     }
 
     static Component find(Container parent, String name) {

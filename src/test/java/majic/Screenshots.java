@@ -9,14 +9,12 @@ import static majic.PictureWindow.select;
 
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
-import java.awt.Frame;
 import java.awt.Window;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -40,7 +38,6 @@ import majic.simulation.SimulatedLab;
 import majic.team.Member;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -198,8 +195,8 @@ class Screenshots {
         ReplayServices services = new ReplayServices(
                 program.settings(), program.session().factory().types(), JButton::new);
         SwingUtilities.invokeAndWait(() -> ReplayWindow.open(frame, file, services, () -> {}, Assertions::fail));
-        awaitWindow(() -> replayWindow() != null);
-        JFrame replay = Objects.requireNonNull(replayWindow());
+        awaitWindow(() -> PictureWindow.replay() != null);
+        JFrame replay = Objects.requireNonNull(PictureWindow.replay());
         awaitWindow(new Settled());
         SwingUtilities.invokeAndWait(() -> {
             ((JTabbedPane) find(replay, "replayRobots")).setSelectedIndex(PIONEER - 1);
@@ -208,14 +205,6 @@ class Screenshots {
         awaitWindow(new Settled());
         WindowPicture.save(replay, IMAGES.resolve("replay.png"));
         SwingUtilities.invokeAndWait(replay::dispose);
-    }
-
-    private static @Nullable JFrame replayWindow() {
-        return Stream.of(Frame.getFrames())
-                .filter(window -> window instanceof ReplayWindow && window.isShowing())
-                .map(JFrame.class::cast)
-                .findFirst()
-                .orElse(null);
     }
 
     private static void dark(MajicFrame frame) throws Exception {

@@ -19,15 +19,21 @@ import javax.swing.SwingUtilities;
 public final class WindowPicture {
     private WindowPicture() {}
 
-    /** Paints and saves; must be called off the event dispatch thread. */
+    /** Paints and saves at the scale of the screen; must be called off the event dispatch thread. */
     public static void save(JFrame frame, Path file) throws Exception {
-        BufferedImage image = new BufferedImage(frame.getWidth(), frame.getHeight(), BufferedImage.TYPE_INT_RGB);
-        SwingUtilities.invokeAndWait(() -> paint(frame, image));
+        double scale = frame.getGraphicsConfiguration().getDefaultTransform().getScaleX();
+        BufferedImage image = new BufferedImage(
+                (int) Math.ceil(scale * frame.getWidth()),
+                (int) Math.ceil(scale * frame.getHeight()),
+                BufferedImage.TYPE_INT_RGB);
+        Graphics2D g = image.createGraphics();
+        g.scale(scale, scale);
+        SwingUtilities.invokeAndWait(() -> paint(frame, g));
+        g.dispose();
         write(image, file);
     }
 
-    private static void paint(JFrame frame, BufferedImage image) {
-        Graphics2D g = image.createGraphics();
+    private static void paint(JFrame frame, Graphics2D g) {
         frame.getRootPane().paint(g);
         for (Window dialog : frame.getOwnedWindows()) {
             if (dialog.isShowing() && dialog instanceof RootPaneContainer content) {
@@ -42,7 +48,6 @@ public final class WindowPicture {
                 part.dispose();
             }
         }
-        g.dispose();
     }
 
     private static void write(BufferedImage image, Path file) throws IOException {
