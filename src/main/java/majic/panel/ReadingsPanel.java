@@ -39,6 +39,8 @@ public final class ReadingsPanel<S> extends JPanel {
     private final transient List<JLabel> names = new ArrayList<>();
     private final transient List<JLabel> values = new ArrayList<>();
     private final transient ReadingKeys keys = new ReadingKeys();
+    private int paired;
+    private String longestOfPair = "";
 
     /**
      * Creates a panel without rows.
@@ -124,6 +126,20 @@ public final class ReadingsPanel<S> extends JPanel {
     }
 
     /**
+     * Shows the first readings two in a row where there is one column wide enough for that, so that they need half the
+     * height. Their labels should be short.
+     *
+     * @param count even; not more than there are rows
+     * @param longest a text as wide as the widest value of these
+     * @return this panel
+     */
+    public ReadingsPanel<S> paired(int count, String longest) {
+        paired = count;
+        longestOfPair = longest;
+        return this;
+    }
+
+    /**
      * Shows the values.
      *
      * @param source the source of the values
@@ -151,8 +167,8 @@ public final class ReadingsPanel<S> extends JPanel {
 
     /** Returns its height within an area of this size; 0 if the area is too small for it. */
     int heightWithin(int width, int height) {
-        Dimension least = getMinimumSize();
-        return width < least.width || height < least.height ? 0 : Math.min(height, heightIn(width));
+        int least = rowHeight() * (pairsIn(width) > 0 ? pairsIn(width) : LEAST_ROWS);
+        return width < columnWidth() || height < least ? 0 : Math.min(height, heightIn(width));
     }
 
     /** Sets its bounds; hides it if the height is 0. */
@@ -165,21 +181,25 @@ public final class ReadingsPanel<S> extends JPanel {
     public void doLayout() {
         int rows = Math.max(1, getHeight() / rowHeight());
         int columns = columnsIn(getWidth());
-        int filled = Math.min(rows, ceil(names.size(), columns));
-        int room = (getWidth() - (columns - 1) * gap()) / columns;
-        int width = Math.max(columnWidth(), (int) Math.min(room, WIDEST * columnWidth()));
-        for (int index = 0; index < names.size(); index++) {
-            boolean fits = index / filled < columns;
-            names.get(index).setVisible(fits);
-            values.get(index).setVisible(fits);
-            place(
-                    index,
-                    new Rectangle(index / filled * (width + gap()), index % filled * rowHeight(), width, rowHeight()));
+        int filled = Math.min(rows, rowsIn(getWidth()));
+        int width = widthOfEach(getWidth());
+        int pairs = pairsIn(getWidth());
+        for (int index = 0; index < 2 * pairs; index++) {
+            int half = (width - gap() / 2) / 2;
+            Rectangle cell = new Rectangle(index % 2 * (width - half), index / 2 * rowHeight(), half, rowHeight());
+            place(index, cell, nameWidth(2 * pairs), index / 2 < filled);
+        }
+        for (int index = 2 * pairs; index < names.size(); index++) {
+            int cell = index - pairs;
+            Rectangle row =
+                    new Rectangle(cell / filled * (width + gap()), cell % filled * rowHeight(), width, rowHeight());
+            place(index, row, nameWidth(names.size()), cell / filled < columns);
         }
     }
 
-    private void place(int index, Rectangle row) {
-        int nameWidth = nameWidth();
+    private void place(int index, Rectangle row, int nameWidth, boolean fits) {
+        names.get(index).setVisible(fits);
+        values.get(index).setVisible(fits);
         names.get(index).setBounds(row.x, row.y, nameWidth, row.height);
         values.get(index).setBounds(row.x + nameWidth, row.y, row.width - nameWidth, row.height);
     }
@@ -196,7 +216,29 @@ public final class ReadingsPanel<S> extends JPanel {
 
     /** Returns the height needed to show every row. */
     private int heightIn(int width) {
-        return rowHeight() * ceil(names.size(), columnsIn(width));
+        return rowHeight() * rowsIn(width);
+    }
+
+    private int rowsIn(int width) {
+        return ceil(names.size(), columnsIn(width)) - pairsIn(width);
+    }
+
+    /** Returns the number of rows with two readings. */
+    private int pairsIn(int width) {
+        return columnsIn(width) == 1 && pairWidth() <= width ? paired / 2 : 0;
+    }
+
+    private int pairWidth() {
+        int each = nameWidth(paired) + gap() / 2 + metrics().stringWidth(longestOfPair) + SLACK;
+        return paired == 0 ? 0 : 2 * each + gap() / 2;
+    }
+
+    /** Returns the width of a column. */
+    private int widthOfEach(int width) {
+        int columns = columnsIn(width);
+        int room = (width - (columns - 1) * gap()) / columns;
+        int widest = Math.max(pairWidth(), (int) (WIDEST * columnWidth()));
+        return Math.max(columnWidth(), Math.min(room, widest));
     }
 
     private int columnsIn(int width) {
@@ -210,11 +252,13 @@ public final class ReadingsPanel<S> extends JPanel {
 
     private int columnWidth() {
         FontMetrics metrics = metrics();
-        return nameWidth() + gap() / 2 + metrics.stringWidth(longestValue) + SLACK;
+        return nameWidth(names.size()) + gap() / 2 + metrics.stringWidth(longestValue) + SLACK;
     }
 
-    private int nameWidth() {
+    /** Returns the width of the widest of the first labels. */
+    private int nameWidth(int count) {
         return names.stream()
+                        .limit(count)
                         .mapToInt(name -> name.getPreferredSize().width)
                         .max()
                         .orElse(0)

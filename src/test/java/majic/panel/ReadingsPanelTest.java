@@ -63,6 +63,27 @@ class ReadingsPanelTest {
         assertThat(value("voltage").isEnabled()).isFalse();
     }
 
+    @Test
+    void pairsTheFirstReadingsWhereOneColumnIsWideEnough() {
+        panel.paired(2, "12.6 V");
+        panel.setSize(2 * panel.getMinimumSize().width, 100);
+        panel.doLayout();
+
+        assertThat(value("bumped").getY()).isEqualTo(value("voltage").getY());
+        assertThat(value("bumped").getX())
+                .isGreaterThan(value("voltage").getX() + value("voltage").getWidth());
+        assertThat(value("wings").getY()).isGreaterThan(value("voltage").getY());
+    }
+
+    @Test
+    void putsTheFirstReadingsBelowEachOtherInANarrowColumn() {
+        panel.paired(2, "12.6 V");
+        panel.setSize(panel.getMinimumSize().width, 100);
+        panel.doLayout();
+
+        assertThat(value("bumped").getY()).isGreaterThan(value("voltage").getY());
+    }
+
     private JLabel value(String name) {
         return Arrays.stream(panel.getComponents())
                 .filter(label -> name.equals(label.getName()))

@@ -32,7 +32,7 @@ final class PioneerLights {
                     TEXTS.get("wheelRight.ok"),
                     TEXTS.get("wheelRight.stalled"),
                     TEXTS.get("stopButton.pressed"),
-                    TEXTS.get("link.lost")),
+                    TEXTS.get("bumpers.none")),
             List.of(motors, sonars, stallLeft, stallRight, bumpers, button, link));
 
     /** The panel with all lights. */

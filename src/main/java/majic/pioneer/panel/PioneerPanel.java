@@ -23,13 +23,14 @@ public final class PioneerPanel extends RefreshingPanel {
 
     private static final Texts TEXTS = Texts.of(PioneerPanel.class);
     private static final String LONGEST_READING = "-88888.8 mm";
+    private static final String LONGEST_DISTANCE = "8888 mm";
 
     /** None of these parameters sends a request. */
     private static final List<String> READINGS = List.of(
             "distanceFront",
+            "distanceBack",
             "distanceLeft",
             "distanceRight",
-            "distanceBack",
             "x",
             "y",
             "heading",
@@ -44,8 +45,9 @@ public final class PioneerPanel extends RefreshingPanel {
     private final ZoomableMap map = new ZoomableMap(drawing);
     private final GaugesPanel gauges = new GaugesPanel();
     private final transient PioneerLights lights = new PioneerLights();
-    private final ReadingsPanel<MajicBot> readings =
-            ReadingsPanel.ofParameters(LONGEST_READING, READINGS).labelled(TEXTS::get);
+    private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS)
+            .labelled(TEXTS::get)
+            .paired(4, LONGEST_DISTANCE);
 
     private final Banner banner = new Banner();
 

@@ -1,0 +1,61 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.Container;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import javax.swing.JLabel;
+import javax.swing.SwingUtilities;
+import majic.gui.MajicFrame;
+import majic.program.Program;
+import majic.program.UserFolder;
+import majic.script.MajicParser;
+import majic.simulation.SimulatedLab;
+import majicsim.LabOptions;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Tests that a panel of the window keeps its important readings while the bar of a running act is shown above it. */
+@Timeout(120)
+class ActBarWindowTest {
+    private static final List<String> DISTANCES =
+            List.of("distanceFront", "distanceBack", "distanceLeft", "distanceRight");
+
+    private final Locale before = Locale.getDefault();
+
+    @AfterEach
+    void restoreLanguage() {
+        Locale.setDefault(before);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"en", "de"})
+    void thePioneersFourDistancesAreShownBelowTheBarOfItsAct(String language, @TempDir Path home) throws Exception {
+        Locale.setDefault(Locale.forLanguageTag(language));
+        SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+        try (Program program = new Program(new UserFolder(home), lab, true)) {
+            MajicParser parser = new MajicParser(program.session(), true);
+            MajicFrame frame = PictureWindow.open(program, parser);
+            SwingUtilities.invokeAndWait(() -> frame.setSize(1280, 800));
+            PictureWindow.add(program, parser, List.of("pioneer"));
+            parser.parseText("1 act PioneerWander");
+            PictureWindow.awaitWindow(() -> PictureWindow.isShowing(frame, "endAct1"));
+            Container panel = (Container) PictureWindow.find(frame, "bot1");
+            SwingUtilities.invokeAndWait(frame::validate);
+            SwingUtilities.invokeAndWait(() -> DISTANCES.forEach(name -> {
+                JLabel reading = (JLabel) PictureWindow.find(panel, name);
+                assertThat(reading.isShowing()).as(name).isTrue();
+                assertThat(reading.getParent().getHeight())
+                        .as(name)
+                        .isGreaterThanOrEqualTo(reading.getY() + reading.getHeight());
+                assertThat(reading.getWidth()).as(name).isGreaterThanOrEqualTo(reading.getPreferredSize().width);
+            }));
+            SwingUtilities.invokeAndWait(frame::dispose);
+        }
+    }
+}
