@@ -13,6 +13,7 @@ import majic.panel.RefreshingPanel;
 import majic.panel.SidePane;
 import majic.panel.map.ZoomableMap;
 import majic.text.Texts;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shows one Pioneer: a map with the robot, its sonar cones, echoes and path; gauges, lights and readings. Sends the robot
@@ -49,6 +50,7 @@ public final class PioneerPanel extends RefreshingPanel {
             .labelled(TEXTS::get)
             .paired(4, LONGEST_DISTANCE);
 
+    private transient @Nullable PioneerScene shown;
     private final Banner banner = new Banner();
 
     private PioneerPanel(MajicBot bot, Supplier<Optional<PioneerScene>> scenes) {
@@ -85,10 +87,16 @@ public final class PioneerPanel extends RefreshingPanel {
     protected void refresh() {
         readings.show(bot, bot.isConnected());
         banner.show(staleness(), false);
-        scenes.get().ifPresentOrElse(this::show, () -> lights.show(bot.connection()));
+        scenes.get().or(this::old).ifPresentOrElse(this::show, () -> lights.show(bot.connection()));
+    }
+
+    /** Returns what was shown last, while a new connection has reported nothing yet. */
+    private Optional<PioneerScene> old() {
+        return Optional.ofNullable(shown).map(scene -> scene.before(bot.connection()));
     }
 
     private void show(PioneerScene scene) {
+        shown = scene;
         drawing.show(scene);
         map.repaint();
         gauges.show(scene);

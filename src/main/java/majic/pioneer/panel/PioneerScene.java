@@ -29,6 +29,23 @@ public record PioneerScene(
         Range speedLimits,
         Range turnLimits) {
 
+    /**
+     * Returns this scene as the last one of an earlier connection.
+     *
+     * @param now the state of the new connection, which has reported nothing yet
+     */
+    PioneerScene before(MajicBot.Connection now) {
+        return new PioneerScene(
+                model,
+                state,
+                bumpers,
+                now == MajicBot.Connection.CONNECTED ? MajicBot.Connection.CONNECTING : now,
+                silenceMs,
+                packets,
+                speedLimits,
+                turnLimits);
+    }
+
     boolean isConnected() {
         return connection == MajicBot.Connection.CONNECTED;
     }

@@ -5,12 +5,18 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.SwingUtilities;
+import majic.bot.FakeBot;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.panel.RefreshingPanel;
 import majic.panel.StatusLight;
+import majic.panel.StatusLightsPanel;
 import majic.panel.map.MapView;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.SipBytes;
@@ -19,6 +25,7 @@ import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.StateTracker;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -102,6 +109,25 @@ class PioneerDrawingTest {
         assertThat(light("stopButton")).isEqualTo("ALARM STOP pressed");
         assertThat(light("sonars")).isEqualTo("WARNING sonars off");
         assertThat(light("link")).isEqualTo("ALARM link lost");
+    }
+
+    @Test
+    void theLastReadingsAreOldUntilANewConnectionReports() throws Exception {
+        FakeBot bot = FakeBot.on(TimeSource.system());
+        AtomicReference<PioneerScene> reported =
+                new AtomicReference<>(scene(sip().state(0, 1 << 5), Connection.CONNECTED));
+        SwingUtilities.invokeAndWait(() -> {
+            RefreshingPanel panel =
+                    (RefreshingPanel) PioneerPanel.create(bot, () -> Optional.ofNullable(reported.get()));
+            StatusLightsPanel shown = (StatusLightsPanel) panel.getComponent(2);
+            assertThat(shown.getComponent(0).isEnabled()).isTrue();
+
+            reported.set(null);
+            panel.addNotify();
+            panel.refreshIfChanged();
+            panel.removeNotify();
+            assertThat(shown.getComponent(0).isEnabled()).isFalse();
+        });
     }
 
     private String light(String name) {
