@@ -93,11 +93,14 @@ public record RecordingFolder(Path path, long mostBytes, long mostBytesPerFile) 
         }
         List<Path> found;
         try (Stream<Path> all = Files.list(path)) {
-            found = new ArrayList<>(
-                    all.filter(file -> file.toString().endsWith(ENDING)).toList());
+            found = new ArrayList<>(all.filter(RecordingFolder::isRecording).toList());
         }
         found.sort(Comparator.comparing(RecordingFolder::modified).thenComparing(Path::toString));
         return found;
+    }
+
+    static boolean isRecording(Path file) {
+        return file.toString().endsWith(ENDING);
     }
 
     private static FileTime modified(Path file) {

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.swing.JButton;
+import javax.swing.JComboBox;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
@@ -18,6 +19,7 @@ import majic.bot.Pose;
 import majic.gui.replay.ReplayServices;
 import majic.gui.replay.ReplayWindow;
 import majic.panel.PlotHost;
+import majic.recorder.RecordedText;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;
 import org.junit.jupiter.api.AutoClose;
@@ -120,6 +122,65 @@ class ReplayWindowTest {
         JFrame plot = window.awaitShowing("plot", JFrame.class);
         assertThat(plot.getTitle()).isEqualTo("Plot of a REPLAY: 1 x");
         window.await("the stop button", () -> window.isShowing("smallStop"));
+    }
+
+    /** Writes a part of a recording that lasts 10 s; a toy drives 100 mm in each. */
+    private Path part(int number) throws Exception {
+        int beginS = 10 * (number - 1);
+        return RecordedText.write(
+                folder.resolve("part" + number + RecordingFolder.ENDING),
+                "majic-recording\t1\t2026-11-22T11:30:05Z\t" + number + "\t" + beginS + ".000",
+                "\trobot\t1\ttoy\tToy\tToys\t200\t\t0\t0\t0\t",
+                "\tparameter\t1\tx\tnumber\tmm\t\t-1.0E9\t1.0E9\tahead",
+                "\tvalue\t1\tx\t" + 10 * beginS,
+                beginS + 9.9 + "\tvalue\t1\tx\t" + (10 * beginS + 100));
+    }
+
+    @Test
+    void theButtonsGoToTheNextPartOfARecordingAndBack() throws Exception {
+        Path first = part(1);
+        part(2);
+        open(first);
+        window.awaitShowing("nextPart", JButton.class);
+        assertThat(window.isEnabled("previousPart")).isFalse();
+        window.push("nextPart");
+        window.await("the second part", () -> reading("x").equals("100 mm"));
+        assertThat(window.text("replayBand")).contains("part 2 from ");
+        assertThat(window.isEnabled("nextPart")).isFalse();
+        window.push("previousPart");
+        window.await("the first part", () -> reading("x").equals("0 mm"));
+    }
+
+    @Test
+    void playingGoesOnWithTheNextPart() throws Exception {
+        Path first = part(1);
+        part(2);
+        open(first);
+        window.awaitShowing("play", JButton.class);
+        JComboBox<?> speed = window.find("replaySpeed", JComboBox.class);
+        window.run(() -> speed.setSelectedIndex(speed.getItemCount() - 1));
+        window.push("play");
+        window.await("the end of the second part", () -> reading("x").equals("200 mm"));
+        window.await("the pause", () -> window.text("play").equals("Play"));
+    }
+
+    @Test
+    void aRecordingOfOnePartHasNoButtonsForParts() throws Exception {
+        open(part(1));
+        window.awaitShowing("play", JButton.class);
+        assertThat(window.isShowing("nextPart")).isFalse();
+    }
+
+    @Test
+    void aPartThatCannotBeReadIsReportedWithTheReason() throws Exception {
+        Path first = part(1);
+        Path second = part(2);
+        open(first);
+        window.awaitShowing("nextPart", JButton.class);
+        Files.delete(second);
+        window.push("nextPart");
+        window.await("the reason", () -> window.text("replayNote").contains("part2.majicrec"));
+        assertThat(window.isEnabled("nextPart")).isTrue();
     }
 
     @Test

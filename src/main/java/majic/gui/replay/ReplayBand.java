@@ -20,16 +20,24 @@ final class ReplayBand extends JPanel {
     private static final int STRIPE_PX = 14;
     private static final int STRIPES_WIDTH_PX = 56;
 
+    private final JLabel note = new JLabel(TEXTS.get("noRobot"));
+
     ReplayBand(String what) {
         super(new MigLayout("insets 7 70 7 70, fillx", "[grow, fill][]"));
         JLabel title = new JLabel(TEXTS.get("replayOf", what));
         title.setName("replayBand");
         title.putClientProperty("FlatLaf.styleClass", "h4");
         title.setForeground(ink());
-        JLabel note = new JLabel(TEXTS.get("noRobot"));
+        note.setName("replayNote");
         note.setForeground(ink());
         add(title, "wmin pref");
         add(note, "wmin 0");
+    }
+
+    /** Shows why another part cannot be shown, in place of the note. */
+    void showProblem(String reason) {
+        note.setText(reason);
+        note.setToolTipText(reason);
     }
 
     @Override

@@ -1,6 +1,8 @@
 package majic.gui.replay;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
@@ -18,14 +20,24 @@ final class ReplayControls extends JPanel {
     private static final Texts TEXTS = Texts.of(ReplayControls.class);
     private static final List<Double> SPEEDS = List.of(0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0);
 
-    private final transient Recording recording;
     private final JButton play = new JButton(TEXTS.get("play"));
+    private final JButton previous = new JButton(TEXTS.get("previous"));
+    private final JButton next = new JButton(TEXTS.get("next"));
     private final JLabel time = new JLabel();
+    private final JComboBox<String> speed;
+    private final transient ReplayPart part;
     private final Timeline timeline;
 
-    ReplayControls(Recording recording, ReplayPlayer player) {
-        super(new MigLayout("insets 6 10 8 10, gap 10", "[][][grow, fill][][]"));
-        this.recording = recording;
+    /** Goes to other parts of the recording. */
+    interface PartTurner {
+        /** Opens the file of another part, and plays it if that is wanted. */
+        void turnTo(Path file, boolean playing);
+    }
+
+    ReplayControls(ReplayPart part, ReplayPlayer player, PartTurner turner) {
+        super(new MigLayout("insets 6 10 8 10, gap 10, hidemode 3", "[][][][][grow, fill][][]"));
+        Recording recording = part.recording();
+        this.part = part;
         this.timeline = new Timeline(recording.beginS(), recording.endS(), recording.marks(0), player::jump);
         play.setName("play");
         play.setToolTipText(TEXTS.get("play.hint"));
@@ -37,7 +49,10 @@ final class ReplayControls extends JPanel {
             }
         });
         time.setName("replayTime");
-        JComboBox<String> speed = new JComboBox<>(Stream.of(SPEEDS.toArray(new Double[0]))
+        prepare(previous, "previousPart", part.adjacent().previous(), turner);
+        prepare(next, "nextPart", part.adjacent().next(), turner);
+        setTurning(false);
+        speed = new JComboBox<>(Stream.of(SPEEDS.toArray(new Double[0]))
                 .map(times -> Value.plain(times) + " \u00d7")
                 .toArray(String[]::new));
         speed.setName("replaySpeed");
@@ -47,11 +62,30 @@ final class ReplayControls extends JPanel {
         JLabel speedLabel = new JLabel(TEXTS.get("speed"));
         speedLabel.setLabelFor(speed);
         add(play, "w 84!");
+        add(previous);
+        add(next);
         add(time, "w 230!");
         add(timeline);
         add(speedLabel);
         add(speed);
         Mnemonics.assign(this);
+    }
+
+    private void prepare(JButton button, String name, Optional<Path> file, PartTurner turner) {
+        button.setName(name);
+        button.setVisible(part.hasOthers());
+        button.addActionListener(event -> file.ifPresent(other -> turner.turnTo(other, false)));
+    }
+
+    /** Disables the buttons of other parts while one of them is read, and at the ends of the recording. */
+    void setTurning(boolean turning) {
+        previous.setEnabled(!turning && part.adjacent().previous().isPresent());
+        next.setEnabled(!turning && part.adjacent().next().isPresent());
+    }
+
+    /** Chooses one of the speeds that are offered. */
+    void setSpeed(double times) {
+        speed.setSelectedIndex(SPEEDS.indexOf(times));
     }
 
     /** The button that has the focus first. */
@@ -65,8 +99,8 @@ final class ReplayControls extends JPanel {
         time.setText(TEXTS.get(
                 "position",
                 ReplayTimes.clock(seconds),
-                ReplayTimes.clock(recording.endS()),
-                ReplayTimes.timeOfDay(recording.head().timeOfDay(seconds))));
+                ReplayTimes.clock(part.recording().endS()),
+                ReplayTimes.timeOfDay(part.recording().head().timeOfDay(seconds))));
         timeline.follow(seconds);
     }
 }

@@ -36,6 +36,9 @@ final class ReplayPlayer implements AutoCloseable {
 
         /** The position or the playing has changed. */
         void moved(double positionS, boolean playing);
+
+        /** Playing has reached the end, where it pauses. */
+        void ended();
     }
 
     /** Creates a player at the beginning of a recording; {@link #start()} starts its thread. */
@@ -73,6 +76,7 @@ final class ReplayPlayer implements AutoCloseable {
         double from;
         double to;
         boolean jumps;
+        boolean ends;
         synchronized (this) {
             from = position;
             jumps = wanted != null;
@@ -83,6 +87,7 @@ final class ReplayPlayer implements AutoCloseable {
             wanted = null;
             switched = false;
             position = to;
+            ends = playing && !jumps && to >= endS;
             playing &= to < endS;
         }
         if (jumps) {
@@ -91,6 +96,9 @@ final class ReplayPlayer implements AutoCloseable {
             screen.advance(from, to);
         }
         screen.moved(to, isPlaying());
+        if (ends) {
+            screen.ended();
+        }
     }
 
     /** Begins to play; at the end from the beginning. */
@@ -113,6 +121,10 @@ final class ReplayPlayer implements AutoCloseable {
     /** Continues at another time, seconds of the recording. */
     synchronized void jump(double toS) {
         wanted = Math.max(beginS, Math.min(endS, toS));
+    }
+
+    synchronized double speed() {
+        return speed;
     }
 
     /** Sets how many seconds of the recording are played in a second. */

@@ -9,6 +9,7 @@ import org.junit.jupiter.api.Test;
 
 class ReplayPlayerTest implements ReplayPlayer.Screen {
     private final List<String> shown = new ArrayList<>();
+    private int ends;
 
     @AutoClose
     private final ReplayPlayer player = new ReplayPlayer(10, 20, this);
@@ -26,6 +27,11 @@ class ReplayPlayerTest implements ReplayPlayer.Screen {
     @Override
     public void moved(double positionS, boolean playing) {
         shown.add((playing ? "playing " : "paused ") + positionS);
+    }
+
+    @Override
+    public void ended() {
+        ends++;
     }
 
     @Test
@@ -70,6 +76,20 @@ class ReplayPlayerTest implements ReplayPlayer.Screen {
         assertThat(player.position()).isEqualTo(20);
         player.jump(-5);
         assertThat(player.position()).isEqualTo(10);
+    }
+
+    @Test
+    void onlyPlayingReachesTheEnd() {
+        player.jump(20);
+        player.play();
+        player.tick(1);
+        assertThat(ends).isZero();
+        player.jump(19);
+        player.tick(1);
+        player.play();
+        player.tick(2);
+        player.tick(1);
+        assertThat(ends).isOne();
     }
 
     @Test

@@ -3,10 +3,13 @@ package majic.gui.plot.data;
 import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.DoubleSupplier;
+import java.util.stream.Stream;
 import majic.bot.Parameter;
 import majic.bot.Value;
 import majic.recorder.RecordedRobot;
@@ -14,22 +17,49 @@ import majic.recorder.Recording;
 import majic.recorder.RobotTracks;
 import majic.text.Texts;
 
-/** Provides a recording to plots, up to the present position of its replay. Thread-safe. */
+/**
+ * Provides a part of a recording to plots, up to the present position of its replay, and further parts after it.
+ * Thread-safe.
+ */
 public final class RecordedSource implements PlotSource {
     private static final Texts TEXTS = Texts.of(RecordedSource.class);
     private static final Logger LOG = System.getLogger(RecordedSource.class.getName());
 
-    private final Recording recording;
+    private final List<RecordedFeed> feeds = new CopyOnWriteArrayList<>();
     private final DoubleSupplier position;
+    private volatile Recording recording;
+    private volatile List<PlotMark> marks;
 
     /**
      * Creates a source.
      *
+     * @param recording the first part
      * @param position the position of the replay, seconds since the beginning of the recording
      */
     public RecordedSource(Recording recording, DoubleSupplier position) {
         this.recording = recording;
         this.position = position;
+        this.marks = marks(recording);
+    }
+
+    /** Adds the readings of another part to all curves. Takes some time. */
+    public void show(Recording part) {
+        recording = part;
+        feeds.forEach(feed -> feed.add(part));
+        marks = Stream.concat(
+                        marks.stream().filter(mark -> mark.seconds() < part.beginS() || mark.seconds() > part.endS()),
+                        marks(part).stream())
+                .sorted(Comparator.comparingDouble(PlotMark::seconds))
+                .toList();
+    }
+
+    private static List<PlotMark> marks(Recording part) {
+        try {
+            return Past.marks(part, 0);
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "a recording that is in memory cannot be read", e);
+            return List.of();
+        }
     }
 
     @Override
@@ -63,12 +93,10 @@ public final class RecordedSource implements PlotSource {
 
     @Override
     public Feed feed(Quantity quantity, Samples samples) {
-        try {
-            samples.addPast(Past.points(recording, quantity, 0));
-        } catch (IOException e) {
-            LOG.log(Level.WARNING, "a recording that is in memory cannot be read", e);
-        }
-        return () -> {};
+        RecordedFeed feed = new RecordedFeed(quantity, samples);
+        feeds.add(feed);
+        feed.add(recording);
+        return () -> feeds.remove(feed);
     }
 
     @Override
@@ -83,12 +111,21 @@ public final class RecordedSource implements PlotSource {
 
     @Override
     public List<PlotMark> marks(double from, double to) {
-        try {
-            return Past.marks(recording, 0).stream()
-                    .filter(mark -> mark.seconds() >= from && mark.seconds() <= to)
-                    .toList();
-        } catch (IOException e) {
-            return List.of();
+        return marks.stream()
+                .filter(mark -> mark.seconds() >= from && mark.seconds() <= to)
+                .toList();
+    }
+
+    /** A curve and what it shows. */
+    private record RecordedFeed(Quantity quantity, Samples samples) {
+        void add(Recording part) {
+            try {
+                Points points = Past.points(part, quantity, 0);
+                samples.addPast(points);
+                samples.addLater(points);
+            } catch (IOException e) {
+                LOG.log(Level.WARNING, "a recording that is in memory cannot be read", e);
+            }
         }
     }
 }

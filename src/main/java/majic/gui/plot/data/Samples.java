@@ -53,6 +53,16 @@ public final class Samples {
         }
     }
 
+    /** Adds readings from after the newest one; the oldest are left out if there are too many. */
+    public synchronized void addLater(Points later) {
+        double end = count == 0 ? Double.NEGATIVE_INFINITY : times[place(count - 1)];
+        for (int index = 0; index < later.size(); index++) {
+            if (later.times()[index] > end) {
+                add(later.times()[index], later.values()[index]);
+            }
+        }
+    }
+
     private void enlarge() {
         times = Arrays.copyOf(times, 2 * times.length);
         values = Arrays.copyOf(values, 2 * values.length);
