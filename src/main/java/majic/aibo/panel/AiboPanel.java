@@ -12,6 +12,7 @@ import majic.panel.Dashboard;
 import majic.panel.ReadingsPanel;
 import majic.panel.RefreshingPanel;
 import majic.panel.SidePane;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
@@ -20,9 +21,10 @@ import net.miginfocom.swing.MigLayout;
  */
 public final class AiboPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
+    private static final Texts TEXTS = Texts.of(AiboPanel.class);
 
     /** The share of the width for the camera and the controls. */
-    private static final double ASIDES = 0.38;
+    private static final double ASIDES = 0.42;
 
     private static final String LONGEST_READING = "-88888 mm";
 
@@ -53,7 +55,8 @@ public final class AiboPanel extends RefreshingPanel {
     private final transient CameraPanel camera;
     private final HeadPanel head;
     private final BodyPanel body = new BodyPanel();
-    private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS);
+    private final ReadingsPanel<MajicBot> readings =
+            ReadingsPanel.ofParameters(LONGEST_READING, READINGS).labelled(TEXTS::get);
 
     private final Banner banner = new Banner();
 

@@ -8,11 +8,13 @@ import majic.aibo.body.Joint;
 import majic.aibo.body.SensorReadings;
 import majic.bot.MajicBot;
 import majic.panel.SetpointSlider;
+import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /** Sliders that turn the head. They move the dog, so they are refused while a script or an act owns it or STOP is active. For the event thread. */
 final class HeadPanel extends JPanel {
     private static final long serialVersionUID = 1;
+    private static final Texts TEXTS = Texts.of(HeadPanel.class);
 
     private final transient MajicBot bot;
     private final transient SensorReadings senses;
@@ -25,18 +27,18 @@ final class HeadPanel extends JPanel {
         this.senses = senses;
         this.control = new SliderControl(bot);
         setOpaque(false);
-        add(Joint.HEAD_PAN);
-        add(Joint.HEAD_TILT);
-        add(Joint.NECK);
+        add(Joint.HEAD_PAN, TEXTS.get("headPan"));
+        add(Joint.HEAD_TILT, TEXTS.get("headTilt"));
+        add(Joint.NECK, TEXTS.get("neck"));
         SetpointSlider.align(sliders.values());
     }
 
-    private void add(Joint joint) {
+    private void add(Joint joint, String label) {
         boolean turns = joint == Joint.HEAD_PAN;
         String name = joint.urbiName();
         SetpointSlider slider =
                 new SetpointSlider(bot.parameter(name), turns, (degrees, last) -> control.choose(name, degrees, last));
-        sliders.put(joint, slider);
+        sliders.put(joint, slider.labelled(label));
         add(slider);
     }
 
