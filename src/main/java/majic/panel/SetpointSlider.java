@@ -2,6 +2,7 @@ package majic.panel;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
+import java.awt.FontMetrics;
 import java.awt.event.MouseWheelEvent;
 import java.util.List;
 import javax.swing.JLabel;
@@ -61,7 +62,7 @@ public final class SetpointSlider extends JPanel {
         setOpaque(false);
         slider.setInverted(positiveLeft);
         slider.setName("slider " + parameter.name());
-        slider.setToolTipText(TEXTS.get("slider.tip", parameter.help(), parameter.name()));
+        slider.setToolTipText(TEXTS.get("slider.tip", parameter.help(), parameter.name(), inUnit(1)));
         name.setToolTipText(slider.getToolTipText());
         slider.setPreferredSize(new Dimension(UIScale.scale(KNOB_ROOM), slider.getPreferredSize().height));
         slider.setMinimumSize(new Dimension(UIScale.scale(KNOB_ROOM), slider.getPreferredSize().height));
@@ -116,8 +117,14 @@ public final class SetpointSlider extends JPanel {
     }
 
     private int widestReading() {
-        String widest = ReadingText.degrees("-888 " + unit);
-        return reading.getFontMetrics(reading.getFont()).stringWidth(widest) + 4;
+        FontMetrics metrics = reading.getFontMetrics(reading.getFont());
+        int end = Math.max(
+                metrics.stringWidth(inUnit(slider.getMinimum())), metrics.stringWidth(inUnit(slider.getMaximum())));
+        return end + 4;
+    }
+
+    private String inUnit(int value) {
+        return ReadingText.degrees(value + " " + unit);
     }
 
     /** Moves the knob by one unit for each notch of the wheel, which is finer than a pixel of a short slider. */

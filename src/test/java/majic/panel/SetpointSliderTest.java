@@ -52,6 +52,11 @@ class SetpointSliderTest {
     }
 
     @Test
+    void theToolTipNamesTheStepOfKeysAndWheel() {
+        assertThat(knob.getToolTipText()).isEqualTo("lowers the neck. Arrow keys and wheel: 1°. In commands: neck");
+    }
+
+    @Test
     void aHeldKnobStaysWhereItIsHeld() {
         knob.setValueIsAdjusting(true);
         knob.setValue(-30);
