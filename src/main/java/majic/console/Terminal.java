@@ -63,7 +63,7 @@ final class Terminal implements Console.Source {
         String text = entry.text();
         String value = start >= word ? line.substring(word, start) + text : text.substring(word - start);
         String note = (entry.values() + "  " + entry.explanation()).strip();
-        return new Candidate(value, text, null, note.isEmpty() ? null : note, null, null, !text.endsWith(":"));
+        return new Candidate(value, text, null, note.isEmpty() ? null : note, null, null, !Completion.goesOn(text));
     }
 
     @Override

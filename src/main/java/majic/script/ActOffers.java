@@ -99,6 +99,11 @@ public final class ActOffers implements Completer.Acts {
     }
 
     @Override
+    public boolean isFile(String name) {
+        return ActCatalog.isFile(name);
+    }
+
+    @Override
     public List<Completion> completions() {
         return completionsFor(List.of());
     }

@@ -37,7 +37,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class MajicParser {
     private static final Pattern STOP = Pattern.compile("(?iu)\\bstop\\b");
-    private static final Pattern READING = Pattern.compile("(?iu)\\b(acts?|trust|run)\\b");
+    private static final Pattern READING = Pattern.compile("(?iu)\\b(acts?|trust|run|save)\\b");
     private static final int MOST_REMEMBERED = 10_000;
 
     private final Session session;
@@ -144,7 +144,7 @@ public final class MajicParser {
      * Whether completing a line means looking at files, and so may wait for a disk or a network.
      *
      * @param line the line so far
-     * @return true if it may name behaviours or scripts
+     * @return true if it may name behaviours or files
      */
     public static boolean readsFiles(String line) {
         return READING.matcher(line).find();

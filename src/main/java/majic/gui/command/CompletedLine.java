@@ -2,6 +2,7 @@ package majic.gui.command;
 
 import java.util.List;
 import java.util.Locale;
+import majic.script.help.Completion;
 
 /**
  * A line after a word of it was completed. Immutable.
@@ -30,7 +31,7 @@ record CompletedLine(String text, int caret) {
 
     /** Puts a whole word in place of a begun one, and a blank behind it unless the word or the line goes on. */
     static CompletedLine with(String text, int start, int caret, String word) {
-        boolean ended = word.endsWith(":") || text.startsWith(" ", caret);
+        boolean ended = Completion.goesOn(word) || text.startsWith(" ", caret);
         return put(text, start, caret, ended ? word : word + " ");
     }
 

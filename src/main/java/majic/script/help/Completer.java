@@ -3,6 +3,7 @@ package majic.script.help;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Stream;
@@ -35,13 +36,16 @@ public final class Completer {
     private final Function<Robots, List<Member>> selection;
     private final Acts acts;
 
-    /** The behaviours that could be named on a line. Both methods read files. */
+    /** The behaviours that could be named on a line. The first two methods read files. */
     public interface Acts {
         /** Returns all of them, as a line would name them. */
         List<Completion> completions();
 
         /** Returns those that can be loaded onto each of some robots. */
         List<Completion> completionsFor(List<Member> robots);
+
+        /** Returns whether a file with this name may be one of them. */
+        boolean isFile(String name);
     }
 
     public Completer(Team team, BotFactory factory, Function<Robots, List<Member>> selection, Acts acts) {
@@ -66,7 +70,33 @@ public final class Completer {
         if (commentFrom < typed.length()) {
             return new Completions(caret, List.of());
         }
-        int start = WordPlace.start(tokens, caret);
+        return files(typed, tokens).orElseGet(() -> words(typed, tokens, unnamed));
+    }
+
+    /** Completes the name of a file; empty if no file is named at the end of a text. */
+    private Optional<Completions> files(String typed, List<Token> tokens) {
+        String first = tokens.isEmpty() ? "" : tokens.get(0).text().toLowerCase(Locale.ROOT);
+        return switch (first) {
+            case "run" -> BegunFile.of(typed, tokens, 1).map(BegunFile::completions);
+            case "save" -> BegunFile.of(typed, tokens, 2).map(BegunFile::completions);
+            case "trust" -> actFiles(typed, tokens, 1);
+            default -> {
+                int command = commandAt(tokens);
+                boolean act = command < tokens.size() && tokens.get(command).is("act");
+                yield act ? actFiles(typed, tokens, command + 1) : Optional.empty();
+            }
+        };
+    }
+
+    /** Completes the path of an act; a name without a folder is left to the acts. */
+    private Optional<Completions> actFiles(String typed, List<Token> tokens, int argument) {
+        return BegunFile.of(typed, tokens, argument)
+                .filter(BegunFile::hasFolder)
+                .map(file -> file.completions(acts::isFile));
+    }
+
+    private Completions words(String typed, List<Token> tokens, List<Member> unnamed) {
+        int start = WordPlace.start(tokens, typed.length());
         tokens.removeIf(token -> token.column() > start);
         String begun = typed.substring(start).toLowerCase(Locale.ROOT);
         List<Completion> candidates = candidates(tokens, unnamed);
