@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.awt.geom.Point2D;
+import javax.swing.JMenuItem;
+import javax.swing.JPopupMenu;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
 import org.junit.jupiter.api.AutoClose;
@@ -65,7 +67,8 @@ class MapSelectionWindowTest {
     void aRightClickOnARobotOpensItsMenu() {
         addTwoMore();
         window.menuAt("teamMap", pixel(-APART_MM));
-        window.await("the menu", () -> window.isShowing("Stop 2"));
+        JPopupMenu menu = window.awaitShowing("robotMenu", JPopupMenu.class);
+        assertThat(((JMenuItem) menu.getComponent(0)).getText()).isEqualTo("Stop 2");
         window.press(KeyEvent.VK_ESCAPE);
         assertThat(window.team.isLatched()).isFalse();
     }

@@ -1,5 +1,6 @@
 package majic.gui;
 
+import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
@@ -63,6 +64,7 @@ public final class TestWindow implements AutoCloseable {
     final MajicFrame frame;
     private final @Nullable Path history;
     private final Robot robot;
+    private final java.awt.Robot input = input();
     private final EventThreadGuard guard = EventThreadGuard.install();
 
     private TestWindow(ActCatalog acts, Map<String, String> kept, @Nullable Path history) {
@@ -72,10 +74,27 @@ public final class TestWindow implements AutoCloseable {
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         parser = new MajicParser(session, true);
         robot = BasicRobot.robotWithNewAwtHierarchy();
-        robot.settings().delayBetweenEvents(20);
+        robot.settings().delayBetweenEvents(0);
+        robot.settings().eventPostingDelay(0);
         frame = GuiActionRunner.execute(this::makeFrame);
         robot.showWindow(frame);
-        robot.waitForIdle();
+        settle();
+    }
+
+    private static java.awt.Robot input() {
+        try {
+            return new java.awt.Robot();
+        } catch (AWTException e) {
+            throw new IllegalStateException("the display takes no input", e);
+        }
+    }
+
+    /**
+     * Waits until the window system has delivered all input and Swing has handled it, with all that follows from it. The
+     * library would wait for a fixed time instead.
+     */
+    private void settle() {
+        input.waitForIdle();
     }
 
     public static TestWindow open() {
@@ -133,7 +152,7 @@ public final class TestWindow implements AutoCloseable {
         bot.connect();
         int number = team.add(bot, wanted).number();
         await("a card for robot " + number, () -> cards().contains("" + number));
-        robot.waitForIdle();
+        settle();
         return bot;
     }
 
@@ -203,7 +222,7 @@ public final class TestWindow implements AutoCloseable {
     /** Types into the component that has the focus. */
     public void type(String text) {
         robot.enterText(text);
-        robot.waitForIdle();
+        settle();
     }
 
     /** Dispatches the event of a typed character with a given time, ms since 1970. */
@@ -222,7 +241,7 @@ public final class TestWindow implements AutoCloseable {
 
     public void press(int keyCode) {
         robot.pressAndReleaseKey(keyCode);
-        robot.waitForIdle();
+        settle();
     }
 
     public void pressWithCtrl(int keyCode) {
@@ -239,18 +258,18 @@ public final class TestWindow implements AutoCloseable {
 
     void clickAt(String name, Point place) {
         robot.click(find(name, Component.class), place);
-        robot.waitForIdle();
+        settle();
     }
 
     /** Opens the context menu of a component. */
     void menuOf(String name) {
         robot.rightClick(awaitShowing(name, Component.class));
-        robot.waitForIdle();
+        settle();
     }
 
     void menuAt(String name, Point place) {
         robot.click(find(name, Component.class), place, MouseButton.RIGHT_BUTTON, 1);
-        robot.waitForIdle();
+        settle();
     }
 
     /** Returns the tool tip of a place in a component. */
@@ -265,28 +284,32 @@ public final class TestWindow implements AutoCloseable {
         robot.pressKey(modifier);
         action.run();
         robot.releaseKey(modifier);
-        robot.waitForIdle();
+        settle();
     }
 
     void hold(int keyCode) {
         robot.pressKey(keyCode);
+        settle();
     }
 
     void letGo(int keyCode) {
         robot.releaseKey(keyCode);
+        settle();
     }
 
     void holdMouse(String name) {
         robot.pressMouse(find(name, Component.class), new Point(5, 5));
+        settle();
     }
 
     void letGoMouse() {
         robot.releaseMouseButtons();
+        settle();
     }
 
     void click(String name) {
         robot.click(awaitShowing(name, Component.class));
-        robot.waitForIdle();
+        settle();
     }
 
     /** Presses a button without the mouse, which may still be moving to another place. */
@@ -311,7 +334,7 @@ public final class TestWindow implements AutoCloseable {
     /** Runs an action on the event dispatch thread. */
     public void run(Runnable action) {
         GuiActionRunner.execute(action::run);
-        robot.waitForIdle();
+        settle();
     }
 
     /** Selects the item with this text in a list, once the list contains it. */
@@ -341,7 +364,7 @@ public final class TestWindow implements AutoCloseable {
         JFileChooserFixture chooser = fileChooser();
         chooser.fileNameTextBox().setText(file.toString());
         chooser.approve();
-        robot.waitForIdle();
+        settle();
     }
 
     private JFileChooserFixture fileChooser() {
