@@ -94,7 +94,7 @@ final class EventTimes extends EventQueue {
         }
     }
 
-    private static Component find(Container parent, String name) {
+    static Component find(Container parent, String name) {
         return search(parent, name).findFirst().orElseThrow();
     }
 

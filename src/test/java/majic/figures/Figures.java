@@ -11,7 +11,7 @@ import java.util.TreeMap;
 /**
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
- * {@code idle}, {@code events}, {@code memory}; without arguments all are measured.
+ * {@code idle}, {@code events}, {@code line}, {@code memory}; without arguments all are measured.
  */
 public final class Figures {
     private static final int STARTS = 9;
@@ -25,13 +25,14 @@ public final class Figures {
 
     /** Measures and prints. */
     public static void main(String[] names) throws IOException, InterruptedException {
-        List<String> wanted = names.length == 0 ? List.of("start", "idle", "events", "memory") : List.of(names);
+        List<String> wanted = names.length == 0 ? List.of("start", "idle", "events", "line", "memory") : List.of(names);
         Figures figures = new Figures(ChildProgram.withClassData());
         for (String name : wanted) {
             switch (name) {
                 case "start" -> figures.start();
                 case "idle" -> figures.idle();
                 case "events" -> figures.events();
+                case "line" -> figures.line();
                 case "memory" -> figures.memory();
                 default -> throw new IllegalArgumentException("no figure " + name);
             }
@@ -74,6 +75,11 @@ public final class Figures {
             further.pioneers().forEach(address -> arguments.addAll(List.of("--add", "pioneer://" + address)));
             programs.lines("events", arguments.toArray(String[]::new)).forEach(line -> say("  " + line));
         }
+    }
+
+    private void line() throws IOException, InterruptedException {
+        say("processor time of the event dispatch thread for one action of the command line (at most 50 ms)");
+        programs.lines("line", "--lab").forEach(line -> say("  " + line));
     }
 
     private void memory() throws IOException, InterruptedException {

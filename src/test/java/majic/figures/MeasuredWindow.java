@@ -56,6 +56,7 @@ final class MeasuredWindow {
                 case "bare", "majic" -> List.of(SHOWN);
                 case "idle" -> ThreadLoads.idle();
                 case "events" -> EventTimes.measure(frame());
+                case "line" -> LineTimes.measure(frame());
                 case "memory" -> MemoryInUse.overAnHour(frame());
                 default -> List.of("no task " + task);
             };
