@@ -17,27 +17,39 @@ import majicsim.LabOptions;
 import picocli.CommandLine.Command;
 
 /**
- * {@code majic class-data}: performs a complete start without showing anything. The launcher runs it once in the
- * background, so that the Java machine records the classes that later starts need.
+ * {@code majic class-data}: performs complete starts without showing anything, first without a lab and then with one. The
+ * launcher runs it once in the background, so that the Java machine records the classes that later starts need.
  */
 @Command(name = "class-data", hidden = true, description = "Rehearses a start, for the launcher.")
 public final class ClassDataCommand implements Callable<Integer> {
+    private static final List<String> ROBOTS =
+            List.of("add sim:aibo", "add sim:pioneer", "add sim:hemisson", "all get x");
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         Path folder = Files.createTempDirectory("majic-class-data");
-        try (Program program =
-                new Program(new UserFolder(folder), SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1), true)) {
-            MajicParser parser = new MajicParser(program.session(), false);
-            for (String line : List.of("add sim:aibo", "add sim:pioneer", "add sim:hemisson", "all get x")) {
-                parser.parseText(line);
+        try {
+            if (!GraphicsEnvironment.isHeadless()) {
+                Window.preload();
             }
+            rehearse(new Program(new UserFolder(folder), null, true), List.of());
+            SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+            rehearse(new Program(new UserFolder(folder), lab, true), ROBOTS);
+            return 0;
+        } finally {
+            delete(folder);
+        }
+    }
+
+    private static void rehearse(Program rehearsed, List<String> lines) throws InterruptedException {
+        try (Program program = rehearsed) {
+            program.closeWhenProgramEnds();
+            MajicParser parser = new MajicParser(program.session(), false);
+            lines.forEach(parser::parseText);
             parser.awaitAll();
             if (!GraphicsEnvironment.isHeadless()) {
                 new Window(program).rehearse();
             }
-            return 0;
-        } finally {
-            delete(folder);
         }
     }
 

@@ -2,7 +2,7 @@ package majic.program;
 
 import java.awt.AWTError;
 import java.awt.HeadlessException;
-import java.awt.image.BufferedImage;
+import java.awt.event.WindowEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
@@ -17,6 +17,8 @@ import majic.script.MajicParser;
 
 /** Opens the window and blocks until the program is asked to end. */
 public final class Window {
+    private static final int REHEARSED_MS = 2000;
+
     private final Program program;
     private final MajicParser parser;
 
@@ -61,14 +63,23 @@ public final class Window {
         }
     }
 
-    /** Builds and paints the window without showing it. */
-    public void rehearse() {
+    /**
+     * Builds and paints the window without showing it, and waits a little for what it does in the background once it is
+     * open.
+     */
+    public void rehearse() throws InterruptedException {
         MajicFrame frame = open(this::build);
+        program.announce();
         onEventThread(() -> {
             frame.addNotify();
             frame.validate();
-            BufferedImage picture = new BufferedImage(frame.getWidth(), frame.getHeight(), BufferedImage.TYPE_INT_RGB);
-            frame.getContentPane().print(picture.createGraphics());
+            frame.dispatchEvent(new WindowEvent(frame, WindowEvent.WINDOW_OPENED));
+        });
+        Thread.sleep(REHEARSED_MS);
+        onEventThread(() -> {
+            frame.getRootPane()
+                    .paint(frame.createVolatileImage(frame.getWidth(), frame.getHeight())
+                            .createGraphics());
             frame.dispose();
         });
     }
