@@ -6,6 +6,7 @@ import com.formdev.flatlaf.FlatLightLaf;
 import com.formdev.flatlaf.util.SystemInfo;
 import java.awt.Font;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import javax.swing.UIManager;
 import majic.bot.Settings;
@@ -22,6 +23,8 @@ final class LookAndFeels {
     /** The text sizes to choose from, percent. */
     static final List<Integer> TEXT_SIZES = List.of(NORMAL, 125, 150);
 
+    private static boolean installed;
+
     private LookAndFeels() {}
 
     static {
@@ -29,6 +32,7 @@ final class LookAndFeels {
             // The names that FlatLaf tries first are searched in all fonts of the computer where they are not
             // installed.
             FlatLaf.setPreferredMonospacedFontFamily(Font.MONOSPACED);
+            FlatLaf.setGlobalExtraDefaults(Map.of("semibold.font", "bold"));
         }
     }
 
@@ -74,9 +78,11 @@ final class LookAndFeels {
 
     /** Has no effect if that look and feel is installed already. */
     private static void set(boolean dark) {
-        if (UIManager.getLookAndFeel() instanceof FlatLaf && FlatLaf.isLafDark() == dark) {
+        // Asking the UIManager before it has one would make it build Java's own look and feel first.
+        if (installed && UIManager.getLookAndFeel() instanceof FlatLaf && FlatLaf.isLafDark() == dark) {
             return;
         }
+        installed = true;
         if (dark) {
             FlatDarkLaf.setup();
         } else {
