@@ -2,9 +2,11 @@ package majic.text;
 
 import java.text.Format;
 import java.text.MessageFormat;
+import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The texts of a package's windows in the user's language: its resource bundle {@code Texts}, a properties file beside the
@@ -12,6 +14,8 @@ import java.util.stream.IntStream;
  * used on any thread.
  */
 public final class Texts {
+    private static final ResourceBundle.Control FILES = new ExistingFiles();
+
     private final Class<?> user;
 
     private Texts(Class<?> user) {
@@ -33,7 +37,12 @@ public final class Texts {
      */
     public String get(String key, Object... values) {
         Locale language = Locale.getDefault();
-        MessageFormat pattern = new MessageFormat(bundle(language).getString(key), language);
+        String text = bundle(language).getString(key);
+        return values.length == 0 && text.indexOf('\'') < 0 ? text : format(text, language, values);
+    }
+
+    private static String format(String text, Locale language, Object... values) {
+        MessageFormat pattern = new MessageFormat(text, language);
         Format[] formats = pattern.getFormatsByArgumentIndex();
         Object[] words = IntStream.range(0, values.length)
                 .mapToObj(index -> isPlain(formats, index) ? String.valueOf(values[index]) : values[index])
@@ -47,6 +56,25 @@ public final class Texts {
     }
 
     private ResourceBundle bundle(Locale language) {
-        return ResourceBundle.getBundle(user.getPackageName() + ".Texts", language, user.getClassLoader());
+        return ResourceBundle.getBundle(user.getPackageName() + ".Texts", language, user.getClassLoader(), FILES);
+    }
+
+    /** Looks only for files that exist, since a search for a missing one opens every library and delays the window. */
+    private static final class ExistingFiles extends ResourceBundle.Control {
+        @Override
+        public List<String> getFormats(String name) {
+            return FORMAT_PROPERTIES;
+        }
+
+        @Override
+        public List<Locale> getCandidateLocales(String name, Locale locale) {
+            boolean german = locale.getLanguage().equals(Locale.GERMAN.getLanguage());
+            return german ? List.of(Locale.GERMAN, Locale.ROOT) : List.of(Locale.ROOT);
+        }
+
+        @Override
+        public @Nullable Locale getFallbackLocale(String name, Locale locale) {
+            return null;
+        }
     }
 }
