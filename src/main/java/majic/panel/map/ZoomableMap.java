@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.RenderingHints;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.awt.event.MouseEvent;
@@ -220,14 +221,17 @@ public class ZoomableMap extends JPanel {
         pen.dispose();
     }
 
+    /** Fills the four edges; a rectangle drawn with smooth edges is blurred and computed for the whole area. */
     private void paintFrame(Graphics2D pen) {
         boolean focused = isFocusOwner();
         Color color = UIManager.getColor(focused ? "Component.focusedBorderColor" : "Component.borderColor");
         int width = focused ? 2 : 1;
         pen.setColor(color == null ? Color.GRAY : color);
-        for (int inset = 0; inset < width; inset++) {
-            pen.drawRect(inset, inset, getWidth() - 1 - 2 * inset, getHeight() - 1 - 2 * inset);
-        }
+        pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
+        pen.fillRect(0, 0, getWidth(), width);
+        pen.fillRect(0, getHeight() - width, getWidth(), width);
+        pen.fillRect(0, 0, width, getHeight());
+        pen.fillRect(getWidth() - width, 0, width, getHeight());
     }
 
     /** Shows by the border whether the map has the focus. */
