@@ -72,6 +72,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient RobotSelection selection = new RobotSelection();
     private final transient GamepadControl gamepad =
             new GamepadControl(SdlGamepad::open, this::showError, this::showError);
+    private final StartPage start;
     private final TeamPane team;
     private final CommandPane commands;
     private boolean quitting;
@@ -103,7 +104,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         RobotActions actions = new RobotActions(
                 session.team(), channel, plots, dialogs::loadAct, dialogs::removeBot, reconnect.attempts());
         selection.addListener(() -> gamepad.choose(selection.members()));
-        team = new TeamPane(session, selection, actions, startPage());
+        start = startPage();
+        team = new TeamPane(session, selection, actions, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
         stopKeys = new StopKeys(this::stopAll);
         place();
@@ -156,6 +158,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     private void readPictures(FrameActions actions) {
         actions.buttons().forEach(IconAction::readPicture);
+        start.readPictures();
         Image icon = Icons.now("app", ICON_SIZE);
         EventThread.later(() -> {
             setIconImage(icon);

@@ -1,6 +1,7 @@
 package majic.gui;
 
 import java.awt.Color;
+import java.awt.Font;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -9,6 +10,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.PlainLabel;
+import majic.gui.kit.StyledLabel;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
@@ -28,21 +30,19 @@ final class StopAlarm extends JPanel implements TeamListener {
     private static final int MOST_REASONS = 4;
 
     private final transient Team team;
-    private final JLabel title = label("stopAlarm");
-    private final JLabel reasons = label("stopReasons");
+    private final JLabel title = white(new StyledLabel("stopAlarm", "", Font.BOLD, 2));
+    private final JLabel reasons = white(new PlainLabel("stopReasons", ""));
     private final JButton again = new JButton(TEXTS.get("stopAgain"));
 
     StopAlarm(Team team) {
         super(new MigLayout("insets 6 12 6 12, gap 8 2, hidemode 3", "[grow, fill][]", "[][][]"));
         this.team = team;
         setBackground(RED);
-        title.putClientProperty("FlatLaf.style", "font: bold +2");
         again.setName("stopAgain");
         again.setFocusable(false);
         again.setToolTipText(TEXTS.get("stopAgain.tip"));
         again.addActionListener(event -> stopAgain());
-        JLabel remedy = label("stopRemedy");
-        remedy.setText(TEXTS.get("remedy"));
+        JLabel remedy = white(new PlainLabel("stopRemedy", TEXTS.get("remedy")));
         remedy.setToolTipText(remedy.getText());
         add(title, "wmin 0");
         add(again, "spany 3, aligny center, wrap");
@@ -51,8 +51,7 @@ final class StopAlarm extends JPanel implements TeamListener {
         showRobots();
     }
 
-    private static JLabel label(String name) {
-        JLabel label = new PlainLabel(name, "");
+    private static JLabel white(JLabel label) {
         label.setForeground(Color.WHITE);
         return label;
     }

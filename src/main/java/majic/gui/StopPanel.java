@@ -1,12 +1,14 @@
 package majic.gui;
 
 import java.awt.Color;
+import java.awt.Font;
 import java.awt.KeyboardFocusManager;
 import java.beans.PropertyChangeListener;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.StyledLabel;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
@@ -23,7 +25,7 @@ final class StopPanel extends JPanel implements TeamListener {
 
     private final transient Team team;
     private final JButton stop = new JButton();
-    private final JLabel word = new JLabel();
+    private final JLabel word = new StyledLabel("stopWord", "", Font.BOLD, 6);
     private final JLabel below = new JLabel();
     private final transient PropertyChangeListener focus = event -> EventThread.later(this::showLatch);
     private final JButton release = new JButton(TEXTS.get("release"));
@@ -40,9 +42,7 @@ final class StopPanel extends JPanel implements TeamListener {
         stop.setLayout(new MigLayout("insets 0, gap 0, wrap 1, alignx center, aligny center", "[center]"));
         stop.add(word);
         stop.add(below);
-        word.setName("stopWord");
         word.setForeground(Color.WHITE);
-        word.putClientProperty("FlatLaf.style", "font: bold +6");
         below.setName("stopCount");
         below.setForeground(Color.WHITE);
         stop.putClientProperty("JButton.buttonType", "roundRect");

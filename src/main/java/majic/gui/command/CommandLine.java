@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.UIManager;
 import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.KeyAction;
@@ -69,7 +70,6 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         getAccessibleContext().setAccessibleName(TEXTS.get("line"));
         putClientProperty("JTextField.placeholderText", TEXTS.get("line.example"));
         putClientProperty("JTextField.selectAllOnFocusPolicy", "never");
-        putClientProperty("FlatLaf.styleClass", "monospaced");
         setFocusTraversalKeys(KeyboardFocusManager.FORWARD_TRAVERSAL_KEYS, Set.of());
         addActionListener(event -> enter());
         bind("UP", this::up);
@@ -88,6 +88,12 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         if (file != null) {
             file.read(history::addOlder);
         }
+    }
+
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        setFont(UIManager.getFont("monospaced.font"));
     }
 
     @Override

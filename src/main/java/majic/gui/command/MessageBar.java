@@ -75,7 +75,6 @@ final class MessageBar extends JPanel implements ClosesByEsc {
     private void prepareFind() {
         find.setName("findMessage");
         find.putClientProperty("JTextField.placeholderText", TEXTS.get("find.hint"));
-        find.putClientProperty("JTextField.showClearButton", true);
         find.getAccessibleContext().setAccessibleName(TEXTS.get("find.field"));
         count.setName("foundCount");
         find.addActionListener(event -> move(-1));
@@ -96,6 +95,8 @@ final class MessageBar extends JPanel implements ClosesByEsc {
     }
 
     private void findText() {
+        // Made with the first letter, since making it delays the window.
+        find.putClientProperty("JTextField.showClearButton", true);
         search.find(find.getText());
         showCount();
     }

@@ -28,7 +28,7 @@ final class MessagePane extends JPanel {
         this.settings = settings;
         bar = new MessageBar(area, toCommandLine);
         area.onChange(bar::update);
-        area.text().setComponentPopupMenu(new MessageMenu(area, bar::startFind, this::resize, this::keepTimes));
+        area.text().useMenu(() -> new MessageMenu(area, bar::startFind, this::resize, this::keepTimes));
         settings.get(SIZE).ifPresent(points -> area.text().setLarger(number(points)));
         area.showTimes(settings.get(TIMES).filter("yes"::equals).isPresent());
         add(bar, "wmin 0");

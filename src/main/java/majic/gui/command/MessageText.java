@@ -5,7 +5,9 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
+import java.util.function.Supplier;
 import javax.swing.BorderFactory;
+import javax.swing.JPopupMenu;
 import javax.swing.JTextPane;
 import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
@@ -21,13 +23,13 @@ final class MessageText extends JTextPane {
 
     private int larger;
     private int menuOffset;
+    private transient @Nullable Supplier<JPopupMenu> menu;
 
     MessageText() {
         setEditorKit(new WrappingKit());
         setName("messages");
         setEditable(false);
         setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
-        putClientProperty("FlatLaf.styleClass", "monospaced");
         getAccessibleContext().setAccessibleName(TEXTS.get("messages"));
     }
 
@@ -51,6 +53,20 @@ final class MessageText extends JTextPane {
         if (usual != null) {
             setFont(usual.deriveFont(usual.getSize2D() + larger));
         }
+    }
+
+    /** Sets what makes the context menu when it is first opened. */
+    void useMenu(Supplier<JPopupMenu> made) {
+        menu = made;
+    }
+
+    @Override
+    public @Nullable JPopupMenu getComponentPopupMenu() {
+        if (menu != null) {
+            setComponentPopupMenu(menu.get());
+            menu = null;
+        }
+        return super.getComponentPopupMenu();
     }
 
     /** Returns the place in the text at which the context menu was opened last. */

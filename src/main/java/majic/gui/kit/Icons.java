@@ -1,6 +1,7 @@
 package majic.gui.kit;
 
 import com.formdev.flatlaf.extras.FlatSVGIcon;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -21,7 +22,7 @@ public final class Icons {
      * is empty until it is read.
      */
     public static Icon later(String name, int size) {
-        return new LateIcon(new FlatSVGIcon(path(name), size, size));
+        return new LateIcon(name, size);
     }
 
     /** Returns an icon as an image; reads it from its file. */
@@ -45,35 +46,39 @@ public final class Icons {
     }
 
     private static final class LateIcon implements Icon {
-        private final FlatSVGIcon icon;
-        private volatile boolean ready;
+        private final String name;
+        private final int size;
+        private volatile @Nullable Icon picture;
 
-        LateIcon(FlatSVGIcon icon) {
-            this.icon = icon;
+        LateIcon(String name, int size) {
+            this.name = name;
+            this.size = size;
         }
 
         void read() {
+            Icon icon = new FlatSVGIcon(path(name), size, size);
             Graphics2D nowhere = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
             icon.paintIcon(null, nowhere, 0, 0);
             nowhere.dispose();
-            ready = true;
+            picture = icon;
         }
 
         @Override
         public void paintIcon(@Nullable Component component, Graphics g, int x, int y) {
-            if (ready) {
+            Icon icon = picture;
+            if (icon != null) {
                 icon.paintIcon(component, g, x, y);
             }
         }
 
         @Override
         public int getIconWidth() {
-            return icon.getWidth();
+            return UIScale.scale(size);
         }
 
         @Override
         public int getIconHeight() {
-            return icon.getHeight();
+            return UIScale.scale(size);
         }
     }
 }

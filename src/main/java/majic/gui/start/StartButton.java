@@ -1,12 +1,13 @@
 package majic.gui.start;
 
+import java.awt.Font;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
 import majic.gui.kit.Icons;
 import majic.gui.kit.Palette;
-import majic.gui.kit.PlainLabel;
+import majic.gui.kit.StyledLabel;
 import net.miginfocom.swing.MigLayout;
 
 /** A large button of the start page: picture, title and one line of explanation. */
@@ -29,10 +30,8 @@ final class StartButton extends JButton {
         this.title = title;
         setName(title);
         picture = Icons.later(icon, ICON);
-        heading = new JLabel(title);
-        heading.putClientProperty("FlatLaf.styleClass", "h4");
-        this.detail = new PlainLabel(title + " detail", "");
-        this.detail.putClientProperty("FlatLaf.styleClass", "small");
+        heading = new StyledLabel(title + " heading", title, Font.BOLD, 0);
+        this.detail = new StyledLabel(title + " detail", "", Font.PLAIN, -2);
         add(new JLabel(picture, SwingConstants.CENTER), "spany 2, w 30!, aligny center");
         add(heading, "wmin 0, wrap");
         add(this.detail, "wmin 0");

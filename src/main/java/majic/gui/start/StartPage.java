@@ -2,6 +2,7 @@ package majic.gui.start;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Font;
 import java.awt.KeyboardFocusManager;
 import java.util.List;
 import javax.swing.JLabel;
@@ -10,6 +11,7 @@ import javax.swing.SwingUtilities;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
+import majic.gui.kit.StyledLabel;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
@@ -23,7 +25,7 @@ public final class StartPage extends JPanel {
     private final StartButton lab;
     private final StartButton team;
     private final transient List<StartButton> buttons;
-    private final JLabel welcome = new JLabel(TEXTS.get("welcome"));
+    private final JLabel welcome = new StyledLabel("welcome", TEXTS.get("welcome"), Font.BOLD, 6);
     private final JLabel hint = new PlainLabel("startHint", TEXTS.get("hint"));
 
     /**
@@ -39,7 +41,6 @@ public final class StartPage extends JPanel {
         setName("startPage");
         lab = new StartButton(TEXTS.get("lab"), "", "lab", actions.startLab());
         team = new StartButton(TEXTS.get("team"), TEXTS.get("team.none"), "team", actions.openLastTeam());
-        welcome.putClientProperty("FlatLaf.styleClass", "h2");
         add(welcome);
         add(hint, "gapbottom 8");
         buttons = List.of(
@@ -71,10 +72,12 @@ public final class StartPage extends JPanel {
         super.addNotify();
         showLab();
         lastTeam.read();
-        EventThread.background("reading pictures", () -> {
-            buttons.forEach(StartButton::readPicture);
-            EventThread.later(this::repaint);
-        });
+    }
+
+    /** Reads the pictures of the buttons from their files; may block. */
+    public void readPictures() {
+        buttons.forEach(StartButton::readPicture);
+        EventThread.later(this::repaint);
     }
 
     @Override
