@@ -1,7 +1,9 @@
 package majic.gui;
 
 import com.formdev.flatlaf.FlatLaf;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
@@ -13,20 +15,33 @@ import majic.gui.kit.Mnemonics;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
-/** The menu bar. */
+/** The menu bar. Its menus are empty until {@link #fill()}, because their entries would delay the window. */
 final class FrameMenu extends JMenuBar {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(FrameMenu.class);
 
     private final transient MenuKeys keys = new MenuKeys();
+    private final transient List<Runnable> fillings = new ArrayList<>();
 
     FrameMenu(MajicFrame frame, FrameActions actions, FrameEditor editor) {
-        add(file(actions, editor));
-        add(robots(frame, actions));
-        add(menu(TEXTS.get("act"), actions.loadAct, actions.endAct, null, actions.makeAct));
-        add(lab(frame));
-        add(view(frame));
-        add(menu(TEXTS.get("help"), actions.help, actions.guide, actions.tour, null, actions.about));
+        add("file", menu -> fillFile(menu, actions, editor));
+        add("robot", menu -> fillRobot(menu, frame, actions));
+        add("act", menu -> fill(menu, actions.loadAct, actions.endAct, null, actions.makeAct));
+        add("lab", menu -> fillLab(menu, frame));
+        add("view", menu -> fillView(menu, frame));
+        add("help", menu -> fill(menu, actions.help, actions.guide, actions.tour, null, actions.about));
+    }
+
+    private void add(String name, Consumer<JMenu> filling) {
+        JMenu menu = new JMenu(TEXTS.get(name));
+        fillings.add(() -> filling.accept(menu));
+        add(menu);
+    }
+
+    /** Adds the entries of the menus; has no effect when called again. */
+    void fill() {
+        fillings.forEach(Runnable::run);
+        fillings.clear();
         Mnemonics.assign(this);
     }
 
@@ -42,9 +57,8 @@ final class FrameMenu extends JMenuBar {
         super.removeNotify();
     }
 
-    /** Creates a menu of the given actions; null stands for a separator. */
-    private static JMenu menu(String name, @Nullable Action... actions) {
-        JMenu menu = new JMenu(name);
+    /** Adds the given actions to a menu; null stands for a separator. */
+    private static void fill(JMenu menu, @Nullable Action... actions) {
         for (Action action : actions) {
             if (action == null) {
                 menu.addSeparator();
@@ -52,11 +66,10 @@ final class FrameMenu extends JMenuBar {
                 menu.add(new JMenuItem(action)).setToolTipText(null);
             }
         }
-        return menu;
     }
 
-    private static JMenu file(FrameActions actions, FrameEditor editor) {
-        JMenu file = menu(TEXTS.get("file"), actions.newScript, actions.openScript);
+    private static void fillFile(JMenu file, FrameActions actions, FrameEditor editor) {
+        fill(file, actions.newScript, actions.openScript);
         JMenu recent = new JMenu(TEXTS.get("openRecent"));
         recent.addChangeListener(change -> {
             if (recent.isSelected()) {
@@ -65,20 +78,11 @@ final class FrameMenu extends JMenuBar {
             }
         });
         file.add(recent);
-        file.addSeparator();
-        for (Action action : List.of(actions.saveSession, actions.saveLog)) {
-            file.add(new JMenuItem(action)).setToolTipText(null);
-        }
-        file.addSeparator();
-        file.add(new JMenuItem(actions.openRecording)).setToolTipText(null);
-        file.addSeparator();
-        file.add(new JMenuItem(actions.killMajic)).setToolTipText(null);
-        return file;
+        fill(file, null, actions.saveSession, actions.saveLog, null, actions.openRecording, null, actions.killMajic);
     }
 
-    private static JMenu robots(MajicFrame frame, FrameActions actions) {
-        JMenu robots = menu(
-                TEXTS.get("robot"), actions.addBot, actions.killBot, null, actions.openTeam, actions.saveTeam, null);
+    private static void fillRobot(JMenu robots, MajicFrame frame, FrameActions actions) {
+        fill(robots, actions.addBot, actions.killBot, null, actions.openTeam, actions.saveTeam, null);
         JMenuItem reconnect = new JCheckBoxMenuItem(
                 TEXTS.get("reconnect"), frame.reconnecting().isEnabled());
         reconnect.addActionListener(event -> frame.reconnecting().enable(reconnect.isSelected()));
@@ -87,11 +91,9 @@ final class FrameMenu extends JMenuBar {
         robots.addChangeListener(change -> gamepad.setSelected(frame.isDrivenByGamepad()));
         robots.add(reconnect);
         robots.add(gamepad);
-        return robots;
     }
 
-    private static JMenu lab(MajicFrame frame) {
-        JMenu lab = new JMenu(TEXTS.get("lab"));
+    private static void fillLab(JMenu lab, MajicFrame frame) {
         JMenuItem start = new JMenuItem(TEXTS.get("startLab"));
         start.addActionListener(event -> frame.lab().start());
         JMenuItem poses = new JMenuItem(TEXTS.get("truePositions"));
@@ -102,11 +104,9 @@ final class FrameMenu extends JMenuBar {
             start.setEnabled(frame.lab().canStart());
             poses.setEnabled(frame.lab().isRunning());
         });
-        return lab;
     }
 
-    private static JMenu view(MajicFrame frame) {
-        JMenu view = new JMenu(TEXTS.get("view"));
+    private static void fillView(JMenu view, MajicFrame frame) {
         JMenuItem all = new JMenuItem(TEXTS.get("wholeMap"));
         all.addActionListener(event -> frame.showWholeMap());
         view.add(all);
@@ -124,7 +124,6 @@ final class FrameMenu extends JMenuBar {
         view.addSeparator();
         view.add(textSize(frame));
         view.add(language(frame));
-        return view;
     }
 
     private static JMenu textSize(MajicFrame frame) {

@@ -141,11 +141,12 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         content.add(alarm, "wmin 0, gap 8 8 0 6");
         content.add(all, "wmin 0, hmin 0, pushy, growy, gap 8 8 0 8");
         setContentPane(content);
-        setJMenuBar(new FrameMenu(this, actions, editor));
+        FrameMenu menu = new FrameMenu(this, actions, editor);
+        setJMenuBar(menu);
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
-                EventThread.background("reading pictures", () -> readPictures(actions));
+                EventThread.background("reading pictures", () -> complete(actions, menu));
             }
         });
         setFocusTraversalPolicy(new CommandsFirst());
@@ -156,12 +157,14 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         new FrameMemory(this, List.of(team, all), services.settings());
     }
 
-    private void readPictures(FrameActions actions) {
+    /** Adds what would have delayed the window. */
+    private void complete(FrameActions actions, FrameMenu menu) {
         actions.buttons().forEach(IconAction::readPicture);
         start.readPictures();
         Image icon = Icons.now("app", ICON_SIZE);
         EventThread.later(() -> {
             setIconImage(icon);
+            menu.fill();
             FileDrop.install(getRootPane(), editor::open);
             repaint();
         });

@@ -78,6 +78,7 @@ public final class TestWindow implements AutoCloseable {
         robot.settings().eventPostingDelay(0);
         frame = GuiActionRunner.execute(this::makeFrame);
         robot.showWindow(frame);
+        await("the menus to have entries", () -> frame.getJMenuBar().getMenu(0).getItemCount() > 0);
         settle();
     }
 
