@@ -6,6 +6,8 @@ import java.awt.Container;
 import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -17,26 +19,41 @@ import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
+import majic.panel.PlotHost;
 
-/** How long events keep the event dispatch thread busy. */
-final class EventTimes extends EventQueue {
+/**
+ * How long the event dispatch thread lets tasks wait, and how much processor time it and its longest event use. On a
+ * busy computer, the processor times still count; the delays do not.
+ */
+final class EventDelays extends EventQueue {
     private static final int SETTLING_S = 40;
-    private static final int MEASURED_S = 60;
+    private static final int MEASURED_S = 30;
     private static final int DIALOG_S = 3;
+    private static final int PROBE_MS = 10;
+    private static final int PLOTS = 4;
+    private static final List<String> CURVES = List.of("x", "y", "heading", "speed", "distanceLeft");
 
-    private final List<Long> nanos = Collections.synchronizedList(new ArrayList<>());
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-    /** Measures while robots report and move, then while dialogs open and the look changes. */
+    private long longestNanos;
+    private long busyNanos;
+
+    /** Measures while robots report and move, then with plots, then while dialogs open and the look changes. */
     static List<String> measure(JFrame frame) throws Exception {
         Thread.sleep(SETTLING_S * 1000);
-        EventTimes queue = new EventTimes();
+        EventDelays queue = new EventDelays();
         Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
         List<String> lines = new ArrayList<>();
         lines.add(queue.during("20 robots at rest", MEASURED_S, () -> {}));
         lines.add(queue.during("20 robots driving", MEASURED_S, () -> command(frame, "all move 600")));
+        lines.add(queue.during("4 plots begin", DIALOG_S, () -> openPlots(frame)));
+        lines.add(queue.during("20 robots, 4 plots", MEASURED_S, () -> command(frame, "all move -600")));
+        SwingUtilities.invokeAndWait(() -> closeWindows(frame));
         for (String dialog : List.of("Add Bot", "Load Act", "Help")) {
-            lines.add(queue.during("opening " + dialog, DIALOG_S, () -> press(frame, dialog)));
-            SwingUtilities.invokeAndWait(() -> List.of(frame.getOwnedWindows()).forEach(Window::dispose));
+            for (String time : List.of("first", "second")) {
+                lines.add(queue.during(dialog + ", " + time + " time", DIALOG_S, () -> press(frame, dialog)));
+                SwingUtilities.invokeAndWait(() -> closeWindows(frame));
+            }
         }
         for (String look : List.of("Dark", "Light")) {
             lines.add(queue.during("look " + look, DIALOG_S, () -> choose(frame, look)));
@@ -46,27 +63,51 @@ final class EventTimes extends EventQueue {
 
     @Override
     protected void dispatchEvent(AWTEvent event) {
-        long began = System.nanoTime();
+        long began = THREADS.getCurrentThreadCpuTime();
         super.dispatchEvent(event);
-        nanos.add(System.nanoTime() - began);
+        long nanos = THREADS.getCurrentThreadCpuTime() - began;
+        busyNanos += nanos;
+        longestNanos = Math.max(longestNanos, nanos);
     }
 
-    private String during(String what, int seconds, Runnable action) throws InterruptedException {
-        nanos.clear();
+    /** Begins an action, and gives the event dispatch thread a task every ten milliseconds. */
+    private String during(String what, int seconds, Runnable action) throws Exception {
+        List<Double> delays = Collections.synchronizedList(new ArrayList<>());
+        SwingUtilities.invokeAndWait(() -> {
+            busyNanos = 0;
+            longestNanos = 0;
+        });
         SwingUtilities.invokeLater(action);
-        Thread.sleep(seconds * 1000L);
-        List<Long> sorted = new ArrayList<>(nanos);
-        Collections.sort(sorted);
-        double p99 = sorted.get(sorted.size() * 99 / 100) / 1e6;
-        double longest = sorted.get(sorted.size() - 1) / 1e6;
-        double busy = sorted.stream().mapToLong(Long::longValue).sum() / 1e7 / seconds;
+        for (int probe = 0; probe < seconds * 1000 / PROBE_MS; probe++) {
+            long givenNanos = System.nanoTime();
+            SwingUtilities.invokeLater(() -> delays.add((System.nanoTime() - givenNanos) / 1e6));
+            Thread.sleep(PROBE_MS);
+        }
+        String[] line = new String[1];
+        SwingUtilities.invokeAndWait(() -> line[0] = line(what, seconds, delays));
+        return line[0];
+    }
+
+    private String line(String what, int seconds, List<Double> delays) {
+        Collections.sort(delays);
         return String.format(
                 Locale.ROOT,
-                "%-20s 99 of 100 within %5.1f ms, longest %5.1f ms, busy %4.1f %%",
+                "%-22s delays: 99 of 100 within %5.1f ms, longest %5.1f ms; processor: longest event %5.1f ms, busy %4.1f %%",
                 what,
-                p99,
-                longest,
-                busy);
+                delays.get(delays.size() * 99 / 100),
+                delays.get(delays.size() - 1),
+                longestNanos / 1e6,
+                busyNanos / 1e7 / seconds);
+    }
+
+    private static void openPlots(JFrame frame) {
+        for (int robot = 1; robot <= PLOTS; robot++) {
+            ((PlotHost) find(frame, "card" + (robot + 1))).plot(CURVES, false);
+        }
+    }
+
+    private static void closeWindows(JFrame frame) {
+        Stream.of(Window.getWindows()).filter(window -> window != frame).forEach(Window::dispose);
     }
 
     private static void command(JFrame frame, String line) {

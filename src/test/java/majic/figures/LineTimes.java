@@ -73,7 +73,7 @@ final class LineTimes {
     /** Measures every action, with {@value #EARLIER_LINES} earlier lines and their answers in the window. */
     static List<String> measure(JFrame frame) throws Exception {
         Thread.sleep(SETTLING_MS);
-        LineTimes times = new LineTimes((JTextField) EventTimes.find(frame, "commandLine"));
+        LineTimes times = new LineTimes((JTextField) EventDelays.find(frame, "commandLine"));
         times.fillHistory();
         Thread.sleep(SETTLING_MS);
         List<String> lines = new ArrayList<>();
