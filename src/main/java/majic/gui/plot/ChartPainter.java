@@ -59,7 +59,12 @@ final class ChartPainter {
         Map<Curve, Points> points = new LinkedHashMap<>();
         for (Curve curve : job.curves()) {
             int columns = Math.max(1, (int) (job.width() * job.scale() / PIXELS_A_COLUMN));
-            points.put(curve, curve.samples().around(job.time()).thinned(job.time(), columns));
+            points.put(
+                    curve,
+                    curve.samples()
+                            .around(job.time())
+                            .thinned(job.time(), columns)
+                            .withoutRepeats());
         }
         return points;
     }

@@ -1,6 +1,7 @@
 package majic.gui.plot.data;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 
 /**
  * Readings in the order of time. Its arrays must not be changed.
@@ -68,6 +69,19 @@ public record Points(double[] times, double[] values) {
             begin = end;
         }
         return thinning.kept();
+    }
+
+    /** Returns these points without those in the middle of a horizontal piece, which would be painted over each other. */
+    public Points withoutRepeats() {
+        int[] kept = IntStream.range(0, size())
+                .filter(index -> index == 0
+                        || index == size() - 1
+                        || values[index] != values[index - 1]
+                        || values[index] != values[index + 1])
+                .toArray();
+        return new Points(
+                Arrays.stream(kept).mapToDouble(index -> times[index]).toArray(),
+                Arrays.stream(kept).mapToDouble(index -> values[index]).toArray());
     }
 
     private long column(int index, Span span, int columns) {

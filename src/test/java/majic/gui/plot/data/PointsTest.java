@@ -56,4 +56,12 @@ class PointsTest {
         assertThat(points.times()).containsExactly(0, 4.9, 5, 5.1);
         assertThat(points.values()).containsExactly(1, 1, 2, Double.NaN);
     }
+
+    @Test
+    void aHorizontalPieceHasOnlyItsEnds() {
+        double none = Double.NaN;
+        Points points =
+                new Points(new double[] {0, 1, 2, 3, 4, 5, 6, 7, 8}, new double[] {1, 1, 1, 1, 2, none, none, 1, 1});
+        assertThat(points.withoutRepeats().times()).containsExactly(0, 3, 4, 5, 6, 7, 8);
+    }
 }
