@@ -95,7 +95,8 @@ final class CurveList extends JPanel implements Scrollable {
 
     private Row row(Curve curve) {
         String label = curve.quantity().label();
-        JLabel name = new JLabel(label);
+        JLabel name =
+                new JLabel(curve.quantity().robot() + " " + curve.quantity().name());
         name.setName("curve " + label);
         name.setToolTipText(label);
         JLabel value = new JLabel("–", SwingConstants.TRAILING);
