@@ -1,5 +1,6 @@
 package majic.panel;
 
+import java.awt.datatransfer.Transferable;
 import java.util.List;
 
 /**
@@ -22,4 +23,12 @@ public interface PlotHost {
      * @param add whether the curves are added to the plot that was used last, rather than shown in a new one
      */
     void plot(List<String> parameters, boolean add);
+
+    /**
+     * Returns readings for dragging them onto a plot, which then shows their curves too.
+     *
+     * @param parameters names of the robot's parameters, at least one
+     * @return what the plots accept
+     */
+    Transferable dragged(List<String> parameters);
 }

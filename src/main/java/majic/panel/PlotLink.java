@@ -3,6 +3,9 @@ package majic.panel;
 import java.awt.Color;
 import java.awt.Cursor;
 import java.awt.Point;
+import java.awt.dnd.DnDConstants;
+import java.awt.dnd.DragGestureEvent;
+import java.awt.dnd.DragSource;
 import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -23,8 +26,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Makes the figures of a component open plots: by a click, with Ctrl in the plot used last, by a context menu, and by
- * Enter while the component has the focus. Does nothing where no {@link PlotHost} contains the component, or where the
- * host cannot plot the parameter. Must be used on the event dispatch thread.
+ * Enter while the component has the focus. A figure can be dragged onto an open plot. Does nothing where no
+ * {@link PlotHost} contains the component, or where the host cannot plot the parameter. Must be used on the event
+ * dispatch thread.
  */
 public final class PlotLink {
     private static final Cursor HAND = Cursor.getPredefinedCursor(Cursor.HAND_CURSOR);
@@ -131,7 +135,26 @@ public final class PlotLink {
         return text.isEmpty() || text.startsWith(click) ? text : TEXTS.get("plot.tip", text);
     }
 
+    private void drag(DragGestureEvent gesture) {
+        List<String> parameters = plottableAt(gesture.getDragOrigin());
+        if (!parameters.isEmpty()) {
+            host(component).ifPresent(host -> gesture.startDrag(null, host.dragged(parameters)));
+        }
+    }
+
     private final class Mouse extends MouseAdapter {
+        private boolean draggable;
+
+        /** Prepares dragging, which costs time that panels do not have when the window opens. */
+        @Override
+        public void mouseEntered(MouseEvent event) {
+            if (!draggable) {
+                draggable = true;
+                DragSource.getDefaultDragSource()
+                        .createDefaultDragGestureRecognizer(component, DnDConstants.ACTION_COPY, PlotLink.this::drag);
+            }
+        }
+
         @Override
         public void mouseMoved(MouseEvent event) {
             boolean linked = !plottableAt(event.getPoint()).isEmpty();

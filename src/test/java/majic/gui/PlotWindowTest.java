@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Window;
+import java.awt.datatransfer.Transferable;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -15,8 +16,13 @@ import javax.imageio.ImageIO;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import javax.swing.JRootPane;
 import javax.swing.JToggleButton;
+import javax.swing.TransferHandler.TransferSupport;
 import majic.bot.Pose;
+import majic.gui.plot.Plots;
+import majic.gui.plot.data.LiveSource;
+import majic.panel.PlotHost;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -111,6 +117,34 @@ class PlotWindowTest {
         window.await("the curve", () -> curves().contains("2 turnRate (deg/s)"));
         window.push("remove 1 y (mm)");
         assertThat(curves()).containsExactly("1 x (mm)", "1 heading (deg)", "2 turnRate (deg/s)");
+    }
+
+    private boolean drop(Transferable dragged) {
+        JRootPane plot = window.awaitShowing("plot", JFrame.class).getRootPane();
+        boolean[] accepted = new boolean[1];
+        window.run(() -> accepted[0] = plot.getTransferHandler().importData(new TransferSupport(plot, dragged)));
+        return accepted[0];
+    }
+
+    @Test
+    void aReadingThatIsDroppedOnAPlotAddsItsCurve() {
+        window.add("one");
+        window.add("two");
+        plotPose();
+        assertThat(drop(((PlotHost) window.find("card2", JPanel.class)).dragged(List.of("x"))))
+                .isTrue();
+        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (deg)", "2 x (mm)");
+    }
+
+    @Test
+    void aPlotRefusesReadingsOfAnotherSource() {
+        window.add("one");
+        plotPose();
+        try (Plots others =
+                new Plots(window.frame, window.settings, () -> new LiveSource(window.team, null), JPanel::new)) {
+            assertThat(drop(others.dragged(1, List.of("turnRate")))).isFalse();
+        }
+        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (deg)");
     }
 
     @Test

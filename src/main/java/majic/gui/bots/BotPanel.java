@@ -1,6 +1,7 @@
 package majic.gui.bots;
 
 import java.awt.BorderLayout;
+import java.awt.datatransfer.Transferable;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
@@ -62,6 +63,11 @@ final class BotPanel extends JPanel implements PlotHost {
     @Override
     public void plot(List<String> parameters, boolean add) {
         actions.plot(member, parameters, add);
+    }
+
+    @Override
+    public Transferable dragged(List<String> parameters) {
+        return actions.dragged(member, parameters);
     }
 
     Member member() {

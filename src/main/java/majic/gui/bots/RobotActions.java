@@ -1,5 +1,6 @@
 package majic.gui.bots;
 
+import java.awt.datatransfer.Transferable;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -105,6 +106,11 @@ public final class RobotActions {
     /** Shows curves of parameters in a new plot, or adds them to the one used last. */
     void plot(Member member, List<String> parameters, boolean add) {
         plots.plot(member.number(), parameters, add);
+    }
+
+    /** Returns parameters for dragging them onto a plot. */
+    Transferable dragged(Member member, List<String> parameters) {
+        return plots.dragged(member.number(), parameters);
     }
 
     /** Shows a message that does not come from the session. */

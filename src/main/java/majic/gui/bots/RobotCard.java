@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Insets;
+import java.awt.datatransfer.Transferable;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import java.util.Objects;
@@ -113,6 +114,11 @@ final class RobotCard extends JPanel implements PlotHost {
     @Override
     public void plot(List<String> parameters, boolean add) {
         actions.plot(member, parameters, add);
+    }
+
+    @Override
+    public Transferable dragged(List<String> parameters) {
+        return actions.dragged(member, parameters);
     }
 
     Member member() {

@@ -63,6 +63,7 @@ final class PlotWindow extends JFrame {
         content.add(side(), BorderLayout.EAST);
         setContentPane(content);
         Mnemonics.assign(content);
+        getRootPane().setTransferHandler(new ReadingDrop(model));
         setMinimumSize(new Dimension(UIScale.scale(520), UIScale.scale(260)));
         pack();
         model.addListener(this::modelChanged);

@@ -3,6 +3,7 @@ package majic.gui.plot;
 import java.awt.GraphicsEnvironment;
 import java.awt.Rectangle;
 import java.awt.Window;
+import java.awt.datatransfer.Transferable;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.ArrayList;
@@ -50,15 +51,23 @@ public final class Plots implements AutoCloseable {
      * @param add whether the curves are added to the window that was used last, if there is one
      */
     public void plot(int robot, List<String> parameters, boolean add) {
-        List<Quantity> quantities = parameters.stream()
-                .flatMap(parameter -> source().quantities(robot, parameter).stream())
-                .toList();
+        List<Quantity> quantities = readings(robot, parameters).quantities();
         windows.removeIf(window -> !window.isDisplayable());
         if (!quantities.isEmpty()) {
             PlotWindow window = add && !windows.isEmpty() ? windows.get(windows.size() - 1) : open();
             window.model().add(quantities);
             window.toFront();
         }
+    }
+
+    /** Returns parameters of a robot for dragging them onto one of these plots, which come to the front. */
+    public Transferable dragged(int robot, List<String> parameters) {
+        windows.forEach(Window::toFront);
+        return readings(robot, parameters);
+    }
+
+    private DraggedReadings readings(int robot, List<String> parameters) {
+        return new DraggedReadings(source(), robot, List.copyOf(parameters));
     }
 
     /** Opens an empty plot and the dialog that adds curves to it. */

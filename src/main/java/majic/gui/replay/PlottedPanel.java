@@ -1,6 +1,7 @@
 package majic.gui.replay;
 
 import java.awt.BorderLayout;
+import java.awt.datatransfer.Transferable;
 import java.util.List;
 import javax.swing.JPanel;
 import majic.gui.plot.Plots;
@@ -29,5 +30,10 @@ final class PlottedPanel extends JPanel implements PlotHost {
     @Override
     public void plot(List<String> parameters, boolean add) {
         plots.plot(robot.robot().number(), parameters, add);
+    }
+
+    @Override
+    public Transferable dragged(List<String> parameters) {
+        return plots.dragged(robot.robot().number(), parameters);
     }
 }
