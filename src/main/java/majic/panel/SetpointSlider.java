@@ -18,7 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A slider for a value that is set and measured: its name, the knob, the reading. The knob follows the measured value,
- * except while it is dragged, and until the chosen value is reached. The arrow keys and the wheel move it by one unit. Must be used on the event dispatch thread.
+ * except while it is dragged, and until the chosen value is reached. The arrow keys, the wheel and a drag by a pixel move
+ * it by one unit at most. Must be used on the event dispatch thread.
  */
 public final class SetpointSlider extends JPanel {
     private static final long serialVersionUID = 1;
@@ -56,7 +57,7 @@ public final class SetpointSlider extends JPanel {
         this.listener = listener;
         this.unit = parameter.unit().symbol();
         Range range = parameter.range();
-        this.slider = new JSlider((int) Math.round(range.min()), (int) Math.round(range.max()), 0);
+        this.slider = new FineSlider((int) Math.round(range.min()), (int) Math.round(range.max()));
         this.name = new JLabel(ReadingText.label(parameter.name()));
         this.reading = new JLabel("–", SwingConstants.TRAILING);
         setOpaque(false);
