@@ -10,6 +10,8 @@ import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
@@ -346,6 +348,14 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         @Override
         public void submit(String lines) {
             EventThread.background("giving a line", () -> MajicFrame.this.submit(lines));
+        }
+
+        @Override
+        public void submit(String line, Consumer<Optional<String>> ended) {
+            EventThread.background("giving a line", () -> {
+                Optional<String> wrong = parser.mistake(line).or(() -> parser.parseText(line));
+                EventThread.later(() -> ended.accept(wrong));
+            });
         }
 
         @Override

@@ -37,7 +37,7 @@ final class RoomSampler {
         return new RecordedRobot(
                 member.number(),
                 bot.type().name(),
-                bot.type().label(),
+                member.label(),
                 bot.type().make(),
                 bot.profile().bodyMm(),
                 bot.profile().estimates(),

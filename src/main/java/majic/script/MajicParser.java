@@ -377,11 +377,21 @@ public final class MajicParser {
      * @return false for anything else, such as the request of a web browser
      */
     public boolean isScript(String line) {
+        return mistake(line).isEmpty();
+    }
+
+    /**
+     * Returns why a line cannot be read as MAJIC Script, whatever robots there are. Submits nothing.
+     *
+     * @param line one line
+     * @return a sentence; empty if the line can be read
+     */
+    public Optional<String> mistake(String line) {
         try {
             parse(line);
-            return true;
+            return Optional.empty();
         } catch (ScriptException e) {
-            return false;
+            return Optional.of(String.valueOf(e.getMessage()));
         }
     }
 

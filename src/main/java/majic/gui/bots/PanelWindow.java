@@ -22,6 +22,7 @@ final class PanelWindow extends JFrame implements PictureViewer {
     private static final Texts TEXTS = Texts.of(PanelWindow.class);
     private static final int PAD_HEIGHT = 90;
 
+    private final transient Member member;
     private final DrivePad pad;
     private final @Nullable Window main;
 
@@ -33,8 +34,7 @@ final class PanelWindow extends JFrame implements PictureViewer {
      */
     PanelWindow(BotPanel panel, RobotActions actions, @Nullable Window main, Runnable closed) {
         this.main = main;
-        Member member = panel.member();
-        setTitle(TEXTS.get("window.title", member.number(), member.bot().type().make()));
+        member = panel.member();
         setName("robotWindow" + member.number());
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         Dimension size = panel.getSize();
@@ -51,6 +51,7 @@ final class PanelWindow extends JFrame implements PictureViewer {
         pack();
         setSize(Math.max(getWidth(), size.width), Math.max(getHeight(), size.height + PAD_HEIGHT));
         setLocationRelativeTo(main);
+        update();
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowClosing(WindowEvent event) {
@@ -67,7 +68,9 @@ final class PanelWindow extends JFrame implements PictureViewer {
         }
     }
 
+    /** Shows the name of the robot, and whether it can be driven. */
     void update() {
+        setTitle(TEXTS.get("window.title", member.number(), StatusStrip.title(member)));
         pad.update();
     }
 }

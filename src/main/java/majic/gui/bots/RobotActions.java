@@ -1,9 +1,11 @@
 package majic.gui.bots;
 
+import java.awt.Component;
 import java.awt.datatransfer.Transferable;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
@@ -95,6 +97,15 @@ public final class RobotActions {
 
     void kill(Member member) {
         kill.accept(member);
+    }
+
+    /**
+     * Opens the dialog that renames a robot.
+     *
+     * @param on a component of the window that the dialog belongs to
+     */
+    void rename(Member member, Component on) {
+        new RenameDialog(SwingUtilities.getWindowAncestor(on), member, channel).setVisible(true);
     }
 
     /** Returns whether the robot has this parameter, and it is a number or a switch. */

@@ -1,8 +1,10 @@
 package majic.gui.bots;
 
+import java.awt.event.KeyEvent;
 import java.util.function.Consumer;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
+import javax.swing.KeyStroke;
 import majic.bot.MajicBot;
 import majic.gui.kit.BotStatus;
 import majic.gui.kit.Mnemonics;
@@ -31,17 +33,19 @@ final class RobotMenu extends JPopupMenu {
         entry("loadAct", TEXTS.get("menu.loadAct"), true, () -> actions.loadAct(member));
         entry("endAct", TEXTS.get("menu.endAct"), BotStatus.isInAct(member), () -> actions.endAct(member));
         addSeparator();
+        entry("rename", TEXTS.get("menu.rename"), true, () -> actions.rename(member, getInvoker()))
+                .setAccelerator(KeyStroke.getKeyStroke(KeyEvent.VK_F2, 0));
         entry("openWindow", TEXTS.get("menu.openWindow"), true, () -> openWindow.accept(member));
         addSeparator();
         entry("kill", TEXTS.get("menu.kill"), true, () -> actions.kill(member));
         Mnemonics.assign(this);
     }
 
-    private void entry(String name, String text, boolean enabled, Runnable action) {
+    private JMenuItem entry(String name, String text, boolean enabled, Runnable action) {
         JMenuItem item = new JMenuItem(text);
         item.setName(name);
         item.setEnabled(enabled);
         item.addActionListener(event -> action.run());
-        add(item);
+        return add(item);
     }
 }

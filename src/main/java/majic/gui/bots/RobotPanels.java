@@ -202,6 +202,11 @@ public final class RobotPanels extends JPanel implements TeamListener {
     }
 
     @Override
+    public void renamed(Member member) {
+        ownerChanged(member);
+    }
+
+    @Override
     public void ownerChanged(Member member) {
         Optional.ofNullable(panels.get(member)).ifPresent(BotPanel::changed);
     }

@@ -15,7 +15,7 @@ import majic.text.Texts;
  * What the card of a robot shows at one moment. Immutable.
  *
  * @param icon the sign of its state
- * @param name the label of its type
+ * @param name its name and type
  * @param condition whether it moves; if it is not connected, the state of its connection
  * @param problem what needs attention, in a few words; empty if nothing does
  * @param activity the act with its time, or what else owns the robot; empty if nothing does
@@ -55,7 +55,7 @@ record RobotSummary(
         boolean lost = bot.connection() == MajicBot.Connection.LOST;
         return new RobotSummary(
                 StateIcon.of(member, stops),
-                bot.type().label(),
+                member.label(),
                 connected ? motion(bot) : BotStatus.condition(member),
                 problem(unconfirmed, lost, countdown, link, now),
                 activity(member, act),

@@ -8,7 +8,6 @@ import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import javax.swing.SwingConstants;
 import majic.bot.MajicBot;
 import majic.gui.acts.ActBar;
 import majic.gui.kit.BotStatus;
@@ -23,7 +22,7 @@ import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * Shows one robot's make, state, owner and position in three lines, with the buttons that stop and reconnect it, and
+ * Shows one robot's name and make, state, owner and position in three lines, with the buttons that stop and reconnect it, and
  * its act.
  */
 final class StatusStrip extends JPanel {
@@ -38,6 +37,7 @@ final class StatusStrip extends JPanel {
     private final JLabel pose = new JLabel();
     private final ActBar act;
     private final ReconnectCountdown countdown;
+    private final JLabel title;
     private final JButton reconnect = new JButton(TEXTS.get("strip.reconnect"));
     private final JButton window = new JButton(ActionIcon.WINDOW);
 
@@ -60,8 +60,8 @@ final class StatusStrip extends JPanel {
         pose.setName("pose" + member.number());
         pose.setFocusable(true);
         PlotLink.install(pose, POSE, this::poseAt);
-        JLabel title =
-                new JLabel(member.bot().type().make(), new NumberBadge(member.number(), 22), SwingConstants.LEADING);
+        title = new PlainLabel("title" + member.number(), "");
+        title.setIcon(new NumberBadge(member.number(), 22));
         title.putClientProperty("FlatLaf.styleClass", "h4");
         JButton stopIt = new JButton(TEXTS.get("strip.stop", member.number()));
         stopIt.setToolTipText(TEXTS.get("strip.stop.tip"));
@@ -92,8 +92,14 @@ final class StatusStrip extends JPanel {
         }
     }
 
+    /** Returns the robot's name and make. */
+    static String title(Member member) {
+        return Member.label(member.name(), member.bot().type().make());
+    }
+
     /** Shows the robot's published state. */
     void update() {
+        title.setText(title(member));
         act.update();
         countdown.update();
         String owner = act.isVisible() ? "" : BotStatus.owner(member);

@@ -13,7 +13,7 @@ import majic.team.Member;
 /**
  * The keys of the team strip. In the whole window Alt and a digit selects the robot of that number, 0 the tenth. On a
  * card the arrow keys select the previous or the next robot, with Ctrl they only go there; Space adds the robot to the
- * selection or removes it, Ctrl A selects all, and the menu key opens the robot's menu.
+ * selection or removes it, Ctrl A selects all, F2 renames the robot, and the menu key opens its menu.
  */
 final class StripKeys {
     private static final int DIGITS = 10;
@@ -36,6 +36,7 @@ final class StripKeys {
         keys.bindArrows(1, KeyEvent.VK_DOWN, KeyEvent.VK_KP_DOWN, KeyEvent.VK_RIGHT, KeyEvent.VK_KP_RIGHT);
         keys.bindOnCard(KeyEvent.VK_SPACE, 0, card -> strip.selection().toggle(card.member()));
         keys.bindOnCard(KeyEvent.VK_A, CTRL, card -> keys.selectAll());
+        keys.bindOnCard(KeyEvent.VK_F2, 0, card -> strip.rename(card.member()));
         keys.bindOnCard(KeyEvent.VK_CONTEXT_MENU, 0, keys::showMenu);
         keys.bindOnCard(KeyEvent.VK_F10, InputEvent.SHIFT_DOWN_MASK, keys::showMenu);
     }

@@ -126,6 +126,11 @@ public final class TeamStrip extends JPanel implements TeamListener {
     }
 
     @Override
+    public void renamed(Member member) {
+        ownerChanged(member);
+    }
+
+    @Override
     public void ownerChanged(Member member) {
         card(member).ifPresent(RobotCard::changed);
     }
@@ -137,6 +142,11 @@ public final class TeamStrip extends JPanel implements TeamListener {
 
     private void showSelection() {
         cards().forEach(card -> card.setSelected(selection.contains(card.member())));
+    }
+
+    /** Opens the dialog that renames a robot. */
+    void rename(Member member) {
+        actions.rename(member, this);
     }
 
     /**

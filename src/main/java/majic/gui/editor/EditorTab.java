@@ -136,7 +136,7 @@ final class EditorTab extends JPanel {
         return robots.isEmpty()
                 ? TEXTS.get("robots.none")
                 : robots.stream()
-                        .map(robot -> robot.number() + " " + robot.bot().type().label())
+                        .map(robot -> robot.number() + " " + robot.label())
                         .collect(Collectors.joining(", "));
     }
 

@@ -1,5 +1,8 @@
 package majic.gui.kit;
 
+import java.util.Optional;
+import java.util.function.Consumer;
+
 /** Submits lines and shows messages for the parts of the window. Callable from any thread; returns at once. */
 public interface CommandChannel {
     /**
@@ -8,6 +11,14 @@ public interface CommandChannel {
      * @param lines one or several; all up to the first refused one are accepted
      */
     void submit(String lines);
+
+    /**
+     * Submits a line of a dialog. One that is no MAJIC Script is not submitted.
+     *
+     * @param line a command
+     * @param ended receives on the event dispatch thread why the line was refused; empty if it was accepted
+     */
+    void submit(String line, Consumer<Optional<String>> ended);
 
     /**
      * Shows a message that does not come from the session.

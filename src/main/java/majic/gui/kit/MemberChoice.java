@@ -22,9 +22,7 @@ public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
         public String toString() {
             String numbers =
                     members.stream().map(member -> "" + member.number()).collect(Collectors.joining(", "));
-            return members.size() == 1
-                    ? numbers + "  " + members.get(0).bot().type().label()
-                    : TEXTS.get("selected", numbers);
+            return members.size() == 1 ? numbers + "  " + members.get(0).label() : TEXTS.get("selected", numbers);
         }
     }
 

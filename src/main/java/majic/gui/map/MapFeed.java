@@ -148,7 +148,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         start.trail.add(reported);
         return new MapScene.Robot(
                 member.number(),
-                member.bot().type().label(),
+                member.label(),
                 member.bot().profile().bodyMm(),
                 reported,
                 start.inLab ? truths.get(nameInLab(member)) : null,

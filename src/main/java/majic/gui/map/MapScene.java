@@ -35,7 +35,7 @@ public record MapScene(
      * A robot on the map.
      *
      * @param number its number
-     * @param label display name of its type
+     * @param label its name and type
      * @param bodyMm radius of its body
      * @param reported its estimated pose
      * @param truth its true pose in the lab; null without a lab

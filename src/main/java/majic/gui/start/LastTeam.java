@@ -70,6 +70,11 @@ public final class LastTeam implements TeamListener {
         keepSoon();
     }
 
+    @Override
+    public void renamed(Member member) {
+        keepSoon();
+    }
+
     /** Keeps the team in a second, when what was submitted has been done. */
     public void keepSoon() {
         soon.restart();

@@ -56,7 +56,7 @@ public final class LiveSource implements PlotSource {
     private static Robot robot(Member member) {
         List<Parameter> parameters =
                 member.bot().parameters().stream().filter(Quantity::isPlottable).toList();
-        return new Robot(member.number(), member.bot().type().label(), parameters);
+        return new Robot(member.number(), member.label(), parameters);
     }
 
     @Override
