@@ -17,7 +17,6 @@ import majic.gui.kit.KeyAction;
 import majic.gui.kit.TextChange;
 import majic.script.MajicParser;
 import majic.script.Refusal;
-import majic.script.help.Completion;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
@@ -41,10 +40,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private final transient KeysHeldElsewhere heldKeys = new KeysHeldElsewhere(this);
     private final transient TypingToLine typing = new TypingToLine(this);
     private final transient WrongWord wrongWord = new WrongWord(this);
-    private final transient ChoicePopup popup = new ChoicePopup(this, this::use);
-    private final transient LineCompleter completer;
-    private final transient HistorySearch search;
-    private transient PopupUse popupUse;
+    private final transient LineChoices choices;
     private transient @Nullable RefusedLater refusedLater;
     private boolean putting;
     private boolean edited;
@@ -63,9 +59,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         this.parser = parser;
         this.file = file;
         this.hint = hint;
-        completer = new LineCompleter(this, parser, popup);
-        search = new HistorySearch(this, history, popup, hint);
-        popupUse = completer;
+        choices = new LineChoices(this, parser, history, hint);
         setName("commandLine");
         getAccessibleContext().setAccessibleName(TEXTS.get("line"));
         putClientProperty("JTextField.placeholderText", TEXTS.get("line.example"));
@@ -82,7 +76,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         addFocusListener(new FocusAdapter() {
             @Override
             public void focusLost(FocusEvent event) {
-                closePopup();
+                choices.close();
             }
         });
         if (file != null) {
@@ -115,16 +109,13 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     }
 
     private void enter() {
-        Optional<Completion> chosen = popup.chosen();
-        if (chosen.isPresent()) {
-            use(chosen.get());
-        } else if (popupUse == completer) {
+        if (!choices.useChosen() && !choices.isSearching()) {
             run(getText());
         }
     }
 
     private void run(String line) {
-        popupUse.close();
+        choices.close();
         edited = false;
         Optional<Refusal> refusal = line.isBlank()
                 ? Optional.empty()
@@ -183,19 +174,19 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     }
 
     private void up() {
-        if (!popup.move(-1)) {
+        if (!choices.move(-1)) {
             recall(history.older(getText()));
         }
     }
 
     private void down() {
-        if (!popup.move(1)) {
+        if (!choices.move(1)) {
             recall(history.newer(getText()));
         }
     }
 
     private void recall(String line) {
-        popupUse.close();
+        choices.close();
         put(new CompletedLine(line, line.length()));
         RefusedLater refused = refusedLater;
         if (refused != null && refused.line().equals(line)) {
@@ -204,51 +195,33 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     }
 
     private void tab() {
-        Optional<Completion> chosen = popup.chosen();
-        if (chosen.isPresent()) {
-            use(chosen.get());
-        } else if (getText().isBlank()) {
+        boolean used = choices.useChosen();
+        if (!used && getText().isBlank()) {
             transferFocus();
-        } else if (popupUse == completer) {
-            completer.tab();
+        } else if (!used) {
+            choices.complete();
         }
     }
 
     private void searchOrNext() {
-        if (popupUse == search) {
-            popup.move(1);
-        } else {
-            completer.close();
+        if (!choices.isSearching()) {
             unmark();
-            popupUse = search;
-            search.start();
         }
-    }
-
-    private void use(Completion entry) {
-        PopupUse present = popupUse;
-        popupUse = completer;
-        present.use(entry);
+        choices.searchOrNext();
     }
 
     private void escape() {
-        if (popup.isShowing()) {
-            closePopup();
+        if (choices.isShowing()) {
+            choices.close();
         } else {
             unmark();
         }
-    }
-
-    private void closePopup() {
-        PopupUse present = popupUse;
-        popupUse = completer;
-        present.close();
     }
 
     /** Returns whether the popup is open or the line is marked as wrong; Esc closes the popup or removes the mark. */
     @Override
     public boolean hasToClose() {
-        return popup.isShowing() || getClientProperty("JComponent.outline") != null;
+        return choices.isShowing() || getClientProperty("JComponent.outline") != null;
     }
 
     /** Removes the mark and its message; the text stays. */
@@ -271,10 +244,9 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         wrongWord.paint(graphics);
     }
 
-    /** Closes the completions when the caret leaves the place for which they were found. */
     private void caretMoved() {
-        if (!putting && !editPending && popupUse == completer && popup.isShowing()) {
-            completer.close();
+        if (!putting && !editPending) {
+            choices.caretMoved();
         }
     }
 
@@ -288,7 +260,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
             editPending = true;
             EventThread.later(() -> {
                 editPending = false;
-                popupUse.edited();
+                choices.edited();
             });
         }
     }
