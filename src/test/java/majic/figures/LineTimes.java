@@ -23,8 +23,7 @@ import majic.gui.kit.ClosesByEsc;
 final class LineTimes {
     private static final int SETTLING_MS = 5000;
     private static final int EARLIER_LINES = 500;
-    private static final int UNMEASURED = 5;
-    private static final int MEASURED = 25;
+    private static final int ROUNDS = 25;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     /**
@@ -95,20 +94,19 @@ final class LineTimes {
 
     private String measure(Action action) throws InterruptedException, InvocationTargetException {
         List<Double> milliseconds = new ArrayList<>();
-        for (int round = 0; round < UNMEASURED + MEASURED; round++) {
+        for (int round = 0; round < ROUNDS; round++) {
             prepare(action);
-            double took = millisecondsOf(action.name().equals("nothing") ? "" : String.valueOf(action.key()));
-            if (round >= UNMEASURED) {
-                milliseconds.add(took);
-            }
+            milliseconds.add(millisecondsOf(action.name().equals("nothing") ? "" : String.valueOf(action.key())));
         }
+        double first = milliseconds.get(0);
         Collections.sort(milliseconds);
         return String.format(
                 Locale.ROOT,
-                "%-27s median %5.1f ms, longest %5.1f ms",
+                "%-27s first %5.1f ms, median %5.1f ms, longest %5.1f ms",
                 action.name(),
-                milliseconds.get(MEASURED / 2),
-                milliseconds.get(MEASURED - 1));
+                first,
+                milliseconds.get(ROUNDS / 2),
+                milliseconds.get(ROUNDS - 1));
     }
 
     private void prepare(Action action) throws InterruptedException, InvocationTargetException {
@@ -124,6 +122,9 @@ final class LineTimes {
         for (char key : action.before().toCharArray()) {
             post(key);
             robot.waitForIdle();
+        }
+        if (!line.isFocusOwner()) {
+            throw new IllegalStateException("the command line has lost the focus to another window");
         }
     }
 
