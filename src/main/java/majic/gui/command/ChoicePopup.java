@@ -28,18 +28,32 @@ import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A list of choices below a text field, or above it where the screen ends. It never takes the focus. Nothing is chosen
- * until {@link #move} or {@link #choose}. Must be used on the event dispatch thread.
+ * A list of choices below a text field; where the screen ends, above it and to the right of the newest messages. It never
+ * takes the focus. Nothing is chosen until {@link #move} or {@link #choose}. Must be used on the event dispatch thread.
  */
 final class ChoicePopup {
     private static final Texts TEXTS = Texts.of(ChoicePopup.class);
     private static final int MOST_ROWS = 8;
+    private static final int LEAST_ROWS = 4;
     private static final int GAP = 2;
+    private static final int BESIDE = 10;
+
+    /** Minimum width in characters of a list that is made narrower to leave the messages in view. */
+    private static final int LEAST_WIDTH = 45;
 
     private final JTextComponent field;
     private final DefaultListModel<Completion> entries = new DefaultListModel<>();
-    private final JList<Completion> list = new JList<>(entries);
+    private final JList<Completion> list = new JList<>(entries) {
+        private static final long serialVersionUID = 1L;
+
+        /** Returns true: a list that is made narrower shortens the explanations. */
+        @Override
+        public boolean getScrollableTracksViewportWidth() {
+            return true;
+        }
+    };
     private final CompletionCell cell = new CompletionCell();
+    private @Nullable MessageArea messages;
     private @Nullable JWindow window;
     private boolean chosen;
 
@@ -66,6 +80,11 @@ final class ChoicePopup {
         });
     }
 
+    /** Keeps the newest messages in view while the list is above the field. */
+    void leaveInView(MessageArea newest) {
+        messages = newest;
+    }
+
     boolean isShowing() {
         return window != null && window.isVisible();
     }
@@ -87,7 +106,7 @@ final class ChoicePopup {
         cell.measure(choices, field.getFont());
         list.setFixedCellHeight(cell.getPreferredSize().height);
         list.setFixedCellWidth(cell.getPreferredSize().width);
-        list.setVisibleRowCount(Math.min(MOST_ROWS, choices.size()));
+        list.setVisibleRowCount(Math.min(rows(list.getFixedCellHeight()), choices.size()));
         list.clearSelection();
         list.ensureIndexIsVisible(0);
         JWindow shown = window(owner);
@@ -112,15 +131,40 @@ final class ChoicePopup {
         return made;
     }
 
+    /** Returns how many rows the list has at most: no more than cover the messages. */
+    private int rows(int rowHeight) {
+        MessageArea above = messages;
+        return above == null ? MOST_ROWS : Math.max(LEAST_ROWS, Math.min(MOST_ROWS, above.getHeight() / rowHeight));
+    }
+
     private void place(Window shown, int index) {
         Point corner = field.getLocationOnScreen();
         Rectangle screen = screen(field.getGraphicsConfiguration());
         int width = Math.min(shown.getWidth(), screen.width);
-        int left = corner.x + (int) characterX(index);
-        int x = Math.max(screen.x, Math.min(left, screen.x + screen.width - width));
-        int below = corner.y + field.getHeight() + GAP;
-        boolean fits = below + shown.getHeight() <= screen.y + screen.height;
-        shown.setBounds(x, fits ? below : corner.y - GAP - shown.getHeight(), width, shown.getHeight());
+        int height = shown.getHeight();
+        int x = corner.x + (int) characterX(index);
+        int y = corner.y + field.getHeight() + GAP;
+        if (y + height > screen.y + screen.height) {
+            y = corner.y - GAP - height;
+            x = Math.max(x, besideMessages());
+            int right = Math.min(screen.x + screen.width, corner.x + field.getWidth());
+            width = Math.min(width, Math.max(right - x, leastWidth()));
+            x = Math.min(x, right - width);
+        }
+        shown.setBounds(Math.max(screen.x, Math.min(x, screen.x + screen.width - width)), y, width, height);
+    }
+
+    /** Returns where on the screen no text of the messages that the largest list would cover is any more. */
+    private int besideMessages() {
+        MessageArea above = messages;
+        if (above == null || !above.isShowing()) {
+            return 0;
+        }
+        return above.getLocationOnScreen().x + above.textEnd(MOST_ROWS * list.getFixedCellHeight()) + BESIDE;
+    }
+
+    private int leastWidth() {
+        return LEAST_WIDTH * field.getFontMetrics(field.getFont()).charWidth('m');
     }
 
     private double characterX(int index) {

@@ -84,6 +84,11 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         }
     }
 
+    /** Keeps the newest messages in view while the popup is open. */
+    void leaveInView(MessageArea messages) {
+        choices.leaveInView(messages);
+    }
+
     @Override
     public void updateUI() {
         super.updateUI();

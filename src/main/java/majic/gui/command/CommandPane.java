@@ -28,6 +28,7 @@ public final class CommandPane extends JPanel {
         Path history = services.history();
         line = new CommandLine(parser, history == null ? null : new HistoryFile(history), this::showHint);
         messages = new MessagePane(services.settings(), line::requestFocusInWindow);
+        line.leaveInView(messages.area());
         hint.setName("hint");
         hint.putClientProperty("html.disable", true);
         JLabel prompt = new JLabel(TEXTS.get("prompt"));

@@ -22,6 +22,11 @@ final class LineChoices {
         present = completer;
     }
 
+    /** Keeps the newest messages in view while the popup is open. */
+    void leaveInView(MessageArea messages) {
+        popup.leaveInView(messages);
+    }
+
     boolean isShowing() {
         return popup.isShowing();
     }

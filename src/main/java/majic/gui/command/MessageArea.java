@@ -3,6 +3,7 @@ package majic.gui.command;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
 import java.time.LocalTime;
 import java.util.ArrayDeque;
@@ -163,6 +164,26 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         } catch (BadLocationException e) {
             throw new IllegalStateException("the place is in the text", e);
         }
+    }
+
+    /**
+     * Returns where the text of the lowest lines in view ends, in pixels from the left of this area.
+     *
+     * @param height the height of these lines in pixels; more than the area has for all lines in view
+     */
+    int textEnd(int height) {
+        Rectangle view = getViewport().getViewRect();
+        int line = text.getFontMetrics(text.getFont()).getHeight();
+        double end = 0;
+        try {
+            for (int y = view.y + view.height - 1; y >= view.y + Math.max(0, view.height - height); y -= line) {
+                Rectangle2D last = text.modelToView2D(text.viewToModel2D(new Point(view.x + view.width, y)));
+                end = Math.max(end, last == null ? 0 : last.getMaxX());
+            }
+        } catch (BadLocationException e) {
+            throw new IllegalStateException("the place is in the text", e);
+        }
+        return getViewport().getX() + (int) Math.ceil(end) - view.x;
     }
 
     private double y(Position place) throws BadLocationException {

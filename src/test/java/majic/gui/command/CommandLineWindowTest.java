@@ -5,6 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.formdev.flatlaf.FlatLaf;
 import java.awt.Component;
 import java.awt.KeyboardFocusManager;
+import java.awt.Point;
+import java.awt.Rectangle;
+import java.awt.Toolkit;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -224,6 +228,27 @@ class CommandLineWindowTest {
         window.focus("messages");
         window.type("bots");
         assertThat(window.text("commandLine")).isEqualTo("bots");
+    }
+
+    @Test
+    void aListAboveTheLineLeavesTheNewestMessagesInView() {
+        window.run(() ->
+                window.frame().setLocation(0, screenHeight() - window.frame().getHeight()));
+        window.command("1 get cruise");
+        window.awaitMessage("1 cruise = ");
+        window.type("1 set ");
+        window.await("the completions", () -> choices().contains("cruise"));
+        MessageArea messages = window.find("messageArea", MessageArea.class);
+        Rectangle list = window.find("choicesWindow", Window.class).getBounds();
+        window.run(() -> {
+            Point corner = messages.getLocationOnScreen();
+            assertThat(list.y + list.height).isLessThan(corner.y + messages.getHeight() + 10);
+            assertThat(list.x).isGreaterThan(corner.x + messages.textEnd(list.height));
+        });
+    }
+
+    private static int screenHeight() {
+        return Toolkit.getDefaultToolkit().getScreenSize().height;
     }
 
     private String selected() {
