@@ -1,6 +1,7 @@
 package majicsim;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -221,10 +222,13 @@ public final class Lab implements AutoCloseable {
      * @return one entry a line
      */
     public List<LineCount> lines() {
-        return robots.stream()
-                .flatMap(robot -> robot.ports().stream())
-                .flatMap(port -> port.lines().stream())
-                .toList();
+        List<LineCount> lines = new ArrayList<>();
+        for (LabRobot robot : robots) {
+            for (Port port : robot.ports()) {
+                lines.addAll(port.lines());
+            }
+        }
+        return lines;
     }
 
     /** Stops the clock and closes all ports and lines. */

@@ -7,6 +7,7 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
@@ -44,7 +45,11 @@ final class TcpService implements Runnable {
     }
 
     List<LineCount> counts() {
-        return lines.stream().map(RobotLine::count).toList();
+        List<LineCount> counts = new ArrayList<>();
+        for (TcpLine line : lines) {
+            counts.add(line.count());
+        }
+        return counts;
     }
 
     void wakeup() {

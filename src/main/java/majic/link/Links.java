@@ -2,6 +2,7 @@ package majic.link;
 
 import java.lang.System.Logger;
 import java.net.InetSocketAddress;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -67,8 +68,16 @@ public final class Links {
      * @return a snapshot
      */
     public static List<Traffic> traffic() {
-        tidy();
-        return OPEN.stream().map(Link::traffic).toList();
+        List<Traffic> traffic = new ArrayList<>();
+        for (Link link : OPEN) {
+            Traffic counts = link.traffic();
+            if (counts.open()) {
+                traffic.add(counts);
+            } else {
+                OPEN.remove(link);
+            }
+        }
+        return traffic;
     }
 
     static void register(Link link) {

@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 final class TcpLink implements Link {
     private final String host;
     private final int port;
+    private final String remote;
     private final TcpConnector connector;
     private final TrafficCounter counter = new TrafficCounter();
     private final ReentrantLock writing = new ReentrantLock();
@@ -29,6 +30,7 @@ final class TcpLink implements Link {
     TcpLink(String host, int port, TcpConnector connector) {
         this.host = host;
         this.port = port;
+        this.remote = host + ":" + port;
         this.connector = connector;
     }
 
@@ -151,6 +153,6 @@ final class TcpLink implements Link {
 
     @Override
     public Traffic traffic() {
-        return counter.traffic(local, host + ":" + port);
+        return counter.traffic(local, remote);
     }
 }
