@@ -2,12 +2,17 @@ package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
+import majicsim.world.Pose;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -24,9 +29,25 @@ class EmbeddingTest {
             " majic.aibo.liburbi.",
             " majic.pioneer.aria.");
 
+    private static final Pose NEAR_THE_WALL = new Pose(3400, 0, 0);
+
+    private static CompletableFuture<String> tenLines;
+    private static CompletableFuture<String> wanderer;
+
+    /** The examples' robots take seconds for their ways, so both move at the same time. */
+    @BeforeAll
+    static void startBoth() {
+        tenLines = CompletableFuture.supplyAsync(() -> run("-verbose:class", "TenLines"), EmbeddingTest::start);
+        wanderer = CompletableFuture.supplyAsync(() -> run("-Xshare:auto", "Wanderer", "1"), EmbeddingTest::start);
+    }
+
+    private static void start(Runnable body) {
+        new Thread(body, "example").start();
+    }
+
     @Test
     void anEmbeddedRobotLoadsNeitherSwingNorAMakersLibrary() throws Exception {
-        String loaded = run("-verbose:class", "TenLines");
+        String loaded = tenLines.get();
 
         assertThat(loaded).contains("majic.pioneer.MajicPioneer ", "ahead: ");
         assertThat(loaded.lines().filter(line -> UNNEEDED.stream().anyMatch(line::contains)))
@@ -35,12 +56,13 @@ class EmbeddingTest {
 
     @Test
     void theWandererTurnsWhereItsWayEnds() throws Exception {
-        assertThat(run("-Xshare:auto", "Wanderer", "1")).containsPattern("ahead \\d+ mm.*\\nturned -?\\d+");
+        assertThat(wanderer.get()).containsPattern("ahead \\d+ mm.*\\nturned -?\\d+");
     }
 
-    /** Runs an example with the Pioneer of an exact lab, and returns what it printed. */
-    private static String run(String option, String example, String... further) throws Exception {
+    /** Runs an example with the Pioneer of an exact lab, near a wall; returns what it printed. */
+    private static String run(String option, String example, String... further) {
         try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1)) {
+            lab.simulators().place("pioneer", NEAR_THE_WALL);
             List<String> command = new ArrayList<>(List.of(
                     Path.of(System.getProperty("java.home"), "bin", "java").toString(),
                     option,
@@ -54,6 +76,10 @@ class EmbeddingTest {
             String printed = new String(embedding.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
             assertThat(embedding.waitFor()).isZero();
             return printed;
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
         }
     }
 }
