@@ -36,13 +36,16 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Tests the Aibo's driver by liburbi-java with the simulated dog, at the pace of the wall clock. The library is the one in the
+ * Tests the Aibo's driver by liburbi-java with the simulated dog. The library is the one in the
  * folder that {@code -Dliburbi.home} names; without it a small double of it is compiled, with the same weaknesses.
  */
 @Tag("vendor")
 @Timeout(120)
 class LiburbiInLabTest {
     private static final double LONGEST_S = 30;
+
+    /** How many times as fast as the wall clock; the library waits by the wall clock, so it cannot be stepped. */
+    private static final double SPEED = 3;
 
     @TempDir
     private static Path folder;
@@ -64,7 +67,7 @@ class LiburbiInLabTest {
 
     @BeforeEach
     void connect() throws IOException {
-        lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+        lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), SPEED);
         Settings settings = Settings.inMemory();
         settings.put("liburbi.home", home);
         BotAddress real = lab.address("aibo").orElseThrow();
