@@ -167,7 +167,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         EventThread.later(() -> {
             setIconImage(icon);
             menu.fill();
-            FileDrop.install(getRootPane(), editor::open);
+            FileDrop.installInside(getRootPane(), editor::open);
             repaint();
         });
     }

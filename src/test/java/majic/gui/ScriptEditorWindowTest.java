@@ -17,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JList;
 import javax.swing.JMenu;
@@ -281,6 +282,17 @@ class ScriptEditorWindowTest {
         assertThat(recent.getItem(1).getToolTipText()).isEqualTo(first.toString());
         WINDOW.run(() -> recent.getItem(1).doClick());
         WINDOW.await("the script", () -> isTitle(0, "first.majic"));
+    }
+
+    @Test
+    void aFileCanBeDroppedOnTheTextsOfTheWindowToo() throws IOException {
+        Path file = script("lap.majic", "1 move 30");
+        for (String name : List.of("messages", "commandLine")) {
+            JComponent text = window.find(name, JComponent.class);
+            window.await(name + " to accept files", () -> text.getTransferHandler() instanceof FileDrop);
+            TransferSupport files = new TransferSupport(text, new DraggedFile(file));
+            assertThat(text.getTransferHandler().canImport(files)).isTrue();
+        }
     }
 
     @Test

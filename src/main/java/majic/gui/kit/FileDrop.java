@@ -1,16 +1,24 @@
 package majic.gui.kit;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.datatransfer.Clipboard;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.UnsupportedFlavorException;
+import java.awt.event.ContainerAdapter;
+import java.awt.event.ContainerEvent;
+import java.awt.event.ContainerListener;
 import java.awt.event.InputEvent;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
+import javax.swing.CellRendererPane;
 import javax.swing.JComponent;
 import javax.swing.TransferHandler;
+import javax.swing.text.JTextComponent;
 import org.jspecify.annotations.Nullable;
 
 /** Accepts files that are dropped on a component; all else is left to the handler that the component had before. */
@@ -32,6 +40,43 @@ public final class FileDrop extends TransferHandler {
      */
     public static void install(JComponent component, Consumer<List<Path>> dropped) {
         component.setTransferHandler(new FileDrop(dropped, component.getTransferHandler()));
+    }
+
+    /**
+     * Makes a window accept files everywhere. Its texts are the targets of what is dropped on them, so each accepts files too,
+     * also one that is added later.
+     *
+     * @param root the window's root pane
+     * @param dropped receives the files
+     */
+    public static void installInside(JComponent root, Consumer<List<Path>> dropped) {
+        install(root, dropped);
+        follow(
+                root,
+                new ContainerAdapter() {
+                    @Override
+                    public void componentAdded(ContainerEvent event) {
+                        visit(event.getChild(), this, dropped);
+                    }
+                },
+                dropped);
+    }
+
+    private static void follow(Container container, ContainerListener added, Consumer<List<Path>> dropped) {
+        container.addContainerListener(added);
+        Stream.of(container.getComponents()).forEach(part -> visit(part, added, dropped));
+    }
+
+    private static void visit(Component part, ContainerListener added, Consumer<List<Path>> dropped) {
+        if (part instanceof JTextComponent text) {
+            if (!(text.getTransferHandler() instanceof FileDrop)) {
+                install(text, dropped);
+            }
+        } else if (part instanceof Container container
+                && !(part instanceof CellRendererPane)
+                && !List.of(container.getContainerListeners()).contains(added)) {
+            follow(container, added, dropped);
+        }
     }
 
     @Override
