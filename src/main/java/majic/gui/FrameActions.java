@@ -32,7 +32,7 @@ final class FrameActions {
         addBot = action("addBot", "add", "addBot.tip", frame::addBot).withKey(KeyEvent.VK_N);
         killBot = action("killBot", "kill", "killBot.tip", frame::removeBot);
         loadAct = action("loadAct", "act", "loadAct.tip", frame::loadAct).withKey(KeyEvent.VK_L);
-        endAct = action("endAct", "kill", "endAct.tip", frame::endAct).withKey(KeyEvent.VK_E);
+        endAct = action("endAct", "kill", "endAct.tip", dialogs::endAct).withKey(KeyEvent.VK_E);
         makeAct = action("makeAct", "act", "makeAct.tip", dialogs::makeAct);
         help = action("help", "help", "help.tip", dialogs::help).withKey(KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
         guide = action("guide", "help", "guide.tip", dialogs::guide);

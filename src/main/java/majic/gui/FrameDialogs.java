@@ -14,6 +14,7 @@ import majic.gui.add.AddBotDialog;
 import majic.gui.bots.KillBotDialog;
 import majic.gui.help.AboutDialog;
 import majic.gui.help.HelpDialog;
+import majic.gui.kit.BotStatus;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.MajicDialog;
@@ -24,11 +25,15 @@ import majic.gui.replay.RecordingsDialog;
 import majic.gui.replay.ReplayServices;
 import majic.gui.start.Tour;
 import majic.panel.PictureView;
+import majic.script.ActOffer;
 import majic.script.Session;
 import majic.team.Member;
 import majic.text.Texts;
 
-/** Opens the window's dialogs; creates each at its first use and never shows one of them twice at a time. */
+/**
+ * Does what the buttons and menus offer: opens dialogs, each created at its first use and never shown twice at a time, and ends
+ * acts.
+ */
 final class FrameDialogs {
     private static final Texts TEXTS = Texts.of(FrameDialogs.class);
 
@@ -36,6 +41,7 @@ final class FrameDialogs {
     private final Session session;
     private final ProgramServices services;
     private final RobotSelection selection;
+    private final CommandChannel channel;
     private final ActLoader loader;
 
     FrameDialogs(
@@ -48,6 +54,7 @@ final class FrameDialogs {
         this.session = session;
         this.services = services;
         this.selection = selection;
+        this.channel = channel;
         this.loader = new ActLoader(frame, session, channel, services.settings());
     }
 
@@ -68,7 +75,7 @@ final class FrameDialogs {
     }
 
     private void removeBot(Optional<Member> chosen) {
-        Consumer<Member> kill = member -> frame.submit("remove " + member.number());
+        Consumer<Member> kill = member -> channel.submit("remove " + member.number());
         open(KillBotDialog.class, () -> new KillBotDialog(frame, session.team().members(), chosen, kill));
     }
 
@@ -84,6 +91,20 @@ final class FrameDialogs {
 
     private void loadAct(List<Member> chosen) {
         open(LoadActDialog.class, () -> new LoadActDialog(frame, session.team().members(), chosen, loader::load));
+    }
+
+    /** Ends the acts of the selected robots; shows a message if no robot is selected. */
+    void endAct() {
+        withRobots(members -> {
+            List<Member> selected = selection.members();
+            List<Member> inAct = selected.stream().filter(BotStatus::isInAct).toList();
+            List<Member> meant = inAct.isEmpty() ? selected : inAct;
+            if (meant.isEmpty()) {
+                channel.showError(TEXTS.get("noneSelected"));
+            } else {
+                channel.submit(ActOffer.endLine(meant.stream().map(Member::number).toList()));
+            }
+        });
     }
 
     void makeAct() {
@@ -175,7 +196,7 @@ final class FrameDialogs {
     private void withRobots(Consumer<List<Member>> action) {
         List<Member> members = session.team().members();
         if (members.isEmpty()) {
-            frame.showError(TEXTS.get("noRobot"));
+            channel.showError(TEXTS.get("noRobot"));
         } else {
             action.accept(members);
         }

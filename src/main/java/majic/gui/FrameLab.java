@@ -37,6 +37,10 @@ final class FrameLab {
         }
     }
 
+    void showTruePositions() {
+        channel.submit("lab");
+    }
+
     private void start(Runnable start) {
         try {
             start.run();

@@ -87,8 +87,14 @@ final class FrameMenu extends JMenuBar {
                 TEXTS.get("reconnect"), frame.reconnecting().isEnabled());
         reconnect.addActionListener(event -> frame.reconnecting().enable(reconnect.isSelected()));
         JMenuItem gamepad = new JCheckBoxMenuItem(TEXTS.get("gamepad"));
-        gamepad.addActionListener(event -> frame.driveByGamepad(gamepad.isSelected()));
-        robots.addChangeListener(change -> gamepad.setSelected(frame.isDrivenByGamepad()));
+        gamepad.addActionListener(event -> {
+            if (gamepad.isSelected()) {
+                frame.gamepad().switchOn();
+            } else {
+                frame.gamepad().switchOff();
+            }
+        });
+        robots.addChangeListener(change -> gamepad.setSelected(frame.gamepad().isOn()));
         robots.add(reconnect);
         robots.add(gamepad);
     }
@@ -97,7 +103,7 @@ final class FrameMenu extends JMenuBar {
         JMenuItem start = new JMenuItem(TEXTS.get("startLab"));
         start.addActionListener(event -> frame.lab().start());
         JMenuItem poses = new JMenuItem(TEXTS.get("truePositions"));
-        poses.addActionListener(event -> frame.submit("lab"));
+        poses.addActionListener(event -> frame.lab().showTruePositions());
         lab.add(start);
         lab.add(poses);
         lab.addChangeListener(change -> {

@@ -9,12 +9,7 @@ import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
-import java.util.List;
-import java.util.Optional;
-import java.util.function.Consumer;
 import javax.swing.JFrame;
-import javax.swing.JPanel;
-import javax.swing.JSplitPane;
 import javax.swing.LayoutFocusTraversalPolicy;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
@@ -23,12 +18,8 @@ import majic.gui.bots.RobotActions;
 import majic.gui.command.CommandPane;
 import majic.gui.drive.GamepadControl;
 import majic.gui.drive.SdlGamepad;
-import majic.gui.kit.BotStatus;
-import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
-import majic.gui.kit.EventThreadTeamListener;
 import majic.gui.kit.FileDrop;
-import majic.gui.kit.IconAction;
 import majic.gui.kit.Icons;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
@@ -37,18 +28,12 @@ import majic.gui.plot.Plots;
 import majic.gui.plot.data.LiveSource;
 import majic.gui.start.StartActions;
 import majic.gui.start.StartPage;
-import majic.log.Line;
 import majic.panel.PictureView;
 import majic.panel.PictureViewer;
-import majic.recorder.RecordedHistory;
-import majic.recorder.Recorder;
-import majic.script.ActOffer;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majic.team.Member;
 import majic.text.Texts;
-import net.miginfocom.swing.MigLayout;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The main window: buttons and STOP above; cards of the robots, team map and panels of the selected robots side by
@@ -61,7 +46,6 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private static final int ICON_SIZE = 64;
 
     private final transient Session session;
-    private final transient MajicParser parser;
     private final transient ProgramServices services;
     private final transient StopKeys stopKeys;
     private final transient FrameDialogs dialogs;
@@ -69,11 +53,10 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient FrameTeams teams;
     private final transient FrameLab lab;
     private final transient FrameReconnect reconnect;
-    private final transient CommandChannel channel = new Channel();
+    private final transient FrameChannel channel;
     private final transient Plots plots;
     private final transient RobotSelection selection = new RobotSelection();
-    private final transient GamepadControl gamepad =
-            new GamepadControl(SdlGamepad::open, this::showError, this::showError);
+    private final transient GamepadControl gamepad;
     private final StartPage start;
     private final TeamPane team;
     private final CommandPane commands;
@@ -89,14 +72,12 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     public MajicFrame(Session session, MajicParser parser, ProgramServices services) {
         super("MAJIC");
         this.session = session;
-        this.parser = parser;
         this.services = services;
         commands = new CommandPane(parser, services);
+        channel = new FrameChannel(session, parser, commands.messages());
+        gamepad = new GamepadControl(SdlGamepad::open, channel::showError, channel::showError);
         plots = new Plots(
-                this,
-                services.settings(),
-                () -> new LiveSource(session.team(), history(services.recorder())),
-                this::stopButton);
+                this, services.settings(), () -> new LiveSource(session.team(), services.recorded()), this::stopButton);
         reconnect = new FrameReconnect(session.team(), services.settings(), this::attemptsChanged);
         parser.useDefaultRobots(selection::numbers);
         dialogs = new FrameDialogs(this, session, services, selection, channel);
@@ -131,37 +112,34 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     private void place() {
-        StopPanel stop = new StopPanel(session.team(), this::stopAll);
-        session.team().addListener(new EventThreadTeamListener(stop));
-        StopAlarm alarm = new StopAlarm(session.team());
-        session.team().addListener(new EventThreadTeamListener(alarm));
         FrameActions actions = new FrameActions(this, dialogs, editor);
-        JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, team, commands);
-        all.setResizeWeight(0.75);
-        JPanel content = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));
-        content.add(new FrameToolbar(actions.buttons(), stop), "wmin 0");
-        content.add(alarm, "wmin 0, gap 8 8 0 6");
-        content.add(all, "wmin 0, hmin 0, pushy, growy, gap 8 8 0 8");
+        FrameContent content = new FrameContent(session.team(), actions.buttons(), this::stopAll, team, commands);
         setContentPane(content);
         FrameMenu menu = new FrameMenu(this, actions, editor);
         setJMenuBar(menu);
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
-                EventThread.background("reading pictures", () -> complete(actions, menu));
+                EventThread.background("reading pictures", () -> complete(content, menu));
+            }
+
+            @Override
+            public void windowClosing(WindowEvent event) {
+                quit();
             }
         });
+        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         setFocusTraversalPolicy(new CommandsFirst());
         setMinimumSize(new Dimension(UIScale.scale(700), UIScale.scale(520)));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(UIScale.scale(1280), screen.width), Math.min(UIScale.scale(800), screen.height));
         setLocationRelativeTo(null);
-        new FrameMemory(this, List.of(team, all), services.settings());
+        new FrameMemory(this, content.splits(), services.settings());
     }
 
     /** Adds what would have delayed the window. */
-    private void complete(FrameActions actions, FrameMenu menu) {
-        actions.buttons().forEach(IconAction::readPicture);
+    private void complete(FrameContent content, FrameMenu menu) {
+        content.readPictures();
         start.readPictures();
         Image icon = Icons.now("app", ICON_SIZE);
         EventThread.later(() -> {
@@ -176,13 +154,6 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         session.addListener(commands.messages());
         stopKeys.install();
         team.start();
-        setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowClosing(WindowEvent event) {
-                quit();
-            }
-        });
     }
 
     /** Makes the STOP button of a window beside this one. */
@@ -192,7 +163,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     private void stopAll() {
         if (!session.team().stopAllIfAny()) {
-            showError(TEXTS.get("noRobotToStop"));
+            channel.showError(TEXTS.get("noRobotToStop"));
         }
     }
 
@@ -267,17 +238,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         super.dispose();
     }
 
-    /** Begins or ends to drive the selected robots by a game controller. */
-    void driveByGamepad(boolean on) {
-        if (on) {
-            gamepad.switchOn();
-        } else {
-            gamepad.switchOff();
-        }
-    }
-
-    boolean isDrivenByGamepad() {
-        return gamepad.isOn();
+    GamepadControl gamepad() {
+        return gamepad;
     }
 
     FrameLab lab() {
@@ -300,10 +262,6 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         team.map().fit();
     }
 
-    private static @Nullable RecordedHistory history(@Nullable Recorder recorder) {
-        return recorder == null ? null : recorder.history();
-    }
-
     /** Opens an empty plot, and asks what it is to show. */
     void newPlot() {
         plots.openEmpty();
@@ -313,54 +271,10 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         return services.settings();
     }
 
-    /** Ends the acts of the selected robots; shows a message if none runs, or no robot is selected. */
-    void endAct() {
-        List<Member> inAct =
-                selection.members().stream().filter(BotStatus::isInAct).toList();
-        List<Member> meant = inAct.isEmpty() ? selection.members() : inAct;
-        if (meant.isEmpty()) {
-            showError(TEXTS.get(totalBots() == 0 ? "noRobot" : "noneSelected"));
-        } else {
-            channel.submit(ActOffer.endLine(meant.stream().map(Member::number).toList()));
-        }
-    }
-
     /** Stores a language for the next start; shows a message if it differs from the present one. */
     void chooseLanguage(Language language) {
         if (language.choose(settings())) {
-            commands.messages().line(new Line(Line.Kind.NOTICE, TEXTS.get("language.later")));
-        }
-    }
-
-    /** Submits a line as if it had been typed; its result is shown among the messages. */
-    void submit(String line) {
-        parser.parseText(line);
-    }
-
-    /** Shows a message that does not come from the session; callable from any thread. */
-    void showError(String sentence) {
-        session.log().write("error", sentence);
-        commands.messages().line(new Line(Line.Kind.ERROR, sentence));
-    }
-
-    /** Passes on the lines and messages of the window's parts. */
-    private final class Channel implements CommandChannel {
-        @Override
-        public void submit(String lines) {
-            EventThread.background("giving a line", () -> MajicFrame.this.submit(lines));
-        }
-
-        @Override
-        public void submit(String line, Consumer<Optional<String>> ended) {
-            EventThread.background("giving a line", () -> {
-                Optional<String> wrong = parser.mistake(line).or(() -> parser.parseText(line));
-                EventThread.later(() -> ended.accept(wrong));
-            });
-        }
-
-        @Override
-        public void showError(String sentence) {
-            MajicFrame.this.showError(sentence);
+            channel.showNotice(TEXTS.get("language.later"));
         }
     }
 

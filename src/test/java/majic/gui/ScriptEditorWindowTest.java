@@ -288,8 +288,8 @@ class ScriptEditorWindowTest {
     void aFileCanBeDroppedOnTheTextsOfTheWindowToo() throws IOException {
         Path file = script("lap.majic", "1 move 30");
         for (String name : List.of("messages", "commandLine")) {
-            JComponent text = window.find(name, JComponent.class);
-            window.await(name + " to accept files", () -> text.getTransferHandler() instanceof FileDrop);
+            JComponent text = WINDOW.find(name, JComponent.class);
+            WINDOW.await(name + " to accept files", () -> text.getTransferHandler() instanceof FileDrop);
             TransferSupport files = new TransferSupport(text, new DraggedFile(file));
             assertThat(text.getTransferHandler().canImport(files)).isTrue();
         }

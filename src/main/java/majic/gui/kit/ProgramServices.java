@@ -4,6 +4,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
 import majic.bot.Settings;
+import majic.recorder.RecordedHistory;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;
 import org.jspecify.annotations.Nullable;
@@ -36,6 +37,11 @@ public record ProgramServices(
             Runnable quit,
             Settings settings) {
         this(serialPorts, startLab, quit, settings, new RecordingFolder(Path.of("no-recordings")), null, null);
+    }
+
+    /** Returns what was recorded in this session; null if it is not recorded. */
+    public @Nullable RecordedHistory recorded() {
+        return recorder == null ? null : recorder.history();
     }
 
     /**
