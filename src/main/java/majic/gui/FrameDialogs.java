@@ -102,7 +102,8 @@ final class FrameDialogs {
             if (meant.isEmpty()) {
                 channel.showError(TEXTS.get("noneSelected"));
             } else {
-                channel.submit(ActOffer.endLine(meant.stream().map(Member::number).toList()));
+                channel.submit(
+                        ActOffer.endLine(meant.stream().map(Member::number).toList()));
             }
         });
     }
@@ -119,6 +120,16 @@ final class FrameDialogs {
 
     void help() {
         open(HelpDialog.class, this::newHelp);
+    }
+
+    /**
+     * Shows the help, at a section of the guide if one is given.
+     *
+     * @param section as in {@link majic.gui.kit.HelpTopic}
+     */
+    void help(Optional<String> section) {
+        help();
+        section.ifPresent(heading -> shown(HelpDialog.class).forEach(dialog -> dialog.showSection(heading)));
     }
 
     /** Shows the guide, in the help if that is open already. */

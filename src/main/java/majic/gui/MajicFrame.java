@@ -48,6 +48,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient Session session;
     private final transient ProgramServices services;
     private final transient StopKeys stopKeys;
+    private final transient HelpKey helpKey;
     private final transient FrameDialogs dialogs;
     private final transient FrameEditor editor;
     private final transient FrameTeams teams;
@@ -91,6 +92,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         team = new TeamPane(session, selection, actions, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
         stopKeys = new StopKeys(this::stopAll);
+        helpKey = new HelpKey(dialogs::help);
         place();
         listen();
     }
@@ -153,6 +155,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private void listen() {
         session.addListener(commands.messages());
         stopKeys.install();
+        helpKey.install();
         team.start();
     }
 
@@ -230,6 +233,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     @Override
     public void dispose() {
         stopKeys.close();
+        helpKey.close();
         gamepad.close();
         editor.dispose();
         team.close();

@@ -2,9 +2,14 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Point;
 import java.awt.event.KeyEvent;
+import javax.swing.JEditorPane;
 import javax.swing.JTable;
 import javax.swing.MenuSelectionManager;
+import javax.swing.text.Element;
+import javax.swing.text.html.HTMLDocument;
+import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -34,6 +39,27 @@ class HelpWindowTest {
         window.write("helpSearch", "KILL MAJIC");
         window.await("the part", () -> !window.text("guide user-guide").contains("The main screen"));
         assertThat(window.text("guide user-guide")).contains("Quitting");
+    }
+
+    @Test
+    void f1InADialogShowsTheSectionOfTheGuideAboutIt() {
+        window.run(window.frame::addBot);
+        window.awaitDialog("Add Bot");
+        window.await("the focus", () -> window.hasKeys("Add Bot dialog"));
+        window.press(KeyEvent.VK_F1);
+        window.awaitDialog("Help");
+        JEditorPane guide = window.awaitShowing("guide user-guide", JEditorPane.class);
+        window.await("the section", () -> topLine(guide).equals("Adding a robot"));
+    }
+
+    /** Returns the line of text at the upper edge of what is visible. */
+    private static String topLine(JEditorPane page) {
+        return GuiActionRunner.execute(() -> {
+            int first = page.viewToModel2D(new Point(0, page.getVisibleRect().y + 2));
+            Element line = ((HTMLDocument) page.getDocument()).getParagraphElement(first);
+            return page.getText(line.getStartOffset(), line.getEndOffset() - line.getStartOffset())
+                    .strip();
+        });
     }
 
     @Test

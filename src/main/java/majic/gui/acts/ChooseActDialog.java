@@ -17,6 +17,7 @@ import javax.swing.ListSelectionModel;
 import majic.bot.Settings;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
@@ -43,6 +44,7 @@ final class ChooseActDialog extends MajicDialog {
 
     ChooseActDialog(Window owner, ActOffers offers, Settings settings, LoadTargets targets, Consumer<ActOffer> chosen) {
         super(owner, TEXTS.get("chooseAct"));
+        HelpTopic.set(getRootPane(), "loading-acts");
         this.offers = offers;
         this.settings = settings;
         this.targets = targets;

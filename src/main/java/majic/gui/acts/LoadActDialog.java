@@ -6,6 +6,7 @@ import java.util.function.Consumer;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import majic.gui.kit.Confirm;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
 import majic.team.Member;
@@ -28,6 +29,7 @@ public final class LoadActDialog extends MajicDialog {
      */
     public LoadActDialog(Window owner, List<Member> members, List<Member> chosen, Consumer<LoadTargets> load) {
         super(owner, TEXTS.get("loadAct"));
+        HelpTopic.set(getRootPane(), "loading-acts");
         this.load = load;
         choice = new MemberChoice(members, chosen);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));

@@ -14,6 +14,7 @@ import majic.bot.Settings;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.Confirm;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.script.ActOffers;
@@ -42,6 +43,7 @@ public final class MakeActDialog extends MajicDialog {
 
     public MakeActDialog(Window owner, ActOffers offers, Settings settings) {
         super(owner, TEXTS.get("makeAct"));
+        HelpTopic.set(getRootPane(), "making-an-acts-file");
         this.offers = offers;
         this.settings = settings;
         act.setName("makeAct");

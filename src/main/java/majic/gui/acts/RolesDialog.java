@@ -10,6 +10,7 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.act.Role;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
 import majic.gui.kit.Paragraph;
@@ -36,6 +37,7 @@ final class RolesDialog extends MajicDialog {
     RolesDialog(
             Window owner, ActOffer offer, LoadTarget target, List<Member> members, Consumer<List<Integer>> assigned) {
         super(owner, TEXTS.get("assignRoles"));
+        HelpTopic.set(getRootPane(), "loading-acts");
         this.assigned = assigned;
         JPanel content = new JPanel(new MigLayout("insets 0, gap 12 6", "[right, ::160][360:400:, grow, fill]", ""));
         content.add(

@@ -16,6 +16,7 @@ import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import majic.act.file.ActFile;
 import majic.act.file.Signer;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Palette;
 import majic.gui.kit.Paragraph;
@@ -39,6 +40,7 @@ final class TrustDialog extends MajicDialog {
      */
     TrustDialog(Window owner, ActFile file, Runnable agreed) {
         super(owner, TEXTS.get("trust"));
+        HelpTopic.set(getRootPane(), "loading-acts");
         JPanel facts = new JPanel(new MigLayout("insets 0, gap 12 6", "[right][520:600:, grow, fill]", ""));
         facts.add(title(file.details().name()), "spanx 2, growx, wmin 0, gapbottom 4, wrap");
         row(facts, TEXTS.get("file"), file.label(), "trustFile");

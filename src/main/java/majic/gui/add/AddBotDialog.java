@@ -13,6 +13,7 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.ProgramServices;
@@ -59,6 +60,7 @@ public final class AddBotDialog extends MajicDialog {
     public AddBotDialog(
             Window owner, Session session, ProgramServices services, Consumer<Member> joined, int giveUpMs) {
         super(owner, TEXTS.get("addBot"));
+        HelpTopic.set(getRootPane(), "adding-a-robot");
         this.session = session;
         this.services = services;
         this.joined = joined;

@@ -8,6 +8,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.BotStatus;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
 import majic.team.Member;
@@ -24,6 +25,7 @@ public final class KillBotDialog extends MajicDialog {
 
     public KillBotDialog(Window owner, List<Member> members, Optional<Member> current, Consumer<Member> kill) {
         super(owner, TEXTS.get("kill"));
+        HelpTopic.set(getRootPane(), "removing-a-robot");
         choice = new MemberChoice(members, current);
         choice.addActionListener(event -> sayWhatEnds());
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));

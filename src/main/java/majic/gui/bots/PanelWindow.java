@@ -9,6 +9,7 @@ import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import majic.gui.drive.DrivePad;
+import majic.gui.kit.HelpTopic;
 import majic.panel.PictureView;
 import majic.panel.PictureViewer;
 import majic.team.Member;
@@ -33,6 +34,7 @@ final class PanelWindow extends JFrame implements PictureViewer {
      * @param closed runs when the user closes the window
      */
     PanelWindow(BotPanel panel, RobotActions actions, @Nullable Window main, Runnable closed) {
+        HelpTopic.set(getRootPane(), "selecting-robots");
         this.main = main;
         member = panel.member();
         setName("robotWindow" + member.number());

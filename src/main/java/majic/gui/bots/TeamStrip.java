@@ -12,6 +12,7 @@ import java.util.stream.Stream;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.RobotSelection;
 import majic.team.Member;
 import majic.team.StopStatus;
@@ -45,6 +46,7 @@ public final class TeamStrip extends JPanel implements TeamListener {
      */
     public TeamStrip(Team team, RobotSelection selection, RobotActions actions, Consumer<Member> openWindow) {
         super(new StripLayout());
+        HelpTopic.set(this, "selecting-robots");
         this.team = team;
         this.selection = selection;
         this.actions = actions;

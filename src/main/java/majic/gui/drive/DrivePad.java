@@ -19,6 +19,7 @@ import javax.swing.JPanel;
 import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.PlainLabel;
 import majic.team.Member;
 import majic.text.Texts;
@@ -51,6 +52,7 @@ public final class DrivePad extends JPanel {
      */
     public DrivePad(String suffix, Consumer<String> errors) {
         super(new MigLayout("insets 6 10 6 10, gap 4 4", "[][][]16[grow, fill]", "[][]"));
+        HelpTopic.set(this, "driving-by-hand");
         driver = new ManualDriver(errors, () -> System.nanoTime() / 1_000_000);
         setName("drivePad" + suffix);
         setFocusable(true);

@@ -23,6 +23,7 @@ import majic.gui.kit.Confirm;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.EventThreadTeamListener;
 import majic.gui.kit.FileDrop;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.IconAction;
 import majic.gui.kit.StopButton;
 import majic.script.ScriptRunner;
@@ -57,6 +58,7 @@ public final class EditorWindow extends JFrame {
      */
     public EditorWindow(EditorContext context, Window near) {
         super(TEXTS.get("title"));
+        HelpTopic.set(getRootPane(), "the-script-editor");
         this.context = context;
         this.runner = new ScriptRunner(context.session());
         setName("editor");

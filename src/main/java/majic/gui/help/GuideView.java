@@ -2,10 +2,15 @@ package majic.gui.help;
 
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.Rectangle;
+import java.awt.geom.Rectangle2D;
 import javax.swing.BorderFactory;
 import javax.swing.JEditorPane;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
+import javax.swing.text.BadLocationException;
+import javax.swing.text.Element;
+import javax.swing.text.html.HTMLDocument;
 import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.StyleSheet;
 import majic.gui.kit.EventThread;
@@ -21,6 +26,7 @@ final class GuideView extends JScrollPane {
     private final JEditorPane text = new JEditorPane();
     private transient @Nullable GuidePage page;
     private String wanted = "";
+    private String section = "";
 
     /**
      * Creates an empty view.
@@ -52,6 +58,11 @@ final class GuideView extends JScrollPane {
         render();
     }
 
+    /** Shows a section at the top whenever all of the page is shown. */
+    void scrollTo(String newSection) {
+        section = newSection;
+    }
+
     /** Renders the page again in the colours of the look and feel. */
     @Override
     public void updateUI() {
@@ -70,6 +81,22 @@ final class GuideView extends JScrollPane {
             text.getAccessibleContext().setAccessibleName(title);
             text.setText("<html><body>" + known.html(wanted) + "</body></html>");
             text.setCaretPosition(0);
+            if (wanted.isEmpty()) {
+                EventThread.later(this::scroll);
+            }
+        }
+    }
+
+    private void scroll() {
+        try {
+            Element heading = ((HTMLDocument) text.getDocument()).getElement(section);
+            Rectangle2D place = heading == null ? null : text.modelToView2D(heading.getStartOffset());
+            if (place != null) {
+                text.scrollRectToVisible(
+                        new Rectangle(0, (int) place.getY(), 1, getViewport().getHeight()));
+            }
+        } catch (BadLocationException e) {
+            throw new IllegalStateException(e);
         }
     }
 

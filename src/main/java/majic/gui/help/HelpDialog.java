@@ -72,6 +72,19 @@ public final class HelpDialog extends MajicDialog {
         tabs.setSelectedIndex(tabs.indexOfTab(TEXTS.get("guide")));
     }
 
+    /**
+     * Shows a section of the guide; all of the guide is shown, whatever was searched for.
+     *
+     * @param section as in {@link majic.gui.kit.HelpTopic}
+     */
+    public void showSection(String section) {
+        int tab = tabs.indexOfTab(TEXTS.get("guide"));
+        ((GuideView) tabs.getComponentAt(tab)).scrollTo(section);
+        search.setText("");
+        tabs.setSelectedIndex(tab);
+        search();
+    }
+
     private JPanel content() {
         search.setName("helpSearch");
         search.getDocument().addDocumentListener(new TextChange(this::search));

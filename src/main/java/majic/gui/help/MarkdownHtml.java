@@ -1,6 +1,7 @@
 package majic.gui.help;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.regex.Pattern;
 import majic.gui.kit.Html;
 
@@ -47,7 +48,8 @@ final class MarkdownHtml {
             endText();
             endBlock("");
             int level = line.indexOf(' ');
-            html.append("<h" + level + ">" + inline(line.substring(level + 1)) + "</h" + level + ">");
+            String heading = line.substring(level + 1);
+            html.append("<h" + level + " id=" + id(heading) + ">" + inline(heading) + "</h" + level + ">");
             return;
         }
         if (ITEM.matcher(line).matches()) {
@@ -75,6 +77,11 @@ final class MarkdownHtml {
                     .append("</td>");
         }
         html.append("</tr>");
+    }
+
+    /** Returns a heading as links name it: lower case, without punctuation, words joined by {@code -}. */
+    static String id(String heading) {
+        return heading.toLowerCase(Locale.ROOT).replaceAll("[^\\p{L}\\d -]", "").replace(' ', '-');
     }
 
     /** Ends the paragraph or the item. */

@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.gui.kit.CommandChannel;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.RobotSelection;
 import majic.panel.map.ZoomableMap;
 import majic.team.Member;
@@ -30,6 +31,7 @@ public final class TeamMap extends ZoomableMap {
 
     private TeamMap(TeamFloor floor) {
         super(floor);
+        HelpTopic.set(this, "the-main-screen");
         this.floor = floor;
         setName("teamMap");
         setPreferredSize(new Dimension(640, 420));

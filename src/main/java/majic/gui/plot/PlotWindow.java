@@ -19,6 +19,7 @@ import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.Timer;
 import majic.bot.Settings;
 import majic.gui.kit.ChooseFile;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.Mnemonics;
 import majic.gui.plot.data.Span;
 import majic.text.Texts;
@@ -50,6 +51,7 @@ final class PlotWindow extends JFrame {
      * @param stop stops all robots
      */
     PlotWindow(PlotModel model, Settings settings, JComponent stop) {
+        HelpTopic.set(getRootPane(), "plots");
         this.model = model;
         this.settings = settings;
         view = new PlotView(model);

@@ -16,6 +16,7 @@ import javax.swing.filechooser.FileNameExtensionFilter;
 import majic.bot.BotException;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.recorder.RecordingFolder;
@@ -52,6 +53,7 @@ public final class RecordingsDialog extends MajicDialog {
      */
     public RecordingsDialog(Window owner, RecordingFolder folder, ReplayServices services) {
         super(owner, TEXTS.get("openRecording"));
+        HelpTopic.set(getRootPane(), "replaying-a-recording");
         this.services = services;
         list.setName("recordings");
         list.setVisibleRowCount(10);

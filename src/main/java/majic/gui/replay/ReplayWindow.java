@@ -13,6 +13,7 @@ import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.WindowConstants;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.PictureDialog;
 import majic.gui.plot.Plots;
 import majic.gui.plot.data.RecordedSource;
@@ -36,6 +37,7 @@ public final class ReplayWindow extends JFrame implements PictureViewer {
 
     private ReplayWindow(ReplayPart part, ReplayServices services) {
         super(TEXTS.get("title", part.title()));
+        HelpTopic.set(getRootPane(), "replaying-a-recording");
         this.services = services;
         source = new RecordedSource(part.recording(), this::position);
         plots = new Plots(this, services.settings(), () -> source, services.stopButtons());

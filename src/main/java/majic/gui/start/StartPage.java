@@ -9,6 +9,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import majic.gui.kit.StyledLabel;
@@ -36,6 +37,7 @@ public final class StartPage extends JPanel {
      */
     public StartPage(StartActions actions, LastTeam lastTeam) {
         super(new MigLayout("insets 16, gap 6 8, wrap 1, alignx center, aligny center", "[320:420:460, fill]"));
+        HelpTopic.set(this, "the-start-page");
         this.actions = actions;
         this.lastTeam = lastTeam;
         setName("startPage");

@@ -10,6 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.PlainLabel;
@@ -51,6 +52,7 @@ public final class Tour extends MajicDialog {
      */
     public Tour(Window owner, Session session) {
         super(owner, TEXTS.get("tour.title"));
+        HelpTopic.set(getRootPane(), "the-start-page");
         events = new TourEvents(session);
         title.putClientProperty("FlatLaf.styleClass", "h3");
         text.setFocusable(true);
