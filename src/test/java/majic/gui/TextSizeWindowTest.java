@@ -3,6 +3,7 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import majic.gui.kit.Icons;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -19,12 +20,13 @@ class TextSizeWindowTest {
     }
 
     @Test
-    void allTextsGrowAndTheChoiceIsKept() {
+    void allTextsAndSymbolsGrowAndTheChoiceIsKept() {
         try (TestWindow window = TestWindow.open()) {
             Component line = window.find("commandLine", Component.class);
             float before = line.getFont().getSize2D();
             window.run(() -> LookAndFeels.changeTextSize(150, window.settings));
             assertThat(line.getFont().getSize2D()).isGreaterThan(1.3f * before);
+            assertThat(Icons.later("add", 20).getIconHeight()).isGreaterThan(26);
             window.await("the choice", () -> LookAndFeels.textSize(window.settings) == 150);
         }
     }
