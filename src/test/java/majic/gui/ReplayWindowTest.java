@@ -86,6 +86,16 @@ class ReplayWindowTest {
     }
 
     @Test
+    void theTimeSliderIsWiderThanTheOtherControls() throws Exception {
+        open(recorded());
+        JSlider timeline = window.awaitShowing("timeline", JSlider.class);
+        window.await(
+                "the layout",
+                () -> timeline.getWidth()
+                        > 2 * window.find("replaySpeed", JComboBox.class).getWidth());
+    }
+
+    @Test
     void playRunsToTheEndAndPausesThere() throws Exception {
         open(recorded());
         window.awaitShowing("play", JButton.class);

@@ -35,7 +35,7 @@ final class ReplayControls extends JPanel {
     }
 
     ReplayControls(ReplayPart part, ReplayPlayer player, PartTurner turner) {
-        super(new MigLayout("insets 6 10 8 10, gap 10, hidemode 3", "[][][][][grow, fill][][]"));
+        super(new MigLayout("insets 6 10 8 10, gap 10, hidemode 3"));
         Recording recording = part.recording();
         this.part = part;
         this.timeline = new Timeline(recording.beginS(), recording.endS(), recording.marks(0), player::jump);
@@ -65,7 +65,7 @@ final class ReplayControls extends JPanel {
         add(previous);
         add(next);
         add(time, "w 230!");
-        add(timeline);
+        add(timeline, "growx, pushx");
         add(speedLabel);
         add(speed);
         Mnemonics.assign(this);
