@@ -59,7 +59,8 @@ public final class Dashboard implements LayoutManager {
     @Override
     public void layoutContainer(Container parent) {
         int gap = gap();
-        Rectangle room = new Rectangle(gap, gap, parent.getWidth() - 2 * gap, parent.getHeight() - 2 * gap);
+        int top = gap / 2;
+        Rectangle room = new Rectangle(gap, top, parent.getWidth() - 2 * gap, parent.getHeight() - top - gap);
         int used = placeBanner(room);
         room.y += used;
         room.height = Math.max(0, room.height - used);

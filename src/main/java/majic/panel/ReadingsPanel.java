@@ -168,7 +168,7 @@ public final class ReadingsPanel<S> extends JPanel {
     /** Returns its height within an area of this size; 0 if the area is too small for it. */
     int heightWithin(int width, int height) {
         int least = rowHeight() * (pairsIn(width) > 0 ? pairsIn(width) : LEAST_ROWS);
-        return width < columnWidth() || height < least ? 0 : Math.min(height, heightIn(width));
+        return width < columnWidth() || height < least ? 0 : Math.min(height - height % rowHeight(), heightIn(width));
     }
 
     /** Sets its bounds; hides it if the height is 0. */
@@ -229,7 +229,7 @@ public final class ReadingsPanel<S> extends JPanel {
     }
 
     private int pairWidth() {
-        int each = nameWidth(paired) + gap() / 2 + metrics().stringWidth(longestOfPair) + SLACK;
+        int each = nameWidth(paired) + metrics().stringWidth(longestOfPair) + 2 * SLACK;
         return paired == 0 ? 0 : 2 * each + gap() / 2;
     }
 

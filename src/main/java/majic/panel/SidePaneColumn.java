@@ -13,7 +13,7 @@ final class SidePaneColumn {
     SidePaneColumn(List<SidePane> panes, ReadingsPanel<?> numbers) {
         this.panes = panes;
         this.numbers = numbers;
-        this.gap = numbers.gap() / 2;
+        this.gap = numbers.gap() / 3;
     }
 
     int leastWidth() {
@@ -40,7 +40,7 @@ final class SidePaneColumn {
 
     void place(Rectangle room) {
         int rest = room.height - sum(pane -> pane.goodHeight(room.width));
-        int rows = numbers.heightWithin(room.width, rest - gap);
+        int rows = numbers.heightWithin(room.width, rest - gap + spareOfPanes(room.width));
         int spare = rows == 0 ? rest : rest - rows - gap;
         int y = room.y;
         for (SidePane pane : panes) {
@@ -49,6 +49,11 @@ final class SidePaneColumn {
             y += height + gap;
         }
         numbers.place(room.x, y, room.width, rows);
+    }
+
+    /** Returns by how much the panes are reduced for one more row of readings. */
+    private int spareOfPanes(int width) {
+        return Math.min(numbers.gap(), sum(pane -> pane.goodHeight(width)) - leastHeight(width));
     }
 
     /** Returns the preferred height, changed by the spare or missing height if the pane is flexible. */
