@@ -1,5 +1,6 @@
 package majic.panel;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.FontMetrics;
 import java.util.List;
@@ -84,9 +85,9 @@ public final class StatusLightsPanel extends JPanel {
     private int lightWidth() {
         StatusLight light = lights.get(0);
         return light.getIcon().getIconWidth()
-                + light.getIconTextGap()
+                + UIScale.scale(light.getIconTextGap())
                 + widest.stream().mapToInt(metrics()::stringWidth).max().orElse(0)
-                + SLACK;
+                + UIScale.scale(SLACK);
     }
 
     private int rowHeight() {

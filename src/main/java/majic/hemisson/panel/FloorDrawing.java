@@ -1,5 +1,6 @@
 package majic.hemisson.panel;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
@@ -58,7 +59,7 @@ final class FloorDrawing extends TrailContent {
     private static void paintMark(Graphics2D pen, MapView view) {
         String mark = TEXTS.get("estimate");
         FontMetrics metrics = pen.getFontMetrics();
-        int foot = view.width() < NARROW_PX ? SCALE_PX : 0;
+        int foot = view.width() < UIScale.scale(NARROW_PX) ? UIScale.scale(SCALE_PX) : 0;
         pen.setColor(DrawingColors.current().faint());
         pen.drawString(
                 mark,

@@ -1,5 +1,6 @@
 package majic.panel.map;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
@@ -12,7 +13,7 @@ import majic.panel.DrawingColors;
 
 /** Draws grid lines on a floor at round distances, and a scale bar as long as their distance. */
 final class MapGrid {
-    private static final double WANTED_PX = 90;
+    private static final float WANTED_PX = 90;
     private static final int INSET = 10;
     private static final int TICK = 4;
 
@@ -25,7 +26,7 @@ final class MapGrid {
         this.pen = pen;
         this.view = view;
         this.colors = colors;
-        this.stepMm = Lengths.round(WANTED_PX / view.pxPerMm());
+        this.stepMm = Lengths.round(UIScale.scale(WANTED_PX) / view.pxPerMm());
     }
 
     /** Paints all visible lines, at any rotation of the floor; lines parallel to the axes of the screen are sharp. */
