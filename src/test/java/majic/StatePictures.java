@@ -36,12 +36,13 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Makes pictures of the window with each robot in each state, light and dark, to look at: {@code mvn -Pstates test}, on a
- * machine with a display. {@code -Dflatlaf.uiScale=1.5} or {@code -Dsun.java2d.uiScale=1.5} sets the scale, {@code
- * -Dmajic.language=de} the language; a scale needs a display as much larger than 1280 × 800.
+ * machine with a display. {@code -Dmajic.language=de} sets the language, {@code -Dmajic.scale=1.5} the scale of the
+ * system, {@code -Dflatlaf.uiScale=1.5} that of the texts, which needs a display as much larger than 1280 × 800.
  */
 class StatePictures {
     private static final Path FOLDER =
             Path.of(System.getProperty("majic.target", "target"), System.getProperty("majic.states", "states"));
+    private static final double SCALE = Double.parseDouble(System.getProperty("majic.scale", "1"));
     private static final LabOptions OPTIONS =
             LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7);
     private static final List<String> ROBOTS = List.of("aibo", "pioneer", "hemisson");
@@ -134,9 +135,9 @@ class StatePictures {
     /** Paints a window in the light and in the dark look. */
     private static void paint(JFrame window, String name) throws Exception {
         awaitWindow(new Settled());
-        WindowPicture.save(window, FOLDER.resolve(name + "-light.png"));
+        WindowPicture.save(window, FOLDER.resolve(name + "-light.png"), SCALE);
         look(new FlatDarkLaf());
-        WindowPicture.save(window, FOLDER.resolve(name + "-dark.png"));
+        WindowPicture.save(window, FOLDER.resolve(name + "-dark.png"), SCALE);
         look(new FlatLightLaf());
     }
 

@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.imageio.ImageIO;
 import javax.swing.JFrame;
+import javax.swing.RepaintManager;
 import javax.swing.RootPaneContainer;
 import javax.swing.SwingUtilities;
 
@@ -19,16 +20,25 @@ import javax.swing.SwingUtilities;
 public final class WindowPicture {
     private WindowPicture() {}
 
-    /** Paints and saves at the scale of the screen; must be called off the event dispatch thread. */
+    /** Paints and saves; must be called off the event dispatch thread. */
     public static void save(JFrame frame, Path file) throws Exception {
-        double scale = frame.getGraphicsConfiguration().getDefaultTransform().getScaleX();
+        save(frame, file, 1);
+    }
+
+    /** Paints and saves as on a screen whose system scales windows; must be called off the event dispatch thread. */
+    public static void save(JFrame frame, Path file, double scale) throws Exception {
         BufferedImage image = new BufferedImage(
                 (int) Math.ceil(scale * frame.getWidth()),
                 (int) Math.ceil(scale * frame.getHeight()),
                 BufferedImage.TYPE_INT_RGB);
         Graphics2D g = image.createGraphics();
         g.scale(scale, scale);
-        SwingUtilities.invokeAndWait(() -> paint(frame, g));
+        SwingUtilities.invokeAndWait(() -> {
+            RepaintManager painting = RepaintManager.currentManager(frame);
+            painting.setDoubleBufferingEnabled(false);
+            paint(frame, g);
+            painting.setDoubleBufferingEnabled(true);
+        });
         g.dispose();
         write(image, file);
     }
