@@ -1,5 +1,6 @@
 package majic.gui.plot;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Graphics;
@@ -139,18 +140,19 @@ final class CurveList extends JPanel implements Scrollable {
             DrawingColors.prepare(pen);
             pen.setColor(style.color());
             pen.setStroke(style.stroke());
-            pen.drawLine(x + 1, y + HEIGHT / 2, x + WIDTH - 2, y + HEIGHT / 2);
+            int middle = y + getIconHeight() / 2;
+            pen.drawLine(x + 1, middle, x + getIconWidth() - 2, middle);
             pen.dispose();
         }
 
         @Override
         public int getIconWidth() {
-            return WIDTH;
+            return UIScale.scale(WIDTH);
         }
 
         @Override
         public int getIconHeight() {
-            return HEIGHT;
+            return UIScale.scale(HEIGHT);
         }
     }
 }

@@ -1,6 +1,7 @@
 package majic.gui.plot;
 
 import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 
@@ -20,7 +21,7 @@ record CurveStyle(int number) {
         new Color(0x4FA8DC), new Color(0xF08A45), new Color(0x3FC29A), new Color(0xDB88BF),
         new Color(0xE0C040), new Color(0xA79DF5), new Color(0xC89A74), new Color(0xB0B0B0)
     };
-    private static final float[][] DASHES = {null, {7, 4}, {1.5f, 3.5f}};
+    private static final float[][] DASHES = {{}, {7, 4}, {1.5f, 3.5f}};
 
     /** Returns the colour in the present look and feel. */
     Color color() {
@@ -33,8 +34,14 @@ record CurveStyle(int number) {
         return colors[number % colors.length];
     }
 
+    /** Returns the stroke, wider for larger fonts. */
     BasicStroke stroke() {
-        float[] dash = DASHES[number / LIGHT.length % DASHES.length];
-        return new BasicStroke(WIDTH, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 1, dash, 0);
+        float scale = UIScale.getUserScaleFactor();
+        float[] dash = DASHES[number / LIGHT.length % DASHES.length].clone();
+        for (int index = 0; index < dash.length; index++) {
+            dash[index] *= scale;
+        }
+        return new BasicStroke(
+                WIDTH * scale, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 1, dash.length == 0 ? null : dash, 0);
     }
 }

@@ -1,5 +1,6 @@
 package majic.gui.plot;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
@@ -41,7 +42,7 @@ final class PlotView extends JComponent {
         setName("chart");
         setOpaque(true);
         setFocusable(true);
-        setPreferredSize(new Dimension(640, 360));
+        setPreferredSize(UIScale.scale(new Dimension(640, 360)));
         setMinimumSize(new Dimension(200, 120));
         model.addListener(this::modelChanged);
         new VisibilityWatch(this, this::visibilityChanged);

@@ -79,7 +79,7 @@ final class PlotWindow extends JFrame {
     }
 
     private JPanel tools(JComponent stop) {
-        JPanel tools = new JPanel(new MigLayout("insets 6 8 4 8, gap 6", "[]12[][][][]12[][]push[][]12[]"));
+        JPanel tools = new JPanel(new MigLayout("insets 6 8 4 8, gap 6", "[]12[][][][]12[][]12:push[][]12[]"));
         JButton add = button("addCurves", TEXTS.get("add"), TEXTS.get("add.hint"));
         add.addActionListener(event -> addCurves());
         tools.add(add);
