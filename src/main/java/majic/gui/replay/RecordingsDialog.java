@@ -106,7 +106,10 @@ public final class RecordingsDialog extends MajicDialog {
     private static String words(Path file) {
         try {
             RecordingHead head = RecordingHead.read(file);
-            String name = head.part() == 1 ? ReplayTimes.day(head.begin()) : ReplayPart.title(head);
+            String begin = ReplayTimes.day(head.begin());
+            String name = head.part() == 1
+                    ? begin
+                    : TEXTS.get("partFrom", begin, head.part(), ReplayTimes.timeOfDay(head.timeOfDay(head.beginS())));
             return TEXTS.get("entry", name, Files.size(file) / MEGABYTE);
         } catch (IOException e) {
             return file.getFileName() + "  \u00b7  " + TEXTS.get("unreadable");

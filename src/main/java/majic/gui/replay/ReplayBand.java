@@ -29,6 +29,7 @@ final class ReplayBand extends JPanel {
         title.putClientProperty("FlatLaf.styleClass", "h4");
         title.setForeground(ink());
         note.setName("replayNote");
+        note.setToolTipText(note.getText());
         note.setForeground(ink());
         add(title, "wmin pref");
         add(note, "wmin 0");

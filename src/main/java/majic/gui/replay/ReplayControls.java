@@ -35,7 +35,7 @@ final class ReplayControls extends JPanel {
     }
 
     ReplayControls(ReplayPart part, ReplayPlayer player, PartTurner turner) {
-        super(new MigLayout("insets 6 10 8 10, gap 10, hidemode 3"));
+        super(new MigLayout("insets 6 10 8 10, gap 10 6, hidemode 3"));
         Recording recording = part.recording();
         this.part = part;
         this.timeline = new Timeline(recording.beginS(), recording.endS(), recording.marks(0), player::jump);
@@ -61,14 +61,19 @@ final class ReplayControls extends JPanel {
         speed.addActionListener(event -> player.setSpeed(SPEEDS.get(speed.getSelectedIndex())));
         JLabel speedLabel = new JLabel(TEXTS.get("speed"));
         speedLabel.setLabelFor(speed);
-        add(play, "w 84!");
+        add(timeline, "spanx, growx, pushx, wrap");
+        add(play, "w " + widthOfPlay() + "!");
         add(previous);
         add(next);
-        add(time, "w 230!");
-        add(timeline, "growx, pushx");
+        add(time, "pushx");
         add(speedLabel);
         add(speed);
         Mnemonics.assign(this);
+    }
+
+    /** Returns a width for both texts of the button, so that it stays the same while playing. */
+    private int widthOfPlay() {
+        return Math.max(play.getPreferredSize().width, new JButton(TEXTS.get("pause")).getPreferredSize().width);
     }
 
     private void prepare(JButton button, String name, Optional<Path> file, PartTurner turner) {

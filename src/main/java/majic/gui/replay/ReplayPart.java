@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import majic.bot.BotException;
 import majic.recorder.AdjacentParts;
 import majic.recorder.Recording;
-import majic.recorder.RecordingHead;
 import majic.text.IoReason;
 import majic.text.Texts;
 
@@ -29,23 +28,13 @@ record ReplayPart(Recording recording, AdjacentParts adjacent) {
 
     /** Returns the begin of the recording, with the number of the part if it has several. */
     String title() {
-        return hasOthers()
-                ? title(recording.head())
-                : ReplayTimes.day(recording.head().begin());
+        String begin = ReplayTimes.day(recording.head().begin());
+        return hasOthers() ? TEXTS.get("part", begin, recording.head().part()) : begin;
     }
 
     boolean hasOthers() {
         return recording.head().part() > 1
                 || adjacent.previous().isPresent()
                 || adjacent.next().isPresent();
-    }
-
-    /** Returns the begin of a recording with the number and the time of a part. */
-    static String title(RecordingHead head) {
-        return TEXTS.get(
-                "part",
-                ReplayTimes.day(head.begin()),
-                head.part(),
-                ReplayTimes.timeOfDay(head.timeOfDay(head.beginS())));
     }
 }
