@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Container;
 import java.awt.Frame;
 import java.awt.event.KeyEvent;
+import javax.swing.JLabel;
 import javax.swing.JTextField;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -81,6 +82,17 @@ class RenameWindowTest {
         Frame own = window.awaitShowing("robotWindow1", Frame.class);
         window.team.rename(window.team.member(1), "Rex");
         window.await("the title", () -> own.getTitle().startsWith("Robot 1, Rex ("));
+    }
+
+    @Test
+    void aPlotHasTheNameOfTheRobotOfACurve() {
+        window.team.rename(window.team.member(1), "Rex");
+        window.awaitShowing("pose1", JLabel.class);
+        window.focus("pose1");
+        window.press(KeyEvent.VK_ENTER);
+        JLabel curve = window.awaitShowing("curve 1 x (mm)", JLabel.class);
+        assertThat(curve.getText()).isEqualTo("1 Rex x");
+        assertThat(curve.getToolTipText()).isEqualTo("1 Rex x (mm)");
     }
 
     @Test

@@ -118,7 +118,7 @@ final class ChartPainter {
 
     private static void addSeries(XYChart chart, Curve curve, Points shown, List<ValueAxis> axes, ChartLook look) {
         Points points = shown.size() == 0 ? nothing(0) : shown;
-        XYSeries series = chart.addSeries(curve.quantity().label(), points.times(), points.values());
+        XYSeries series = chart.addSeries(curve.label(), points.times(), points.values());
         series.setLineColor(curve.style().color(look.dark()));
         series.setLineStyle(curve.style().stroke());
         series.setMarker(SeriesMarkers.NONE);

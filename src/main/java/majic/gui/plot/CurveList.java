@@ -96,10 +96,9 @@ final class CurveList extends JPanel implements Scrollable {
 
     private Row row(Curve curve) {
         String label = curve.quantity().label();
-        JLabel name =
-                new JLabel(curve.quantity().robot() + " " + curve.quantity().name());
+        JLabel name = new JLabel(curve.name());
         name.setName("curve " + label);
-        name.setToolTipText(label);
+        name.setToolTipText(curve.label());
         JLabel value = new JLabel("–", SwingConstants.TRAILING);
         value.setName("value " + label);
         add(new JLabel(new Line(curve.style())));
@@ -114,7 +113,7 @@ final class CurveList extends JPanel implements Scrollable {
         JButton button = new JButton("×");
         button.setName("remove " + label);
         button.setToolTipText(TEXTS.get("remove"));
-        button.getAccessibleContext().setAccessibleName(TEXTS.get("remove.curve", label));
+        button.getAccessibleContext().setAccessibleName(TEXTS.get("remove.curve", curve.label()));
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.addActionListener(event -> model.remove(curve));
         button.getInputMap().put(KeyStroke.getKeyStroke("DELETE"), "remove");

@@ -40,7 +40,7 @@ final class LegendDrawing {
     }
 
     private int width(Curve curve) {
-        return LINE + GAP + metrics.stringWidth(curve.quantity().label()) + APART;
+        return LINE + GAP + metrics.stringWidth(curve.label()) + APART;
     }
 
     /** Returns the height needed; 0 if the picture has no legend. */
@@ -67,6 +67,6 @@ final class LegendDrawing {
         pen.setStroke(curve.style().stroke());
         pen.draw(new Line2D.Double(left, middle, left + (double) LINE, middle));
         pen.setColor(job.look().text());
-        pen.drawString(curve.quantity().label(), left + LINE + GAP, top + metrics.getAscent());
+        pen.drawString(curve.label(), left + LINE + GAP, top + metrics.getAscent());
     }
 }

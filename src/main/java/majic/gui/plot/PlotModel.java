@@ -60,7 +60,12 @@ final class PlotModel {
         for (Quantity quantity : quantities) {
             if (curves.size() < MOST_CURVES && !hasCurve(quantity)) {
                 Samples samples = new Samples();
-                curves.add(new Curve(quantity, freeStyle(), samples, source.feed(quantity, samples)));
+                curves.add(new Curve(
+                        quantity,
+                        source.nameOf(quantity.robot()),
+                        freeStyle(),
+                        samples,
+                        source.feed(quantity, samples)));
             }
         }
         changed();

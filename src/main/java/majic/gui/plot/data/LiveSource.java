@@ -60,6 +60,11 @@ public final class LiveSource implements PlotSource {
     }
 
     @Override
+    public String nameOf(int robot) {
+        return member(robot).map(Member::name).orElse("");
+    }
+
+    @Override
     public List<Quantity> quantities(int robot, String parameter) {
         return member(robot).map(member -> quantities(member, parameter)).orElse(List.of());
     }

@@ -17,6 +17,11 @@ public interface PlotSource {
     /** Returns the robots, in the order of their numbers. */
     List<Robot> robots();
 
+    /** Returns the name that a robot has now; empty if it has none. */
+    default String nameOf(int robot) {
+        return "";
+    }
+
     /**
      * Returns what a parameter consists of.
      *

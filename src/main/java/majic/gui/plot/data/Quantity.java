@@ -73,8 +73,12 @@ public record Quantity(int robot, String parameter, int index, Unit unit, boolea
 
     /** Returns robot, name and unit, for instance {@code 1 sonar[3] (mm)}. */
     public String label() {
-        String unitText = unit == Unit.NONE ? "" : " (" + unit.symbol() + ")";
-        return robot + " " + name() + unitText;
+        return robot + " " + name() + unitText();
+    }
+
+    /** Returns the unit in brackets behind a blank; empty if there is none. */
+    public String unitText() {
+        return unit == Unit.NONE ? "" : " (" + unit.symbol() + ")";
     }
 
     /** Formats a number of this quantity with its unit; a dash for NaN. */
