@@ -65,7 +65,7 @@ public final class MakeActDialog extends MajicDialog {
                 panel,
                 TEXTS.get("madeOf"),
                 from,
-                button(TEXTS.get("choose"), () -> ChooseFile.toMakeOf(getOwner(), settings, this::chosen)));
+                button(TEXTS.get("chooseSource"), () -> ChooseFile.toMakeOf(getOwner(), settings, this::chosen)));
         row(panel, TEXTS.get("act"), act, null);
         row(panel, TEXTS.get("name"), name, null);
         row(panel, TEXTS.get("ofVersion"), version, null);
