@@ -3,7 +3,6 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Color;
-import java.awt.Dialog;
 import java.awt.Font;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -29,42 +28,19 @@ import majic.gui.kit.FileDrop;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.parser.ParserNotice;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** One window is opened for all tests, since that takes longer than a test. */
 @Timeout(60)
 class ScriptEditorWindowTest {
-    @AutoClose
-    private static final TestWindow WINDOW = TestWindow.open();
-
     @TempDir
     private Path folder;
 
-    @AfterEach
-    void closeScriptsAndRemoveRobots() {
-        WINDOW.run(() ->
-                Stream.of(Window.getWindows()).filter(Dialog.class::isInstance).forEach(Window::dispose));
-        if (WINDOW.isShowing("editor")) {
-            closeEditor();
-            WINDOW.await("the editor to close", this::isClosed);
-        }
-        WINDOW.run(() -> {
-            WINDOW.team.members().forEach(member -> WINDOW.team.remove(member.number()));
-            WINDOW.team.release();
-        });
-        WINDOW.await("no cards", () -> WINDOW.cards().isEmpty());
-    }
-
-    /** Answers the questions before scripts are closed. */
-    private boolean isClosed() {
-        Stream.of("End and close", "Don't save").filter(WINDOW::isShowing).forEach(WINDOW::push);
-        return !WINDOW.isShowing("editor");
-    }
+    @AutoClose
+    private final TestWindow window = TestWindow.open();
 
     private Path script(String name, String... lines) throws IOException {
         return Files.writeString(folder.resolve(name), String.join("\n", lines));
@@ -72,96 +48,96 @@ class ScriptEditorWindowTest {
 
     /** Drops a file on the main window, and waits until it is in the editor. */
     private RSyntaxTextArea drop(Path file) {
-        JRootPane pane = WINDOW.frame.getRootPane();
-        WINDOW.await("the window to accept files", () -> pane.getTransferHandler() instanceof FileDrop);
+        JRootPane pane = window.frame.getRootPane();
+        window.await("the window to accept files", () -> pane.getTransferHandler() instanceof FileDrop);
         TransferSupport files = new TransferSupport(pane, new DraggedFile(file));
-        WINDOW.run(() -> {
+        window.run(() -> {
             assertThat(pane.getTransferHandler().canImport(files)).isTrue();
             pane.getTransferHandler().importData(files);
         });
         String name = file.getFileName().toString();
-        WINDOW.await(name + " in the editor", () -> isTitle(0, name) || isTitle(1, name));
-        RSyntaxTextArea area = WINDOW.awaitShowing("script", RSyntaxTextArea.class);
-        WINDOW.focus(area);
+        window.await(name + " in the editor", () -> isTitle(0, name) || isTitle(1, name));
+        RSyntaxTextArea area = window.awaitShowing("script", RSyntaxTextArea.class);
+        window.focus(area);
         return area;
     }
 
     private boolean isTitle(int index, String name) {
-        if (!WINDOW.isShowing("scripts")) {
+        if (!window.isShowing("scripts")) {
             return false;
         }
-        JTabbedPane tabs = WINDOW.find("scripts", JTabbedPane.class);
+        JTabbedPane tabs = window.find("scripts", JTabbedPane.class);
         return index < tabs.getTabCount() && tabs.getTitleAt(index).endsWith(name);
     }
 
     private void awaitStatus(String status) {
-        WINDOW.await(
+        window.await(
                 "the status \"" + status + "\"",
-                () -> WINDOW.text("scriptStatus").startsWith(status));
+                () -> window.text("scriptStatus").startsWith(status));
     }
 
     private void awaitDialogAndPush(String dialog, String button) {
-        WINDOW.awaitDialog(dialog);
-        WINDOW.push(button);
+        window.awaitDialog(dialog);
+        window.push(button);
     }
 
     private void closeEditor() {
-        JFrame editor = WINDOW.find("editor", JFrame.class);
-        WINDOW.run(() -> editor.dispatchEvent(new WindowEvent(editor, WindowEvent.WINDOW_CLOSING)));
+        JFrame editor = window.find("editor", JFrame.class);
+        window.run(() -> editor.dispatchEvent(new WindowEvent(editor, WindowEvent.WINDOW_CLOSING)));
     }
 
     @Test
     @Tag("jdk")
     void aScriptDroppedOnTheWindowShowsItsRobotsAndRuns() throws IOException {
-        ToyBot bot = WINDOW.add("one", 1);
+        ToyBot bot = window.add("one");
         drop(script("lap.majic", "1 move 30", "1 turn 20"));
         awaitStatus("No mistakes");
-        assertThat(WINDOW.text("scriptRobots")).isEqualTo("1 Toy");
-        WINDOW.press(KeyEvent.VK_F5);
+        assertThat(window.text("scriptRobots")).isEqualTo("1 Toy");
+        window.press(KeyEvent.VK_F5);
         awaitStatus("Last run: done");
         assertThat(bot.told).containsExactly("move 30", "turn 20");
-        WINDOW.awaitMessage("run lap.majic: done");
+        window.awaitMessage("run lap.majic: done");
     }
 
     @Test
     void mistakesAreUnderlinedAndListedWithTheirReasons() throws IOException {
-        WINDOW.add("one", 1);
+        window.add("one");
         RSyntaxTextArea area = drop(script("lap.majic", "1 move 30", "1 mvoe 3"));
         awaitStatus("1 mistake");
         ParserNotice notice = area.getParserNotices().get(0);
         assertThat(notice.getMessage()).contains("did you mean move?");
         assertThat(area.getText().substring(notice.getOffset(), notice.getOffset() + notice.getLength()))
                 .isEqualTo("mvoe");
-        JList<?> list = WINDOW.awaitShowing("mistakes", JList.class);
-        WINDOW.run(() -> list.setSelectedIndex(0));
-        WINDOW.focus(list);
-        WINDOW.press(KeyEvent.VK_ENTER);
+        JList<?> list = window.awaitShowing("mistakes", JList.class);
+        window.run(() -> list.setSelectedIndex(0));
+        window.focus(list);
+        window.press(KeyEvent.VK_ENTER);
         assertThat(area.getCaretPosition()).isEqualTo(notice.getOffset());
-        WINDOW.run(() -> area.replaceRange("move", notice.getOffset(), notice.getOffset() + 4));
+        window.run(() -> area.replaceRange("move", notice.getOffset(), notice.getOffset() + 4));
         awaitStatus("No mistakes");
-        assertThat(WINDOW.isShowing("mistakes")).isFalse();
+        assertThat(window.isShowing("mistakes")).isFalse();
     }
 
     @Test
     void aScriptIsCheckedAgainWhenARobotIsAdded() throws IOException {
         drop(script("lap.majic", "1 move 30"));
         awaitStatus("1 mistake");
-        WINDOW.add("one", 1);
+        window.add("one");
         awaitStatus("No mistakes");
     }
 
     @Test
     void aScriptIsRunLineByLine() throws IOException {
-        ToyBot bot = WINDOW.add("one", 1);
+        ToyBot bot = window.add("one");
         RSyntaxTextArea area = drop(script("lap.majic", "# a lap", "1 move 30", "1 move 40", "1 move 50"));
         awaitStatus("No mistakes");
-        WINDOW.press(KeyEvent.VK_F7);
+        window.press(KeyEvent.VK_F7);
         awaitStatus("Paused before line 2");
         assertThat(area.isEditable()).isFalse();
-        WINDOW.press(KeyEvent.VK_F7);
+        window.press(KeyEvent.VK_F7);
         awaitStatus("Paused before line 3");
         assertThat(bot.told).containsExactly("move 30");
-        WINDOW.press(KeyEvent.VK_F5);
+        window.press(KeyEvent.VK_F5);
         awaitStatus("Last run: done");
         assertThat(bot.told).containsExactly("move 30", "move 40", "move 50");
         assertThat(area.isEditable()).isTrue();
@@ -169,71 +145,84 @@ class ScriptEditorWindowTest {
 
     @Test
     void theSelectedLinesRunAlone() throws IOException {
-        ToyBot bot = WINDOW.add("one", 1);
+        ToyBot bot = window.add("one");
         RSyntaxTextArea area = drop(script("lap.majic", "1 move 30", "1 move 40", "1 move 50"));
         awaitStatus("No mistakes");
-        WINDOW.run(
+        window.run(
                 () -> area.select(area.getText().indexOf("40"), area.getText().indexOf("50")));
-        WINDOW.pressWithCtrl(KeyEvent.VK_F5);
+        window.pressWithCtrl(KeyEvent.VK_F5);
         awaitStatus("Last run: done");
         assertThat(bot.told).containsExactly("move 40", "move 50");
-        WINDOW.awaitMessage("run lap.majic (lines 2 to 3): done");
+        window.awaitMessage("run lap.majic (lines 2 to 3): done");
     }
 
     @Test
     void theKeysForStopWorkInTheEditor() throws IOException {
-        ToyBot bot = WINDOW.add("one", 1);
+        ToyBot bot = window.add("one");
         drop(script("lap.majic", "1 move 30", "wait 100s"));
         awaitStatus("No mistakes");
-        WINDOW.press(KeyEvent.VK_F5);
+        window.press(KeyEvent.VK_F5);
         awaitStatus("Running line 2");
-        WINDOW.press(KeyEvent.VK_ESCAPE);
+        window.press(KeyEvent.VK_ESCAPE);
         awaitStatus("Last run: stopped");
         assertThat(bot.told).endsWith("halt");
-        WINDOW.await("STOP in the editor", () -> WINDOW.text("smallStop").equals("STOPPED"));
-        WINDOW.run(WINDOW.team::release);
-        WINDOW.press(KeyEvent.VK_F12);
-        assertThat(WINDOW.team.isLatched()).isTrue();
+        window.await("STOP in the editor", () -> window.text("smallStop").equals("STOPPED"));
+        window.run(window.team::release);
+        window.press(KeyEvent.VK_F12);
+        assertThat(window.team.isLatched()).isTrue();
     }
 
     @Test
     void endStopsTheScriptAndNotTheOtherRobots() throws IOException {
-        ToyBot bot = WINDOW.add("one", 1);
-        ToyBot other = WINDOW.add("two", 2);
+        ToyBot bot = window.add("one");
+        ToyBot other = window.add("two");
         drop(script("lap.majic", "1 move 30", "wait 100s"));
         awaitStatus("No mistakes");
-        WINDOW.press(KeyEvent.VK_F5);
+        window.press(KeyEvent.VK_F5);
         awaitStatus("Running line 2");
-        WINDOW.push("editor End");
+        window.push("editor End");
         awaitStatus("Last run: stopped");
         assertThat(bot.told).endsWith("halt");
         assertThat(other.told).isEmpty();
-        assertThat(WINDOW.team.isLatched()).isFalse();
+        assertThat(window.team.isLatched()).isFalse();
     }
 
     @Test
     void unsavedChangesAreAskedForBeforeTheEditorCloses() throws IOException {
         Path file = script("lap.majic", "1 move 30");
         RSyntaxTextArea area = drop(file);
-        WINDOW.run(() -> area.append("\n1 stop"));
+        window.run(() -> area.append("\n1 stop"));
         closeEditor();
         awaitDialogAndPush("Unsaved Script", "Cancel");
-        assertThat(WINDOW.isShowing("editor")).isTrue();
+        assertThat(window.isShowing("editor")).isTrue();
         closeEditor();
         awaitDialogAndPush("Unsaved Script", "Save");
-        WINDOW.await("the editor to close", () -> !WINDOW.isShowing("editor"));
+        window.await("the editor to close", () -> !window.isShowing("editor"));
         assertThat(file).hasContent("1 move 30\n1 stop");
     }
 
     @Test
+    void unsavedChangesAreAskedForBeforeTheProgramEnds() throws IOException {
+        Path file = script("lap.majic", "1 move 30");
+        RSyntaxTextArea area = drop(file);
+        window.run(() -> area.append("\n1 stop"));
+        window.run(window.frame::quit);
+        window.awaitDialog("Unsaved Script");
+        assertThat(window.quits).hasValue(0);
+        window.push("Don't save");
+        window.await("the end", () -> window.quits.get() == 1);
+        assertThat(file).hasContent("1 move 30");
+    }
+
+    @Test
     void aNewScriptIsSavedUnderTheNameThatIsChosen() {
-        WINDOW.run(() -> WINDOW.frame.getJMenuBar().getMenu(0).getItem(0).doClick());
-        RSyntaxTextArea area = WINDOW.awaitShowing("script", RSyntaxTextArea.class);
-        WINDOW.focus(area);
-        WINDOW.run(() -> area.setText("1 stop\n"));
-        WINDOW.pressWithCtrl(KeyEvent.VK_S);
-        WINDOW.chooseFile(folder.resolve("mine"));
-        WINDOW.await("its name", () -> isTitle(0, "mine.majic"));
+        window.run(() -> window.frame.getJMenuBar().getMenu(0).getItem(0).doClick());
+        RSyntaxTextArea area = window.awaitShowing("script", RSyntaxTextArea.class);
+        window.focus(area);
+        window.run(() -> area.setText("1 stop\n"));
+        window.pressWithCtrl(KeyEvent.VK_S);
+        window.chooseFile(folder.resolve("mine"));
+        window.await("its name", () -> isTitle(0, "mine.majic"));
         assertThat(folder.resolve("mine.majic")).hasContent("1 stop\n");
     }
 
@@ -242,24 +231,24 @@ class ScriptEditorWindowTest {
         Path file = script("lap.majic", "1 move 30");
         RSyntaxTextArea area = drop(file);
         Files.writeString(file, "1 move 40");
-        WINDOW.await("the notice", () -> WINDOW.isShowing("fileNotice"));
-        WINDOW.push("loadChanged");
-        WINDOW.await("the new text", () -> area.getText().equals("1 move 40"));
-        assertThat(WINDOW.isShowing("fileNotice")).isFalse();
+        window.await("the notice", () -> window.isShowing("fileNotice"));
+        window.push("loadChanged");
+        window.await("the new text", () -> area.getText().equals("1 move 40"));
+        assertThat(window.isShowing("fileNotice")).isFalse();
     }
 
     @Test
     void aFileThatAnotherProgramChangedIsOverwrittenOnlyOnceThatWasAgreedTo() throws IOException {
         Path file = script("lap.majic", "1 move 30");
         RSyntaxTextArea area = drop(file);
-        WINDOW.run(() -> area.append("\n1 stop"));
+        window.run(() -> area.append("\n1 stop"));
         Files.writeString(file, "1 move 40");
-        WINDOW.pressWithCtrl(KeyEvent.VK_S);
+        window.pressWithCtrl(KeyEvent.VK_S);
         awaitDialogAndPush("MAJIC asks", "No");
         assertThat(file).hasContent("1 move 40");
-        WINDOW.pressWithCtrl(KeyEvent.VK_S);
+        window.pressWithCtrl(KeyEvent.VK_S);
         awaitDialogAndPush("MAJIC asks", "Overwrite");
-        WINDOW.await("the file", () -> isTitle(0, "lap.majic"));
+        window.await("the file", () -> isTitle(0, "lap.majic"));
         assertThat(file).hasContent("1 move 30\n1 stop");
     }
 
@@ -268,28 +257,27 @@ class ScriptEditorWindowTest {
         Path first = script("first.majic", "1 stop");
         drop(first);
         drop(script("second.majic", "1 stop"));
-        String both = folder.resolve("second.majic") + "\n" + first;
-        WINDOW.await(
+        window.await(
                 "both to be stored",
-                () -> WINDOW.settings
+                () -> window.settings
                         .get("editor.recent")
-                        .filter(stored -> stored.startsWith(both))
+                        .filter(stored -> stored.lines().count() == 2)
                         .isPresent());
         closeEditor();
-        WINDOW.await("the editor to close", () -> !WINDOW.isShowing("editor"));
-        JMenu recent = (JMenu) WINDOW.frame.getJMenuBar().getMenu(0).getItem(2);
-        WINDOW.run(() -> recent.setSelected(true));
+        window.await("the editor to close", () -> !window.isShowing("editor"));
+        JMenu recent = (JMenu) window.frame.getJMenuBar().getMenu(0).getItem(2);
+        window.run(() -> recent.setSelected(true));
         assertThat(recent.getItem(1).getToolTipText()).isEqualTo(first.toString());
-        WINDOW.run(() -> recent.getItem(1).doClick());
-        WINDOW.await("the script", () -> isTitle(0, "first.majic"));
+        window.run(() -> recent.getItem(1).doClick());
+        window.await("the script", () -> isTitle(0, "first.majic"));
     }
 
     @Test
     void aFileCanBeDroppedOnTheTextsOfTheWindowToo() throws IOException {
         Path file = script("lap.majic", "1 move 30");
         for (String name : List.of("messages", "commandLine")) {
-            JComponent text = WINDOW.find(name, JComponent.class);
-            WINDOW.await(name + " to accept files", () -> text.getTransferHandler() instanceof FileDrop);
+            JComponent text = window.find(name, JComponent.class);
+            window.await(name + " to accept files", () -> text.getTransferHandler() instanceof FileDrop);
             TransferSupport files = new TransferSupport(text, new DraggedFile(file));
             assertThat(text.getTransferHandler().canImport(files)).isTrue();
         }
@@ -297,12 +285,12 @@ class ScriptEditorWindowTest {
 
     @Test
     void aFileThatCannotBeOpenedIsReported() {
-        JRootPane pane = WINDOW.frame.getRootPane();
-        WINDOW.await("the window to accept files", () -> pane.getTransferHandler() instanceof FileDrop);
+        JRootPane pane = window.frame.getRootPane();
+        window.await("the window to accept files", () -> pane.getTransferHandler() instanceof FileDrop);
         TransferSupport files = new TransferSupport(pane, new DraggedFile(folder.resolve("none.majic")));
-        WINDOW.run(() -> pane.getTransferHandler().importData(files));
-        WINDOW.await("the reason", () -> WINDOW.isShowing("fileNotice"));
-        assertThat(WINDOW.text("fileNotice")).endsWith("none.majic: there is no such file");
+        window.run(() -> pane.getTransferHandler().importData(files));
+        window.await("the reason", () -> window.isShowing("fileNotice"));
+        assertThat(window.text("fileNotice")).endsWith("none.majic: there is no such file");
     }
 
     @Test
@@ -310,57 +298,57 @@ class ScriptEditorWindowTest {
         RSyntaxTextArea area = drop(script("lap.majic", "1 move 30"));
         Font font = area.getFont();
         Color light = area.getBackground();
-        WINDOW.run(() -> LookAndFeels.change(true, WINDOW.settings));
-        WINDOW.await("a dark text", () -> area.getBackground().getRed() < 128);
+        window.run(() -> LookAndFeels.change(true, window.settings));
+        window.await("a dark text", () -> area.getBackground().getRed() < 128);
         assertThat(area.getFont()).isEqualTo(font);
-        WINDOW.run(() -> LookAndFeels.change(false, WINDOW.settings));
-        WINDOW.await("a light text", () -> area.getBackground().equals(light));
+        window.run(() -> LookAndFeels.change(false, window.settings));
+        window.await("a light text", () -> area.getBackground().equals(light));
     }
 
     @Test
     void wordsAreCompletedWhileTheyAreTyped() throws IOException {
-        WINDOW.add("one", 1);
+        window.add("one");
         RSyntaxTextArea area = drop(script("lap.majic", ""));
-        WINDOW.type("1 tu");
+        window.type("1 tu");
         awaitCompletions(true);
-        WINDOW.press(KeyEvent.VK_ENTER);
+        window.press(KeyEvent.VK_ENTER);
         assertThat(area.getText()).isEqualTo("1 turn");
-        WINDOW.type(" 9");
-        WINDOW.press(KeyEvent.VK_ENTER);
+        window.type(" 9");
+        window.press(KeyEvent.VK_ENTER);
         assertThat(area.getText()).isEqualTo("1 turn 9\n");
     }
 
     @Test
     void theWordsAtTheCaretAndUnderTheMouseAreExplained() throws IOException {
-        WINDOW.add("one", 1);
+        window.add("one");
         RSyntaxTextArea area = drop(script("lap.majic", "1 turn 90", ""));
-        WINDOW.run(() -> area.setCaretPosition("1 tu".length()));
-        assertThat(WINDOW.text("wordHint")).startsWith("turn ANGLE").contains("left positive");
-        WINDOW.run(() -> area.setCaretPosition("1 turn ".length()));
-        assertThat(WINDOW.text("wordHint")).isEqualTo("an angle (deg, rad)");
-        WINDOW.run(() -> area.setCaretPosition(area.getText().length()));
-        assertThat(WINDOW.text("wordHint")).isEmpty();
+        window.run(() -> area.setCaretPosition("1 tu".length()));
+        assertThat(window.text("wordHint")).startsWith("turn ANGLE").contains("left positive");
+        window.run(() -> area.setCaretPosition("1 turn ".length()));
+        assertThat(window.text("wordHint")).isEqualTo("an angle (deg, rad)");
+        window.run(() -> area.setCaretPosition(area.getText().length()));
+        assertThat(window.text("wordHint")).isEmpty();
         Rectangle word = GuiActionRunner.execute(
                 () -> area.modelToView2D("1 tu".length()).getBounds());
-        assertThat(WINDOW.tipAt("script", new Point(word.x, word.y + 2))).startsWith("turn ANGLE");
-        assertThat(WINDOW.tipAt("script", new Point(word.x + 400, word.y + 2))).isNull();
+        assertThat(window.tipAt("script", new Point(word.x, word.y + 2))).startsWith("turn ANGLE");
+        assertThat(window.tipAt("script", new Point(word.x + 400, word.y + 2))).isNull();
     }
 
     @Test
     void escClosesTheCompletionsAndStopsOnlyThen() throws IOException {
-        ToyBot bot = WINDOW.add("one", 1);
+        ToyBot bot = window.add("one");
         drop(script("lap.majic", ""));
-        WINDOW.type("1 tu");
+        window.type("1 tu");
         awaitCompletions(true);
-        WINDOW.press(KeyEvent.VK_ESCAPE);
+        window.press(KeyEvent.VK_ESCAPE);
         awaitCompletions(false);
         assertThat(bot.told).isEmpty();
-        WINDOW.press(KeyEvent.VK_ESCAPE);
-        WINDOW.await("the stop", () -> bot.told.contains("halt"));
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the stop", () -> bot.told.contains("halt"));
     }
 
     private void awaitCompletions(boolean open) {
-        WINDOW.await(
+        window.await(
                 "the completions",
                 () -> open
                         == Stream.of(Window.getWindows())
@@ -370,18 +358,18 @@ class ScriptEditorWindowTest {
 
     @Test
     void aTextIsFoundAndEscClosesTheBar() throws IOException {
-        ToyBot bot = WINDOW.add("one", 1);
+        ToyBot bot = window.add("one");
         RSyntaxTextArea area = drop(script("lap.majic", "1 move 30", "1 turn 30", "1 stop"));
-        WINDOW.pressWithCtrl(KeyEvent.VK_F);
-        WINDOW.awaitShowing("find", JTextField.class);
-        WINDOW.focus("find");
-        WINDOW.type("30");
-        WINDOW.press(KeyEvent.VK_ENTER);
-        WINDOW.press(KeyEvent.VK_ENTER);
-        assertThat(WINDOW.text("findCount")).isEqualTo("2 found");
+        window.pressWithCtrl(KeyEvent.VK_F);
+        window.awaitShowing("find", JTextField.class);
+        window.focus("find");
+        window.type("30");
+        window.press(KeyEvent.VK_ENTER);
+        window.press(KeyEvent.VK_ENTER);
+        assertThat(window.text("findCount")).isEqualTo("2 found");
         assertThat(area.getSelectionStart()).isEqualTo(area.getText().lastIndexOf("30"));
-        WINDOW.press(KeyEvent.VK_ESCAPE);
-        WINDOW.await("the bar to close", () -> !WINDOW.isShowing("find"));
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the bar to close", () -> !window.isShowing("find"));
         assertThat(bot.told).isEmpty();
     }
 
@@ -389,10 +377,10 @@ class ScriptEditorWindowTest {
     void everythingHasANameAndEveryEntryAMnemonic() throws IOException {
         drop(script("lap.majic", "1 move 30"));
         awaitStatus("1 mistake");
-        WINDOW.pressWithCtrl(KeyEvent.VK_F);
-        WINDOW.awaitShowing("find", JTextField.class);
-        JFrame editor = WINDOW.find("editor", JFrame.class);
-        WINDOW.run(() -> {
+        window.pressWithCtrl(KeyEvent.VK_F);
+        window.awaitShowing("find", JTextField.class);
+        JFrame editor = window.find("editor", JFrame.class);
+        window.run(() -> {
             assertThat(WindowAudit.nameless(editor)).isEmpty();
             assertThat(WindowAudit.mnemonicProblems(editor.getJMenuBar())).isEmpty();
             assertThat(WindowAudit.pale(editor, Contrast.TEXT)).isEmpty();
@@ -401,29 +389,29 @@ class ScriptEditorWindowTest {
 
     @Test
     void aSavedSessionIsOpenedIfThatIsChosen() {
-        WINDOW.add("one", 1);
-        WINDOW.command("1 move 77");
-        WINDOW.awaitMessage("1 move 77: done");
-        WINDOW.click("Save Session");
-        WINDOW.click("offer");
-        WINDOW.chooseFile(folder.resolve("lap.majic"));
-        WINDOW.await("the session in the editor", () -> isTitle(0, "lap.majic"));
-        assertThat(WINDOW.awaitShowing("script", RSyntaxTextArea.class).getText())
-                .contains("1 move 77");
+        window.add("one");
+        window.command("1 move 30");
+        window.awaitMessage("done");
+        window.click("Save Session");
+        window.click("offer");
+        window.chooseFile(folder.resolve("lap.majic"));
+        window.await("the session in the editor", () -> isTitle(0, "lap.majic"));
+        assertThat(window.awaitShowing("script", RSyntaxTextArea.class).getText())
+                .contains("1 move 30");
     }
 
     @Test
     void anActIsMadeOfAScript() throws IOException {
         Path file = script("square.majic", "me move 30");
         drop(file);
-        WINDOW.run(() -> WINDOW.find("editor", JFrame.class)
+        window.run(() -> window.find("editor", JFrame.class)
                 .getJMenuBar()
                 .getMenu(0)
                 .getItem(7)
                 .doClick());
-        WINDOW.awaitDialog("Make Act");
-        WINDOW.await("its name", () -> WINDOW.text("makeName").equals("square"));
-        assertThat(WINDOW.text("makeFrom")).isEqualTo(file.toString());
+        window.awaitDialog("Make Act");
+        window.await("its name", () -> window.text("makeName").equals("square"));
+        assertThat(window.text("makeFrom")).isEqualTo(file.toString());
     }
 
     /** Holds one dragged file. */

@@ -140,18 +140,9 @@ public final class TestWindow implements AutoCloseable {
 
     /** Adds a connected toy and waits for its card. */
     public ToyBot add(String address) {
-        return add(address, OptionalInt.empty());
-    }
-
-    /** Adds a connected toy with a number that may have been used before, and waits for its card. */
-    ToyBot add(String address, int number) {
-        return add(address, OptionalInt.of(number));
-    }
-
-    private ToyBot add(String address, OptionalInt wanted) {
         ToyBot bot = (ToyBot) factory.create("toy:" + address);
         bot.connect();
-        int number = team.add(bot, wanted).number();
+        int number = team.add(bot, OptionalInt.empty()).number();
         await("a card for robot " + number, () -> cards().contains("" + number));
         settle();
         return bot;
