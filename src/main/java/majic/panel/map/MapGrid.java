@@ -33,7 +33,7 @@ final class MapGrid {
     void paintLines() {
         double reach = Math.hypot(view.width(), view.height()) / 2 / view.pxPerMm();
         pen.setColor(colors.grey(0.13));
-        pen.setStroke(new BasicStroke(1));
+        pen.setStroke(sharp());
         Object smooth = pen.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
         if (view.upDeg() == MapView.Y_UP) {
             pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
@@ -45,6 +45,12 @@ final class MapGrid {
             line(view.xMm() - reach, y, view.xMm() + reach, y);
         }
         pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, smooth);
+    }
+
+    /** Returns a stroke of whole pixels of the screen, also where the system scales windows by 1.25 or 1.5. */
+    private BasicStroke sharp() {
+        double scale = Math.max(1, Math.abs(pen.getTransform().getScaleX()));
+        return new BasicStroke((float) (Math.floor(scale) / scale));
     }
 
     private double first(double fromMm) {
