@@ -40,6 +40,18 @@ public record Points(double[] times, double[] values) {
         return new Points(Arrays.copyOf(allTimes, count), Arrays.copyOf(allValues, count));
     }
 
+    /** Returns these points with the last value held until a time. */
+    Points heldUntil(double seconds) {
+        if (size() == 0 || times[size() - 1] >= seconds) {
+            return this;
+        }
+        double[] longerTimes = Arrays.copyOf(times, size() + 1);
+        double[] longerValues = Arrays.copyOf(values, size() + 1);
+        longerTimes[size()] = seconds;
+        longerValues[size()] = values[size() - 1];
+        return new Points(longerTimes, longerValues);
+    }
+
     /** Returns the same readings at other times. */
     Points moved(double seconds) {
         return new Points(Arrays.stream(times).map(time -> time + seconds).toArray(), values);

@@ -118,9 +118,19 @@ public final class RecordedSource implements PlotSource {
 
     /** A curve and what it shows. */
     private record RecordedFeed(Quantity quantity, Samples samples) {
+        /** Returns the time up to which there is something of the robot: changes alone are recorded. */
+        private double end(Recording part) {
+            return part.tracks().stream()
+                    .filter(tracks -> tracks.robot().number() == quantity.robot())
+                    .mapToDouble(
+                            tracks -> tracks.isPresent(part.endS()) ? part.endS() : tracks.lastChangeS(part.endS()))
+                    .max()
+                    .orElse(Double.NEGATIVE_INFINITY);
+        }
+
         void add(Recording part) {
             try {
-                Points points = Past.points(part, quantity, 0);
+                Points points = Past.points(part, quantity, 0).heldUntil(end(part));
                 samples.addPast(points);
                 samples.addLater(points);
             } catch (IOException e) {

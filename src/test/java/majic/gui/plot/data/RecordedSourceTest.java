@@ -39,6 +39,21 @@ class RecordedSourceTest {
     }
 
     @Test
+    void theLastValueIsHeldUntilTheEndOfThePart() throws Exception {
+        Path file = RecordedText.write(
+                folder.resolve("part"),
+                "majic-recording\t1\t2026-11-22T11:30:05Z\t1\t0.000",
+                "\trobot\t1\ttoy\tToy\tToys\t200\t\t0\t0\t0\t",
+                "\tparameter\t1\tx\tnumber\tmm\t\t-1.0E9\t1.0E9\tahead",
+                "\tvalue\t1\tx\t5",
+                "8.000\tline\tnotice\tthe end");
+        RecordedSource source = new RecordedSource(Recording.read(file), () -> 8);
+        Samples samples = new Samples();
+        source.feed(source.quantities(1, "x").get(0), samples);
+        assertThat(samples.within(new Span(0, 8)).times()).containsExactly(0, 8);
+    }
+
+    @Test
     void theMarksOfAllPartsAreInTheOrderOfTheirTimes() throws Exception {
         RecordedSource source = new RecordedSource(part(2), () -> 15);
         source.show(part(1));
