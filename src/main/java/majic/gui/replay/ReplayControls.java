@@ -35,7 +35,7 @@ final class ReplayControls extends JPanel {
     }
 
     ReplayControls(ReplayPart part, ReplayPlayer player, PartTurner turner) {
-        super(new MigLayout("insets 6 10 8 10, gap 10 6, hidemode 3"));
+        super(new MigLayout("insets 6 10 8 10, gap 0 6, wrap 1", "[grow, fill]"));
         Recording recording = part.recording();
         this.part = part;
         this.timeline = new Timeline(recording.beginS(), recording.endS(), recording.marks(0), player::jump);
@@ -61,13 +61,15 @@ final class ReplayControls extends JPanel {
         speed.addActionListener(event -> player.setSpeed(SPEEDS.get(speed.getSelectedIndex())));
         JLabel speedLabel = new JLabel(TEXTS.get("speed"));
         speedLabel.setLabelFor(speed);
-        add(timeline, "spanx, growx, pushx, wrap");
-        add(play, "w " + widthOfPlay() + "!");
-        add(previous);
-        add(next);
-        add(time, "pushx");
-        add(speedLabel);
-        add(speed);
+        JPanel row = new JPanel(new MigLayout("insets 0, gap 10, hidemode 3"));
+        row.add(play, "w " + widthOfPlay() + "!");
+        row.add(previous);
+        row.add(next);
+        row.add(time, "pushx");
+        row.add(speedLabel);
+        row.add(speed);
+        add(timeline);
+        add(row);
         Mnemonics.assign(this);
     }
 
