@@ -10,7 +10,9 @@ import java.awt.Container;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
+import java.util.regex.Pattern;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
@@ -18,6 +20,7 @@ import javax.swing.UIManager;
 import majic.gui.Contrast;
 import majic.gui.WindowAudit;
 import majic.team.Member;
+import majic.text.MarkedTexts;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -28,6 +31,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 @Tag("jdk")
 @Timeout(60)
 class PanelsInLabTest {
+    /** What panels show without its being a text: values and units of parameters, and what a robot calls itself. */
+    private static final Pattern DATA =
+            Pattern.compile("\\b(clear|no|off|remote control|mm|mm/s|s|ms|p3dx-sh|MajicSim|S\\.0)\\b");
 
     /** Measures panels in the program's own look and fonts, whatever an earlier test has set. */
     @BeforeEach
@@ -102,6 +108,23 @@ class PanelsInLabTest {
                     });
                 }
             }
+        }
+    }
+
+    @Test
+    void everyTextIsFromAResourceBundle() throws Exception {
+        Locale before = Locale.getDefault();
+        try (MarkedTexts marked = new MarkedTexts();
+                LabRig lab = LabRig.exact().withAllRobots()) {
+            Locale.setDefault(MarkedTexts.LANGUAGE);
+            List<String> unmarked = new ArrayList<>();
+            for (Member member : lab.team().members()) {
+                JComponent panel = panel(member, 800, 600);
+                SwingUtilities.invokeAndWait(() -> unmarked.addAll(WindowAudit.unmarked(panel, DATA)));
+            }
+            assertThat(unmarked).isEmpty();
+        } finally {
+            Locale.setDefault(before);
         }
     }
 

@@ -14,7 +14,8 @@ import org.jspecify.annotations.Nullable;
  * used on any thread.
  */
 public final class Texts {
-    private static final ResourceBundle.Control FILES = new ExistingFiles();
+    /** Finds the bundles; tests use another one for a while. */
+    static volatile ResourceBundle.Control control = new ExistingFiles();
 
     private final Class<?> user;
 
@@ -56,7 +57,7 @@ public final class Texts {
     }
 
     private ResourceBundle bundle(Locale language) {
-        return ResourceBundle.getBundle(user.getPackageName() + ".Texts", language, user.getClassLoader(), FILES);
+        return ResourceBundle.getBundle(user.getPackageName() + ".Texts", language, user.getClassLoader(), control);
     }
 
     /** Looks only for files that exist, since a search for a missing one opens every library and delays the window. */

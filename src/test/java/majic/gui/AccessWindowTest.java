@@ -1,5 +1,7 @@
 package majic.gui;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
@@ -9,9 +11,13 @@ import java.awt.Window;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JCheckBoxMenuItem;
@@ -20,11 +26,12 @@ import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.SwingUtilities;
+import majic.act.file.ActCatalog;
 import majic.gui.kit.Confirm;
 import majic.panel.PictureView;
+import majic.text.MarkedTexts;
 import org.assertj.core.api.SoftAssertions;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -39,16 +46,23 @@ class AccessWindowTest {
     @TempDir
     private Path folder;
 
+    /** What is shown without being a text: names of robots, acts, parameters, files and programs. */
+    private static final Pattern DATA = Pattern.compile(
+            "\\b(MAJIC|Playthings|Toy|the display of one|script\\.majic|Spy(\\.act)?|SHA-256|\\p{XDigit}{64}|me|robot2"
+                    + "|text/(html|plain)|Really|Yes)\\b");
+
+    private final Locale before = Locale.getDefault();
+    private UnaryOperator<String> language = UnaryOperator.identity();
     private TestWindow window;
 
-    @BeforeEach
-    void openEverything() throws Exception {
-        window = TestWindow.open(new OwnActs(folder)
+    private void open(Function<ActCatalog, TestWindow> opening) throws Exception {
+        window = opening.apply(new OwnActs(folder)
                 .script("Relay", "repeat", "1 move 100", "2 move 200", "end")
                 .spy()
                 .acts());
         window.add("one");
         window.add("two");
+        openDialogs();
     }
 
     @AfterEach
@@ -56,11 +70,13 @@ class AccessWindowTest {
         SwingUtilities.invokeAndWait(FlatLightLaf::setup);
         window.close();
         System.clearProperty(OwnActs.FLAG);
+        Language.use(before);
     }
 
     private void openDialogs() {
+        Set<String> effects = EFFECTS.stream().map(language).collect(Collectors.toSet());
         entries()
-                .filter(entry -> !EFFECTS.contains(entry.getText()))
+                .filter(entry -> !effects.contains(entry.getText()))
                 .filter(entry -> !(entry instanceof JRadioButtonMenuItem) && !(entry instanceof JCheckBoxMenuItem))
                 .filter(JMenuItem::isEnabled)
                 .toList()
@@ -88,20 +104,29 @@ class AccessWindowTest {
 
     private void load(String act, String dialog) {
         confirm("Load Act");
-        window.awaitDialog("Choose Act");
+        window.awaitDialog(language.apply("Choose Act"));
         window.select("acts", act);
         confirm("Choose Act");
-        window.awaitDialog(dialog);
+        window.awaitDialog(language.apply(dialog));
     }
 
     private void confirm(String title) {
-        JDialog dialog = (JDialog) window.awaitDialog(title);
+        JDialog dialog = (JDialog) window.awaitDialog(language.apply(title));
         window.run(() -> dialog.getRootPane().getDefaultButton().doClick());
     }
 
     @Test
+    void everyTextIsFromAResourceBundle() throws Exception {
+        try (MarkedTexts marked = new MarkedTexts()) {
+            language = MarkedTexts::mark;
+            open(TestWindow::openMarked);
+            assertThat(found(root -> WindowAudit.unmarked(root, DATA))).isEmpty();
+        }
+    }
+
+    @Test
     void everyComponentHasANameAMnemonicAndEnoughContrast() throws Exception {
-        openDialogs();
+        open(TestWindow::open);
         SoftAssertions soft = new SoftAssertions();
         soft.assertThat(found(WindowAudit::nameless))
                 .as("components without an accessible name")

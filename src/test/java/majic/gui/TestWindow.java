@@ -39,6 +39,7 @@ import majic.script.MajicParser;
 import majic.script.Session;
 import majic.team.BotFactory;
 import majic.team.Team;
+import majic.text.MarkedTexts;
 import majic.time.TimeSource;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.MouseButton;
@@ -53,6 +54,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class TestWindow implements AutoCloseable {
     private static final int PATIENCE_S = 30;
+    private static final String MARKED = "test.marked";
 
     final ToyType type = new ToyType(BotType.Reach.TCP);
     final Settings settings = Settings.inMemory();
@@ -117,8 +119,14 @@ public final class TestWindow implements AutoCloseable {
         return new TestWindow(NoActs.here(), Map.of(), history);
     }
 
+    /** Opens a window whose texts are marked, with the user's own acts. */
+    static TestWindow openMarked(ActCatalog acts) {
+        return new TestWindow(acts, Map.of(MARKED, ""), null);
+    }
+
     private MajicFrame makeFrame() {
         MajicFrame.installLook(settings);
+        settings.get(MARKED).ifPresent(marked -> Language.use(MarkedTexts.LANGUAGE));
         ProgramServices services = new ProgramServices(
                 List::of,
                 () -> factory.useLab(new ToyLab()),

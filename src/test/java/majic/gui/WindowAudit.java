@@ -8,8 +8,10 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.accessibility.AccessibleContext;
 import javax.swing.AbstractButton;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
@@ -29,6 +31,8 @@ import javax.swing.JTable;
 import javax.swing.JTree;
 import javax.swing.JViewport;
 import javax.swing.text.JTextComponent;
+import majic.gui.kit.Paragraph;
+import majic.text.MarkedTexts;
 
 /**
  * Finds what a user cannot read or reach in a window or panel, shown or only laid out: components without an accessible
@@ -127,6 +131,55 @@ public final class WindowAudit {
                 .filter(part -> Contrast.of(part.getForeground(), background(part)) < least)
                 .map(part -> describe(part) + " " + hex(part.getForeground()) + " on " + hex(background(part)))
                 .toList();
+    }
+
+    /**
+     * Lists the texts that do not come from a resource bundle; to be called while texts are in {@link MarkedTexts#LANGUAGE}.
+     *
+     * @param data what is no text: names, numbers, addresses, words of MAJIC Script
+     */
+    public static List<String> unmarked(Container root, Pattern data) {
+        return visible(root, part -> part instanceof JComboBox || part instanceof JFileChooser)
+                .flatMap(part -> texts(part)
+                        .filter(text -> text != null && !isData(text, data))
+                        .map(text -> part.getClass().getName() + " " + part.getName() + ": " + text))
+                .distinct()
+                .toList();
+    }
+
+    private static boolean isData(String text, Pattern data) {
+        String rest = MarkedTexts.unmarked(text.replaceAll("<[^>]*>", " "));
+        return data.matcher(rest).replaceAll("").codePoints().noneMatch(Character::isLetter);
+    }
+
+    /** Returns the texts of a component for the eye and for screen readers. */
+    private static Stream<String> texts(Component part) {
+        Stream.Builder<String> texts = Stream.builder();
+        AccessibleContext access = part.getAccessibleContext();
+        if (access != null) {
+            texts.add(access.getAccessibleName()).add(access.getAccessibleDescription());
+        }
+        if (part instanceof JComponent component) {
+            texts.add(component.getToolTipText());
+        }
+        if (part instanceof JMenu menu) {
+            Stream.of(menu.getMenuComponents()).flatMap(WindowAudit::texts).forEach(texts::add);
+        }
+        if (part instanceof AbstractButton button) {
+            texts.add(button.getText());
+        } else if (part instanceof JLabel label) {
+            texts.add(label.getText());
+        } else if (part instanceof JTextComponent field) {
+            texts.add((String) field.getClientProperty("JTextField.placeholderText"));
+            texts.add(field instanceof Paragraph ? field.getText() : null);
+        } else if (part instanceof JTabbedPane tabs) {
+            IntStream.range(0, tabs.getTabCount()).mapToObj(tabs::getTitleAt).forEach(texts::add);
+        } else if (part instanceof JTable table) {
+            IntStream.range(0, table.getColumnCount())
+                    .mapToObj(table::getColumnName)
+                    .forEach(texts::add);
+        }
+        return texts.build();
     }
 
     private static boolean hasText(Component part) {

@@ -1,0 +1,84 @@
+package majic.text;
+
+import java.io.IOException;
+import java.util.Enumeration;
+import java.util.List;
+import java.util.Locale;
+import java.util.ResourceBundle;
+import java.util.ResourceBundle.Control;
+import java.util.Set;
+import java.util.regex.Pattern;
+
+/**
+ * The texts of windows in an invented language, until it is closed: the English ones between two marks. What a window shows
+ * without marks does not come from a resource bundle.
+ */
+public final class MarkedTexts implements AutoCloseable {
+    /** The invented language. */
+    public static final Locale LANGUAGE = Locale.forLanguageTag("qps");
+
+    /** Keys of the names of files that are in a language. */
+    private static final Set<String> FILES = Set.of("commands.file", "keys.file");
+
+    private static final Pattern MARKED = Pattern.compile("(?s)⟦[^⟦⟧]*⟧");
+
+    private final Control before = Texts.control;
+
+    /** Makes windows whose language is {@link #LANGUAGE} read marked texts. */
+    public MarkedTexts() {
+        Texts.control = new Marking();
+    }
+
+    @Override
+    public void close() {
+        Texts.control = before;
+    }
+
+    /** Returns an English text as it is shown in the invented language. */
+    public static String mark(String english) {
+        return "⟦" + english + "⟧";
+    }
+
+    /** Returns what of a shown text is not marked; values inside a marked text count as marked. */
+    public static String unmarked(String shown) {
+        String rest = MARKED.matcher(shown).replaceAll("");
+        return rest.equals(shown) ? rest : unmarked(rest);
+    }
+
+    private static final class Marking extends Control {
+        @Override
+        public List<String> getFormats(String name) {
+            return FORMAT_PROPERTIES;
+        }
+
+        @Override
+        public List<Locale> getCandidateLocales(String name, Locale locale) {
+            return List.of(LANGUAGE);
+        }
+
+        @Override
+        public ResourceBundle newBundle(String name, Locale locale, String format, ClassLoader loader, boolean reload)
+                throws IllegalAccessException, InstantiationException, IOException {
+            return new Marked(super.newBundle(name, Locale.ROOT, format, loader, reload));
+        }
+    }
+
+    private static final class Marked extends ResourceBundle {
+        private final ResourceBundle english;
+
+        private Marked(ResourceBundle english) {
+            this.english = english;
+        }
+
+        /** Leaves the names of files as they are. */
+        @Override
+        protected Object handleGetObject(String key) {
+            return FILES.contains(key) ? english.getString(key) : mark(english.getString(key));
+        }
+
+        @Override
+        public Enumeration<String> getKeys() {
+            return english.getKeys();
+        }
+    }
+}
