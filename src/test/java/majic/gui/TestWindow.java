@@ -32,6 +32,7 @@ import majic.act.file.ActCatalog;
 import majic.bot.BotType;
 import majic.bot.Settings;
 import majic.gui.kit.EventThreadGuard;
+import majic.gui.kit.EventThreadWatch;
 import majic.gui.kit.ProgramServices;
 import majic.log.SessionLog;
 import majic.recorder.RecordingFolder;
@@ -50,7 +51,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Opens a real window with toy robots, and operates it. The only class that uses the library for window tests. Without
- * a display it cannot be opened, and the test fails. Using Swing off its thread fails the test too.
+ * a display it cannot be opened, and the test fails. Using Swing off its thread, and keeping that thread busy for a second,
+ * fail the test too.
  */
 public final class TestWindow implements AutoCloseable {
     private static final int PATIENCE_S = 30;
@@ -68,6 +70,7 @@ public final class TestWindow implements AutoCloseable {
     private final Robot robot;
     private final java.awt.Robot input = input();
     private final EventThreadGuard guard = EventThreadGuard.install();
+    private final EventThreadWatch watch;
 
     private TestWindow(ActCatalog acts, Map<String, String> kept, @Nullable Path history) {
         this.history = history;
@@ -82,6 +85,7 @@ public final class TestWindow implements AutoCloseable {
         robot.showWindow(frame);
         await("the menus to have entries", () -> frame.getJMenuBar().getMenu(0).getItemCount() > 0);
         settle();
+        watch = EventThreadWatch.start();
     }
 
     private static java.awt.Robot input() {
@@ -403,6 +407,10 @@ public final class TestWindow implements AutoCloseable {
     public void close() {
         robot.cleanUp();
         team.close();
-        guard.checkAndRemove();
+        try {
+            watch.checkAndEnd();
+        } finally {
+            guard.checkAndRemove();
+        }
     }
 }

@@ -1,0 +1,85 @@
+package majic.gui.kit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadInfo;
+import java.lang.management.ThreadMXBean;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Stream;
+import javax.swing.SwingUtilities;
+import org.assertj.swing.edt.GuiActionRunner;
+
+/**
+ * Records the stack of the event dispatch thread when a single event keeps it for a second or more. Counts only the time
+ * in which the thread computes or waits for something, so that a busy computer, on which the thread gets no processor,
+ * makes no test fail.
+ */
+public final class EventThreadWatch {
+    private static final int TICK_MS = 20;
+    private static final int LIMIT_TICKS = 50;
+    private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
+
+    private final List<String> stalls = new CopyOnWriteArrayList<>();
+    private final Thread watching = new Thread(this::watch, "event thread watch");
+    private volatile long eventThread;
+    private volatile boolean answered = true;
+
+    /** Starts to watch; must not be called on the event dispatch thread. */
+    public static EventThreadWatch start() {
+        EventThreadWatch watch = new EventThreadWatch();
+        GuiActionRunner.execute(() -> watch.eventThread = Thread.currentThread().getId());
+        watch.watching.setDaemon(true);
+        watch.watching.start();
+        return watch;
+    }
+
+    /** Ends watching, and fails if a stall was recorded. */
+    public void checkAndEnd() {
+        watching.interrupt();
+        assertThat(stalls).isEmpty();
+    }
+
+    boolean hasFound() {
+        return !stalls.isEmpty();
+    }
+
+    private void watch() {
+        try {
+            while (!Thread.currentThread().isInterrupted()) {
+                ask();
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Gives the thread a task, and records a stall if it does not begin it. */
+    private void ask() throws InterruptedException {
+        answered = false;
+        SwingUtilities.invokeLater(() -> {
+            eventThread = Thread.currentThread().getId();
+            answered = true;
+        });
+        int ticks = 0;
+        while (!answered) {
+            long before = THREADS.getThreadCpuTime(eventThread);
+            Thread.sleep(TICK_MS);
+            ThreadInfo thread = THREADS.getThreadInfo(eventThread, Integer.MAX_VALUE);
+            if (!answered && thread != null && isOccupied(thread, before) && ++ticks == LIMIT_TICKS) {
+                stalls.add("the event dispatch thread was kept by " + List.of(thread.getStackTrace()));
+            }
+        }
+        Thread.sleep(TICK_MS);
+    }
+
+    /** Returns whether the thread computes, or waits for something other than the next event. */
+    private boolean isOccupied(ThreadInfo thread, long before) {
+        if (thread.getThreadState() == Thread.State.RUNNABLE) {
+            return THREADS.getThreadCpuTime(eventThread) - before > TICK_MS * 500_000L;
+        }
+        return Stream.of(thread.getStackTrace())
+                .noneMatch(frame -> frame.getMethodName().equals("getNextEvent"));
+    }
+}
