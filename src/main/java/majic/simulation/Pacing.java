@@ -60,7 +60,7 @@ public interface Pacing {
             private static final long MOST_BEHIND_NANOS = 200_000_000;
 
             /** Steps due within so much lab time are taken together, because each waking takes longer than a step. */
-            private static final long TOGETHER_NANOS = 12_000_000;
+            private static final long TOGETHER_NANOS = 20_000_000;
 
             private long originNanos = System.nanoTime();
 
