@@ -2,6 +2,7 @@ package majic.gui;
 
 import java.awt.Window;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -59,9 +60,11 @@ final class FrameDialogs {
     }
 
     void addBot() {
-        open(
-                AddBotDialog.class,
-                () -> new AddBotDialog(frame, session, services, selection::select, AddBotDialog.GIVE_UP_MS));
+        open(AddBotDialog.class, this::newAddBot);
+    }
+
+    private AddBotDialog newAddBot() {
+        return new AddBotDialog(frame, session, services, selection::select, AddBotDialog.GIVE_UP_MS);
     }
 
     void removeBot() {
@@ -75,8 +78,12 @@ final class FrameDialogs {
     }
 
     private void removeBot(Optional<Member> chosen) {
+        open(KillBotDialog.class, () -> newKillBot(chosen));
+    }
+
+    private KillBotDialog newKillBot(Optional<Member> chosen) {
         Consumer<Member> kill = member -> channel.submit("remove " + member.number());
-        open(KillBotDialog.class, () -> new KillBotDialog(frame, session.team().members(), chosen, kill));
+        return new KillBotDialog(frame, session.team().members(), chosen, kill);
     }
 
     void loadAct() {
@@ -90,7 +97,11 @@ final class FrameDialogs {
     }
 
     private void loadAct(List<Member> chosen) {
-        open(LoadActDialog.class, () -> new LoadActDialog(frame, session.team().members(), chosen, loader::load));
+        open(LoadActDialog.class, () -> newLoadAct(chosen));
+    }
+
+    private LoadActDialog newLoadAct(List<Member> chosen) {
+        return new LoadActDialog(frame, session.team().members(), chosen, loader::load);
     }
 
     /** Ends the acts of the selected robots; shows a message if no robot is selected. */
@@ -109,7 +120,11 @@ final class FrameDialogs {
     }
 
     void makeAct() {
-        open(MakeActDialog.class, () -> new MakeActDialog(frame, session.offers(), services.settings()));
+        open(MakeActDialog.class, this::newMakeAct);
+    }
+
+    private MakeActDialog newMakeAct() {
+        return new MakeActDialog(frame, session.offers(), services.settings());
     }
 
     /** Opens the dialog that makes the file of an act, for a script. */
@@ -202,6 +217,20 @@ final class FrameDialogs {
             return Optional.of(TEXTS.get("quotationMark", file));
         }
         return AwaitedLine.run(session, "save " + what + " \"" + file + '"');
+    }
+
+    /** Builds and paints the dialogs without showing them. */
+    void rehearse() {
+        List<MajicDialog> all = new ArrayList<>(List.of(newAddBot(), newMakeAct(), newHelp(), new AboutDialog(frame)));
+        List<Member> members = session.team().members();
+        if (!members.isEmpty()) {
+            all.add(newKillBot(Optional.empty()));
+            all.add(newLoadAct(members));
+        }
+        all.forEach(dialog -> {
+            MajicFrame.paintUnseen(dialog);
+            dialog.dispose();
+        });
     }
 
     private void withRobots(Consumer<List<Member>> action) {

@@ -7,10 +7,14 @@ import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
 import java.awt.Image;
 import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
+import java.awt.image.VolatileImage;
+import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.LayoutFocusTraversalPolicy;
+import javax.swing.RootPaneContainer;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
@@ -240,6 +244,24 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         reconnect.close();
         plots.close();
         super.dispose();
+    }
+
+    /**
+     * Paints the window, its dialogs and the other look and feel without showing them, so that the Java machine can record
+     * the classes that they need. Must be called on the event dispatch thread.
+     */
+    public void rehearse() {
+        paintUnseen(this);
+        dialogs.rehearse();
+        for (boolean dark : List.of(true, false)) {
+            LookAndFeels.change(dark, Settings.inMemory());
+        }
+    }
+
+    /** Paints a window that has a size but is not shown. */
+    static <W extends Window & RootPaneContainer> void paintUnseen(W window) {
+        VolatileImage picture = window.createVolatileImage(window.getWidth(), window.getHeight());
+        window.getRootPane().paint(picture.createGraphics());
     }
 
     GamepadControl gamepad() {

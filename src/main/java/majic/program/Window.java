@@ -64,8 +64,8 @@ public final class Window {
     }
 
     /**
-     * Builds and paints the window without showing it, and waits a little for what it does in the background once it is
-     * open.
+     * Builds and paints the window and its dialogs without showing them, and waits a little for what the window does in
+     * the background once it is open.
      */
     public void rehearse() throws InterruptedException {
         MajicFrame frame = open(this::build);
@@ -77,9 +77,7 @@ public final class Window {
         });
         Thread.sleep(REHEARSED_MS);
         onEventThread(() -> {
-            frame.getRootPane()
-                    .paint(frame.createVolatileImage(frame.getWidth(), frame.getHeight())
-                            .createGraphics());
+            frame.rehearse();
             frame.dispose();
         });
     }
