@@ -6,10 +6,10 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.util.EnumSet;
-import java.util.List;
 import java.util.Set;
 import java.util.function.BiConsumer;
-import java.util.stream.Stream;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import javax.swing.JPanel;
 import majic.aibo.body.DogState;
 import majic.aibo.body.LedNames;
@@ -43,7 +43,10 @@ final class DogDrawing extends JPanel {
             EnumSet.of(Sensor.NEAR, Sensor.FAR, Sensor.CHEST, Sensor.LEG_LOAD, Sensor.CHARGE, Sensor.POSTURE));
 
     private final transient DogState dog;
-    private transient List<Object> painted = List.of();
+    /** A change that is too small to be seen: degrees, m/s² of the tilt, tenths of an LED. */
+    private static final double UNSEEN = 0.3;
+
+    private transient double[] painted = {};
 
     DogDrawing(DogState dog) {
         this.dog = dog;
@@ -57,8 +60,8 @@ final class DogDrawing extends JPanel {
 
     /** Paints the views anew that have changed since the last call. */
     void refresh() {
-        List<Object> now = figure();
-        if (!now.equals(painted)) {
+        double[] now = figure();
+        if (looksDifferent(now)) {
             painted = now;
             repaint();
         } else {
@@ -67,11 +70,21 @@ final class DogDrawing extends JPanel {
     }
 
     /** Returns everything that the figure depends on; the view from above also has the beams of the distance sensors. */
-    private List<Object> figure() {
-        Stream<Object> senses = FIGURE.stream().map(dog.senses()::number);
-        Stream<Object> leds = LedNames.all().stream().map(dog.leds()::amount);
-        return Stream.concat(Stream.of(isEnabled()), Stream.concat(senses, leds))
-                .toList();
+    private double[] figure() {
+        DoubleStream senses = FIGURE.stream()
+                .mapToDouble(sensor -> dog.senses().number(sensor).orElse(Double.NaN));
+        DoubleStream leds = LedNames.all().stream()
+                .mapToDouble(led -> 10 * dog.leds().amount(led).orElse(Double.NaN));
+        return DoubleStream.concat(DoubleStream.of(isEnabled() ? 1 : 0), DoubleStream.concat(senses, leds))
+                .toArray();
+    }
+
+    /** Compares with what is painted, so that small changes add up until they are seen. */
+    private boolean looksDifferent(double[] now) {
+        return now.length != painted.length
+                || IntStream.range(0, now.length)
+                        .anyMatch(index -> Double.isNaN(now[index]) != Double.isNaN(painted[index])
+                                || Math.abs(now[index] - painted[index]) > UNSEEN);
     }
 
     @Override

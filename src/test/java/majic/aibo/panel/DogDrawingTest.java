@@ -2,9 +2,14 @@ package majic.aibo.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Dimension;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import javax.swing.JComponent;
+import javax.swing.RepaintManager;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.DogState;
 import majic.aibo.body.Joint;
@@ -102,6 +107,29 @@ class DogDrawingTest {
         System.out.printf("the drawn dog, %d × %d: %.1f ms a paint%n", WIDTH, HEIGHT, ms);
 
         assertThat(differing()).isZero();
+    }
+
+    @Test
+    void onlyAChangeThatIsSeenPaintsTheWholeDrawingAgain() {
+        RepaintManager usual = RepaintManager.currentManager(drawing);
+        List<Dimension> painted = new ArrayList<>();
+        RepaintManager.setCurrentManager(new RepaintManager() {
+            @Override
+            public void addDirtyRegion(JComponent component, int x, int y, int width, int height) {
+                painted.add(new Dimension(width, height));
+            }
+        });
+        try {
+            for (double degrees : new double[] {10, 10.2, 10.4}) {
+                put(Sensor.HEAD_PAN, degrees);
+                drawing.refresh();
+            }
+        } finally {
+            RepaintManager.setCurrentManager(usual);
+        }
+        Dimension all = new Dimension(WIDTH, HEIGHT);
+        assertThat(painted).hasSize(3).startsWith(all).endsWith(all);
+        assertThat(painted.get(1)).isNotEqualTo(all);
     }
 
     private void put(Sensor sensor, double amount) {
