@@ -49,7 +49,7 @@ public final class HelpDialog extends MajicDialog {
         if (!members.isEmpty()) {
             tabs.addTab(TEXTS.get("parameters"), parameters(members, current));
         }
-        tabs.addTab(TEXTS.get("keys"), scrolled("keys", file(TEXTS.get("keys.file"), TEXTS.get("keys.key")), 230));
+        tabs.addTab(TEXTS.get("keys"), scrolled("keys", file(TEXTS.get("keys.file"), TEXTS.get("keys.key")), 275));
         addPage("user-guide", TEXTS.get("guide"));
         addPage("majic-script", TEXTS.get("guide.script"));
         tabs.addChangeListener(change -> search());
