@@ -36,7 +36,6 @@ final class LineTimes {
     private record Action(String name, String before, char key) {}
 
     private static final List<Action> ACTIONS = List.of(
-            new Action("nothing", "1 ge", ' '),
             new Action("typing the first letter", "", '1'),
             new Action("typing a command", "1 ", 'm'),
             new Action("typing a parameter", "1 get ", 'd'),
@@ -55,7 +54,8 @@ final class LineTimes {
             new Action("Ctrl R searches", "", '@'),
             new Action("typing in the search", "@bo", 't'),
             new Action("Ctrl R goes on", "@bo", '@'),
-            new Action("Enter takes the line found", "@bo", '\n'));
+            new Action("Enter takes the line found", "@bo", '\n'),
+            new Action("nothing", "1 ge", ' '));
 
     private final JTextField line;
     private final Robot robot;
