@@ -7,7 +7,9 @@ import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.regex.Pattern;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JFrame;
@@ -22,6 +24,7 @@ import majic.panel.PlotHost;
 import majic.recorder.RecordedText;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;
+import majic.text.MarkedTexts;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -29,6 +32,9 @@ import org.junit.jupiter.api.io.TempDir;
 
 @Timeout(120)
 class ReplayWindowTest {
+    /** What is shown without being a text: the type of the robot. */
+    private static final Pattern DATA = Pattern.compile("Toy");
+
     @TempDir
     private Path folder;
 
@@ -209,5 +215,20 @@ class ReplayWindowTest {
             assertThat(WindowAudit.nameless(root)).isEmpty();
             assertThat(WindowAudit.pale(root, Contrast.TEXT)).isEmpty();
         });
+    }
+
+    @Test
+    void everyTextIsFromAResourceBundle() throws Exception {
+        Path file = recorded();
+        Locale before = Locale.getDefault();
+        try (MarkedTexts marked = new MarkedTexts()) {
+            window.run(() -> Language.use(MarkedTexts.LANGUAGE));
+            open(file);
+            JLabel band = window.awaitShowing("replayBand", JLabel.class);
+            Container root = SwingUtilities.getWindowAncestor(band);
+            window.run(() -> assertThat(WindowAudit.unmarked(root, DATA)).isEmpty());
+        } finally {
+            window.run(() -> Language.use(before));
+        }
     }
 }
