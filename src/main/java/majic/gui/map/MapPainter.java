@@ -1,5 +1,6 @@
 package majic.gui.map;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -146,6 +147,6 @@ public final class MapPainter {
     }
 
     private boolean fits(String key) {
-        return g.getFontMetrics().stringWidth(key) <= view.width() - SCALE_PX - INSET;
+        return g.getFontMetrics().stringWidth(key) <= view.width() - UIScale.scale(SCALE_PX) - INSET;
     }
 }

@@ -1,5 +1,6 @@
 package majic.gui.map;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Graphics2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
@@ -112,7 +113,7 @@ final class TeamFloor implements MapContent {
 
     @Override
     public int footPx() {
-        return MapPainter.FOOT_PX;
+        return UIScale.scale(MapPainter.FOOT_PX);
     }
 
     /** Clears the trails shown so far; robots and room stay. */
