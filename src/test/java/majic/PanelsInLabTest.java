@@ -112,6 +112,7 @@ class PanelsInLabTest {
     }
 
     @Test
+    @SuppressWarnings("try")
     void everyTextIsFromAResourceBundle() throws Exception {
         Locale before = Locale.getDefault();
         try (MarkedTexts marked = new MarkedTexts();

@@ -116,6 +116,7 @@ class AccessWindowTest {
     }
 
     @Test
+    @SuppressWarnings("try")
     void everyTextIsFromAResourceBundle() throws Exception {
         try (MarkedTexts marked = new MarkedTexts()) {
             language = MarkedTexts::mark;

@@ -218,6 +218,7 @@ class ReplayWindowTest {
     }
 
     @Test
+    @SuppressWarnings("try")
     void everyTextIsFromAResourceBundle() throws Exception {
         Path file = recorded();
         Locale before = Locale.getDefault();
