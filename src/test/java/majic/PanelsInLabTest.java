@@ -117,7 +117,7 @@ class PanelsInLabTest {
         Locale before = Locale.getDefault();
         try (MarkedTexts marked = new MarkedTexts();
                 LabRig lab = LabRig.exact().withAllRobots()) {
-            Locale.setDefault(MarkedTexts.LANGUAGE);
+            Locale.setDefault(marked.language());
             List<String> unmarked = new ArrayList<>();
             for (Member member : lab.team().members()) {
                 JComponent panel = panel(member, 800, 600);

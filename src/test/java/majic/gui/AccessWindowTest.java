@@ -119,7 +119,7 @@ class AccessWindowTest {
     @SuppressWarnings("try")
     void everyTextIsFromAResourceBundle() throws Exception {
         try (MarkedTexts marked = new MarkedTexts()) {
-            language = MarkedTexts::mark;
+            language = marked::mark;
             open(TestWindow::openMarked);
             assertThat(found(root -> WindowAudit.unmarked(root, DATA))).isEmpty();
         }

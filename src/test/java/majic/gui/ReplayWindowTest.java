@@ -223,7 +223,7 @@ class ReplayWindowTest {
         Path file = recorded();
         Locale before = Locale.getDefault();
         try (MarkedTexts marked = new MarkedTexts()) {
-            window.run(() -> Language.use(MarkedTexts.LANGUAGE));
+            window.run(() -> Language.use(marked.language()));
             open(file);
             JLabel band = window.awaitShowing("replayBand", JLabel.class);
             Container root = SwingUtilities.getWindowAncestor(band);

@@ -35,8 +35,17 @@ public final class MarkedTexts implements AutoCloseable {
     }
 
     /** Returns an English text as it is shown in the invented language. */
-    public static String mark(String english) {
+    public String mark(String english) {
+        return marked(english);
+    }
+
+    private static String marked(String english) {
         return "⟦" + english + "⟧";
+    }
+
+    /** Returns {@link #LANGUAGE}. */
+    public Locale language() {
+        return LANGUAGE;
     }
 
     /** Returns what of a shown text is not marked; values inside a marked text count as marked. */
@@ -73,7 +82,7 @@ public final class MarkedTexts implements AutoCloseable {
         /** Leaves the names of files as they are. */
         @Override
         protected Object handleGetObject(String key) {
-            return FILES.contains(key) ? english.getString(key) : mark(english.getString(key));
+            return FILES.contains(key) ? english.getString(key) : marked(english.getString(key));
         }
 
         @Override
