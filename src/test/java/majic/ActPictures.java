@@ -65,6 +65,7 @@ class ActPictures {
         Path source = acts(home);
         try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2), false)) {
             MajicParser parser = new MajicParser(program.session(), true);
+            PictureWindow.decorate();
             MajicFrame frame = PictureWindow.open(program, parser);
             PictureWindow.add(program, parser, List.of("aibo", "pioneer", "hemisson"));
             choose(frame, 2, "Relay");

@@ -29,9 +29,13 @@ final class PictureWindow {
 
     private PictureWindow() {}
 
-    static MajicFrame open(Program program, MajicParser parser) throws Exception {
+    /** Gives the windows that are opened from now on the title bar of the look, so that pictures have it on any system. */
+    static void decorate() {
         JFrame.setDefaultLookAndFeelDecorated(true);
         JDialog.setDefaultLookAndFeelDecorated(true);
+    }
+
+    static MajicFrame open(Program program, MajicParser parser) throws Exception {
         MajicFrame[] frame = new MajicFrame[1];
         SwingUtilities.invokeAndWait(() -> {
             MajicFrame.installLook(program.settings());

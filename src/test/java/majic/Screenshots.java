@@ -56,6 +56,7 @@ class Screenshots {
     void paintsThePicturesOfTheDocuments(@TempDir Path home) throws Exception {
         try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2), true)) {
             MajicParser parser = new MajicParser(program.session(), true);
+            PictureWindow.decorate();
             MajicFrame frame = PictureWindow.open(program, parser);
             drive(program, parser);
             select(frame, PIONEER);
@@ -85,6 +86,7 @@ class Screenshots {
                     .put(
                             "team.last",
                             "add pioneer://10.0.0.5 as 1\nadd aibo://10.0.0.8 as 2\nadd hemisson:COM3 as 3\n");
+            PictureWindow.decorate();
             MajicFrame frame = PictureWindow.open(program, new MajicParser(program.session(), true));
             awaitWindow(() -> find(frame, "Yesterday's team").isEnabled());
             awaitWindow(new Settled());

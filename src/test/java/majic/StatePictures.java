@@ -59,6 +59,7 @@ class StatePictures {
         SimulatedLab lab = SimulatedLab.scaled(OPTIONS, 1);
         try (Program program = new Program(new UserFolder(home), lab, true)) {
             MajicParser parser = new MajicParser(program.session(), true);
+            PictureWindow.decorate();
             MajicFrame frame = PictureWindow.open(program, parser);
             paint(frame, "start");
             PictureWindow.add(program, parser, ROBOTS);
