@@ -38,7 +38,7 @@ class ActBarWindowTest {
     void thePioneersFourDistancesAreShownBelowTheBarOfItsAct(String language, @TempDir Path home) throws Exception {
         Locale.setDefault(Locale.forLanguageTag(language));
         SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
-        try (Program program = new Program(new UserFolder(home), lab, true)) {
+        try (Program program = new Program(new UserFolder(home), lab, false)) {
             MajicParser parser = new MajicParser(program.session(), true);
             MajicFrame frame = PictureWindow.open(program, parser);
             SwingUtilities.invokeAndWait(() -> frame.setSize(1280, 800));

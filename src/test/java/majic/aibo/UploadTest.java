@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.mockito.ArgumentMatchers.any;
 import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.timeout;
 import static org.mockito.Mockito.verify;
 
 import java.io.IOException;
@@ -26,6 +27,8 @@ import org.junit.jupiter.api.Timeout;
 /** Binaries to a server, also to one that goes away or takes no more in the middle of one. */
 @Timeout(30)
 class UploadTest {
+    private static final int PATIENCE_MS = 5000;
+
     private final UrbiConnection.Owner owner = mock();
     private ServerSocket server;
     private UrbiConnection connection;
@@ -87,7 +90,7 @@ class UploadTest {
                 .hasMessageContaining("takes no more data");
 
         assertThatThrownBy(() -> connection.send("stop x;")).isInstanceOf(LinkLost.class);
-        verify(owner).broken(any(), any());
+        verify(owner, timeout(PATIENCE_MS)).broken(any(), any());
     }
 
     @Test
