@@ -120,6 +120,7 @@ class RecordingInLabTest {
         rig.run("2 move 300");
         rig.say("2 turn 90");
         rig.await(() -> rig.team().member(2).bot().state().moving());
+        rig.lab().time().sleep(0.5);
         rig.run("2 stop");
         Recording recording = closed();
         assertThat(recording.marks(0))
