@@ -11,8 +11,8 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
@@ -139,21 +139,27 @@ final class RecordingWriter {
         return written;
     }
 
-    /** The files of this recording so far that still exist; their content is complete up to this call. Blocks. */
+    /**
+     * The files of this recording so far that still exist; their content is complete up to this call. A file that is begun
+     * meanwhile is left out, since nothing of it can be read yet. Blocks.
+     */
     List<Path> files() {
-        CountDownLatch flushed = new CountDownLatch(1);
+        CompletableFuture<List<Path>> flushed = new CompletableFuture<>();
+        Runnable flush = () -> {
+            List<Path> complete = List.copyOf(files);
+            flush();
+            flushed.complete(complete);
+        };
+        List<Path> known = files;
         try {
-            Runnable flush = () -> {
-                flush();
-                flushed.countDown();
-            };
             if (!ended && work.offer(flush, CLOSE_BOUND_MS, TimeUnit.MILLISECONDS)) {
-                flushed.await(CLOSE_BOUND_MS, TimeUnit.MILLISECONDS);
+                known = flushed.completeOnTimeout(files, CLOSE_BOUND_MS, TimeUnit.MILLISECONDS)
+                        .join();
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        return files.stream().filter(Files::exists).toList();
+        return known.stream().filter(Files::exists).toList();
     }
 
     /** Writes what is left, for one second at most, and ends the thread. */
