@@ -52,7 +52,7 @@ class BlockedListenersTest {
     void everyRobotOfTheLabIsStopped() throws IOException, InterruptedException {
         try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
                 Team team = new Team(lab.time())) {
-            BotFactory factory = new BotFactory(Plugins.types(Path.of("none")), Settings.inMemory());
+            BotFactory factory = new BotFactory(Plugins.in(Path.of("none")).types(), Settings.inMemory());
             factory.useLab(lab);
             for (String robot : lab.robots()) {
                 MajicBot bot = factory.create("sim:" + robot);

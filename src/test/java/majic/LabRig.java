@@ -49,7 +49,7 @@ public final class LabRig implements AutoCloseable {
             throw new UncheckedIOException(e);
         }
         membership = lab.time().join();
-        BotFactory factory = new BotFactory(Plugins.types(Path.of("none")), Settings.inMemory());
+        BotFactory factory = new BotFactory(Plugins.in(Path.of("none")).types(), Settings.inMemory());
         factory.useLab(lab);
         team = new Team(lab.time());
         session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});

@@ -101,7 +101,7 @@ class StopTest {
     private BotFactory openLab() throws IOException {
         SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
         labs.add(lab);
-        BotFactory factory = new BotFactory(Plugins.types(Path.of("none")), Settings.inMemory());
+        BotFactory factory = new BotFactory(Plugins.in(Path.of("none")).types(), Settings.inMemory());
         factory.useLab(lab);
         return factory;
     }

@@ -42,6 +42,7 @@ public final class Program implements AutoCloseable {
     private final BotFactory factory;
     private volatile @Nullable SimulatedLab lab;
     private final UserSettings settings;
+    private final List<String> pluginProblems;
     private final Team team;
     private final Session session;
     private final SessionLog log;
@@ -64,7 +65,9 @@ public final class Program implements AutoCloseable {
         this.lab = lab;
         TimeSource time = lab == null ? TimeSource.system() : lab.time();
         settings = new UserSettings(folder.file("settings.properties"));
-        factory = new BotFactory(Plugins.types(folder.file("plugins")), settings);
+        Plugins plugins = Plugins.in(folder.file("plugins"));
+        pluginProblems = plugins.problems();
+        factory = new BotFactory(plugins.types(), settings);
         if (lab != null) {
             factory.useLab(lab);
         }
@@ -172,8 +175,9 @@ public final class Program implements AutoCloseable {
         return succeeded;
     }
 
-    /** Reports the errors that occurred before, now that the session has a listener. */
+    /** Reports the errors that occurred before, those of plug-ins included, now that the session has a listener. */
     public void announce() {
+        pluginProblems.forEach(session::alarm);
         settings.onTrouble(session::alarm);
     }
 

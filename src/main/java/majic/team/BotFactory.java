@@ -20,6 +20,7 @@ import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
 import majic.lab.LabAccess;
+import majic.text.ClassReason;
 import majic.text.Suggestion;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -121,7 +122,7 @@ public final class BotFactory {
         if (address.scheme().equals(BotAddress.SIMULATED)) {
             return createSimulated(address);
         }
-        return type(address.type()).create(address, environment(TimeSource.system()));
+        return driver(address, TimeSource.system());
     }
 
     private MajicBot createSimulated(BotAddress address) {
@@ -132,7 +133,7 @@ public final class BotFactory {
         BotAddress real = running.address(address.rest())
                 .orElseThrow(() -> new BotException(address + ": the lab has no " + address.rest() + " (it has "
                         + String.join(", ", running.robots()) + ")"));
-        MajicBot bot = type(real.type()).create(real, environment(running.time()));
+        MajicBot bot = driver(real, running.time());
         inLab.put(bot, address.rest());
         return bot;
     }
@@ -147,8 +148,12 @@ public final class BotFactory {
         return Optional.ofNullable(inLab.get(bot));
     }
 
-    private BotEnvironment environment(TimeSource time) {
-        return new BotEnvironment(time, settings);
+    private MajicBot driver(BotAddress address, TimeSource time) {
+        try {
+            return type(address.type()).create(address, new BotEnvironment(time, settings));
+        } catch (LinkageError e) {
+            throw new BotException(address + ": the driver cannot be loaded: " + ClassReason.of(e), e);
+        }
     }
 
     /**

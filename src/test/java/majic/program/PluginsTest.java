@@ -8,18 +8,14 @@ import static org.mockito.Mockito.verify;
 
 import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.jar.JarEntry;
-import java.util.jar.JarOutputStream;
 import majic.Loopback;
 import majic.bot.BotListener;
 import majic.bot.BotType;
@@ -36,22 +32,20 @@ import org.junit.jupiter.api.io.TempDir;
 @Tag("jdk")
 @Timeout(30)
 class PluginsTest {
-    private static final String SERVICES = "META-INF/services/majic.bot.BotType";
-
     @TempDir
     private Path folder;
 
     @Test
     void withoutPluginsThereAreTheThreeRobotsOfTheThesis() {
-        assertThat(Plugins.types(folder.resolve("none")))
+        assertThat(Plugins.in(folder.resolve("none")).types())
                 .extracting(BotType::name)
                 .containsExactly("aibo", "pioneer", "hemisson");
     }
 
     @Test
     void aJarInTheFolderBringsAnotherTypeAndItsRobotMoves() throws IOException {
-        jar("turtle.jar", "Turtle$Type", "Turtle.class", "Turtle$Type.class");
-        BotFactory factory = new BotFactory(Plugins.types(folder), Settings.inMemory());
+        turtle("turtle.jar");
+        BotFactory factory = new BotFactory(Plugins.in(folder).types(), Settings.inMemory());
 
         try (MajicBot turtle = factory.create("turtle://here")) {
             turtle.connect();
@@ -64,8 +58,8 @@ class PluginsTest {
 
     @Test
     void aPluginReadsItsRobotByTheReaderOfTheLibraryAndReportsTheLossOfTheLink() throws Exception {
-        jar("cart.jar", "Cart$Type", "Cart.class", "Cart$Type.class", "Cart$Reports.class");
-        BotFactory factory = new BotFactory(Plugins.types(folder), Settings.inMemory());
+        PluginJar.of("Cart$Type").with("Cart", "Cart$Type", "Cart$Reports").write(folder.resolve("cart.jar"));
+        BotFactory factory = new BotFactory(Plugins.in(folder).types(), Settings.inMemory());
         try (ServerSocket server = Loopback.listen();
                 MajicBot cart = factory.create("cart://127.0.0.1:" + server.getLocalPort())) {
             BotListener listener = mock();
@@ -84,8 +78,8 @@ class PluginsTest {
 
     @Test
     void aTurnByZeroDegreesOfTheExampleCartIsDone() throws Exception {
-        jar("cart.jar", "Cart$Type", "Cart.class", "Cart$Type.class", "Cart$Reports.class");
-        BotFactory factory = new BotFactory(Plugins.types(folder), Settings.inMemory());
+        PluginJar.of("Cart$Type").with("Cart", "Cart$Type", "Cart$Reports").write(folder.resolve("cart.jar"));
+        BotFactory factory = new BotFactory(Plugins.in(folder).types(), Settings.inMemory());
         try (ServerSocket server = Loopback.listen();
                 MajicBot cart = factory.create("cart://127.0.0.1:" + server.getLocalPort())) {
             cart.connect();
@@ -108,24 +102,7 @@ class PluginsTest {
         }
     }
 
-    @Test
-    void aBrokenPluginLeavesTheOthersAlone() throws IOException {
-        jar("broken.jar", "NoSuchClass");
-        Files.writeString(folder.resolve("rubbish.jar"), "this is no jar");
-
-        assertThat(Plugins.types(folder)).extracting(BotType::name).containsExactly("aibo", "pioneer", "hemisson");
-    }
-
-    private void jar(String name, String type, String... classes) throws IOException {
-        try (JarOutputStream jar = new JarOutputStream(Files.newOutputStream(folder.resolve(name)))) {
-            jar.putNextEntry(new JarEntry(SERVICES));
-            jar.write(type.getBytes(StandardCharsets.UTF_8));
-            for (String file : List.of(classes)) {
-                jar.putNextEntry(new JarEntry(file));
-                try (InputStream code = PluginsTest.class.getResourceAsStream("/" + file)) {
-                    jar.write(code.readAllBytes());
-                }
-            }
-        }
+    private void turtle(String file) throws IOException {
+        PluginJar.of("Turtle$Type").with("Turtle", "Turtle$Type").write(folder.resolve(file));
     }
 }
