@@ -85,6 +85,23 @@ public interface LabAccess {
     Map<String, Pose> truePoses();
 
     /**
+     * Returns how often each robot ran into something; being run into does not count.
+     *
+     * @return since the lab was started, by name of the robot, in the lab's order
+     */
+    Map<String, Integer> bumps();
+
+    /**
+     * Lifts a robot and puts it down elsewhere. Its own measurements take no part in that.
+     *
+     * @param robot its name
+     * @param pose where to, in the room's frame
+     * @throws majic.bot.BotException if the lab has no such robot, or a wall or another robot is there; the robot stays where
+     *     it was
+     */
+    void place(String robot, Pose pose);
+
+    /**
      * Returns the walls of the room.
      *
      * @return all walls and sides of boxes

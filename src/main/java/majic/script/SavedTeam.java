@@ -20,8 +20,11 @@ import majic.team.Member;
  * being added. Immutable.
  */
 public final class SavedTeam {
+    private static final String POSE = "pose";
     private static final Pattern ADD = Pattern.compile("(?i)add\\s+(\"[^\"]+\"|\\S+)\\s+as\\s+(\\d{1,3})");
     private static final Pattern SET = Pattern.compile("(?i)(\\d{1,3})\\s+(?:set\\s+(\\w+)\\s+\\S.*|(name)\\s+(\\w+))");
+
+    private static final Pattern PLACE = Pattern.compile("(?i)lab\\s+place\\s+(\\d{1,3})\\s+\\S.*");
 
     private final List<Robot> robots;
 
@@ -47,6 +50,10 @@ public final class SavedTeam {
      * @param what the name, or the parameter that the line sets
      */
     private record Setting(boolean isName, String what, String line) {
+        static Setting ofPlace(String line) {
+            return new Setting(false, POSE, line);
+        }
+
         static Setting of(Matcher set) {
             boolean isName = set.group(3) != null;
             return new Setting(isName, isName ? set.group(4) : set.group(2), set.group());
@@ -91,7 +98,7 @@ public final class SavedTeam {
             if (!line.isEmpty() && !line.startsWith("#") && !isTaken(line, robots)) {
                 throw new BotException(
                         place + (index + 1) + ": \"" + line
-                                + "\" is no line of a saved team; it has \"add ADDRESS as N\" and then \"N name NAME\" and \"N set P VALUE\"");
+                                + "\" is no line of a saved team; it has \"add ADDRESS as N\" and then \"N name NAME\", \"N set P VALUE\" and \"lab place N X Y HEADING\"");
             }
         }
         return new SavedTeam(robots);
@@ -105,10 +112,17 @@ public final class SavedTeam {
             robots.add(new Robot(Integer.parseInt(add.group(2)), address, line, new ArrayList<>()));
             return true;
         }
-        return set.matches()
-                && robots.stream()
-                        .filter(robot -> robot.number == Integer.parseInt(set.group(1)))
-                        .anyMatch(robot -> robot.settings.add(Setting.of(set)));
+        Matcher place = PLACE.matcher(line);
+        if (place.matches()) {
+            return isAdded(robots, place.group(1), Setting.ofPlace(line));
+        }
+        return set.matches() && isAdded(robots, set.group(1), Setting.of(set));
+    }
+
+    private static boolean isAdded(List<Robot> robots, String number, Setting setting) {
+        return robots.stream()
+                .filter(robot -> robot.number == Integer.parseInt(number))
+                .anyMatch(robot -> robot.settings.add(setting));
     }
 
     /**
@@ -195,7 +209,7 @@ public final class SavedTeam {
     private static Predicate<Setting> belongsTo(Member member) {
         List<String> names = member.bot().calibration();
         return setting -> setting.isName
-                || setting.what.equalsIgnoreCase("pose")
+                || setting.what.equalsIgnoreCase(POSE)
                 || names.stream().anyMatch(name -> name.equalsIgnoreCase(setting.what));
     }
 }

@@ -207,7 +207,7 @@ public final class Session {
      * @return what {@link SavedTeam#parse} takes
      */
     public String teamScript() {
-        return new TeamScript(team, connector).withoutCalibrations();
+        return new TeamScript(team, factory, connector).withoutCalibrations();
     }
 
     SessionOutput output() {

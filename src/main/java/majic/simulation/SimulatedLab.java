@@ -11,6 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import majic.bot.BotAddress;
+import majic.bot.BotException;
 import majic.bot.Pose;
 import majic.lab.LabAccess;
 import majic.link.Links;
@@ -106,6 +107,26 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
         Map<String, Pose> poses = new LinkedHashMap<>();
         lab.truePoses().forEach((name, at) -> poses.put(name, new Pose(at.xMm(), at.yMm(), at.headingDeg())));
         return poses;
+    }
+
+    @Override
+    public Map<String, Integer> bumps() {
+        return lab.bumps();
+    }
+
+    @Override
+    public void place(String robot, Pose pose) {
+        if (!robots().contains(robot)) {
+            throw new BotException("the lab has no " + robot);
+        }
+        if (!lab.room().bounds().contains(pose.xMm(), pose.yMm())) {
+            throw new BotException("that is outside the room");
+        }
+        try {
+            lab.place(robot, new majicsim.world.Pose(pose.xMm(), pose.yMm(), pose.headingDeg()));
+        } catch (IllegalArgumentException e) {
+            throw new BotException("a wall or another robot is there", e);
+        }
     }
 
     @Override

@@ -34,6 +34,7 @@ import majic.bot.Settings;
 import majic.gui.kit.EventThreadGuard;
 import majic.gui.kit.EventThreadWatch;
 import majic.gui.kit.ProgramServices;
+import majic.lab.LabAccess;
 import majic.log.SessionLog;
 import majic.recorder.RecordingFolder;
 import majic.script.MajicParser;
@@ -152,7 +153,17 @@ public final class TestWindow implements AutoCloseable {
 
     /** Adds a connected toy and waits for its card. */
     public ToyBot add(String address) {
-        ToyBot bot = (ToyBot) factory.create("toy:" + address);
+        return connect("toy:" + address);
+    }
+
+    /** Starts a lab, and adds its robot as {@link #add} does. */
+    public ToyBot addFrom(LabAccess lab) {
+        factory.useLab(lab);
+        return connect("sim:toy");
+    }
+
+    private ToyBot connect(String address) {
+        ToyBot bot = (ToyBot) factory.create(address);
         bot.connect();
         int number = team.add(bot, OptionalInt.empty()).number();
         await("a card for robot " + number, () -> cards().contains("" + number));

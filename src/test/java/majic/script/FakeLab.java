@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import majic.bot.BotAddress;
+import majic.bot.BotException;
 import majic.bot.Pose;
 import majic.lab.LabAccess;
 import majic.time.TimeSource;
@@ -23,6 +24,19 @@ record FakeLab(TimeSource time) implements LabAccess {
     @Override
     public Map<String, Pose> truePoses() {
         return Map.of("aibo", new Pose(1234.4, -0.2, -0.01));
+    }
+
+    @Override
+    public Map<String, Integer> bumps() {
+        return Map.of("aibo", 2);
+    }
+
+    /** There is a wall where x is negative. */
+    @Override
+    public void place(String robot, Pose pose) {
+        if (pose.xMm() < 0) {
+            throw new BotException("a wall or another robot is there");
+        }
     }
 
     @Override

@@ -24,7 +24,7 @@ class RuleOfTimeTest {
                 .containsExactly(
                         "1 move 300: done (300 mm, 1.0 s)",
                         "2 move 30: done (30 mm, 0.1 s)",
-                        "lab: aibo x=1234 y=0 heading=0.0");
+                        "lab: aibo x=1234 y=0 heading=0.0 bumps=2");
     }
 
     @Test

@@ -40,7 +40,7 @@ class SavedTeamTest {
                         "# robots: 1 Pioneer, 2 Aibo",
                         "add sim:pioneer as 1",
                         "1 set posture stand",
-                        "1 set pose 1000 500 90",
+                        "lab place 1 1000 500 90",
                         "add sim:aibo as 2",
                         "2 set posture sit");
     }
@@ -70,7 +70,7 @@ class SavedTeamTest {
             assertThat(again.session.teamScript()).isEqualTo("""
                             # robots: 1 Pioneer, 2 Aibo
                             add sim:pioneer as 1
-                            1 set pose 1000 500 90
+                            lab place 1 1000 500 90
                             add sim:aibo as 2
                             """);
         }

@@ -73,6 +73,7 @@ public final class MapPainter {
         RobotGlyph glyph = new RobotGlyph(robot, view);
         glyph.paintBody(g);
         g.setComposite(AlphaComposite.SrcOver);
+        glyph.paintTruth(g);
         glyph.paintSelection(g);
         Point2D at = view.pixel(robot.reported().xMm(), robot.reported().yMm());
         double aside = robot.bodyMm() * view.pxPerMm() + INSET;

@@ -50,9 +50,11 @@ final class RobotGlyph {
         return robot.number();
     }
 
-    /** Returns whether a pixel is on the body. */
+    /** Returns whether a pixel is on the body, at the reported or at the true pose. */
     boolean covers(Point2D pixel) {
-        return pixel.distance(pixel(robot.reported())) <= radiusPx;
+        Pose truth = robot.truth();
+        return pixel.distance(pixel(robot.reported())) <= radiusPx
+                || (truth != null && pixel.distance(pixel(truth)) <= radiusPx);
     }
 
     private Point2D pixel(Pose at) {

@@ -18,8 +18,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Sets where a robot is: with Shift, dragging a robot on the map moves its picture; with Shift and Ctrl, the robot looks
- * to the mouse. On release the pose is set by a command. The robot does not move; while it moves or is owned, placing is
- * refused. Must be used on the event dispatch thread.
+ * to the mouse. On release the pose is set by a command: a robot of the simulated lab is put down there, any other one
+ * does not move and reports the new pose. While a robot moves or is owned, placing is refused. Must be used on the event
+ * dispatch thread.
  */
 final class RobotPlacing extends MouseAdapter {
     private static final Texts TEXTS = Texts.of(RobotPlacing.class);
@@ -95,12 +96,12 @@ final class RobotPlacing extends MouseAdapter {
         drag = null;
         map.preview(null);
         if (ended != null && map.contains(event.getPoint()) && event.getPoint().distance(ended.pressed) > DRAG_PX) {
-            refusal(ended.member).ifPresentOrElse(channel::showError, () -> place(ended.member, pose(ended, event)));
+            refusal(ended.member).ifPresentOrElse(channel::showError, () -> place(ended, pose(ended, event)));
         }
     }
 
     private Pose pose(Drag dragged, MouseEvent event) {
-        Pose from = dragged.robot.reported();
+        Pose from = standing(dragged.robot);
         Point2D start = map.view().place(dragged.pressed.x, dragged.pressed.y);
         Point2D mouse = map.view().place(event.getX(), event.getY());
         if (event.isControlDown() || event.isMetaDown()) {
@@ -111,21 +112,32 @@ final class RobotPlacing extends MouseAdapter {
                 from.xMm() + mouse.getX() - start.getX(), from.yMm() + mouse.getY() - start.getY(), from.headingDeg());
     }
 
-    private void place(Member member, Pose pose) {
+    /** Returns where a robot is as far as is known: in the lab its true pose. */
+    private static Pose standing(MapScene.Robot robot) {
+        return robot.truth() == null ? robot.reported() : robot.truth();
+    }
+
+    private void place(Drag ended, Pose pose) {
+        int number = ended.member.number();
         channel.submit(String.join(
                 " ",
-                "" + member.number(),
-                "set",
-                "pose",
+                ended.robot.truth() == null ? number + " set pose" : "lab place " + number,
                 "" + Math.round(pose.xMm()),
                 "" + Math.round(pose.yMm()),
                 "" + Math.round(pose.headingDeg())));
-        placed.accept(member);
+        placed.accept(ended.member);
     }
 
     /** Returns the picture of a robot at another pose. */
     private static MapScene.Robot moved(MapScene.Robot robot, Pose pose) {
         return new MapScene.Robot(
-                robot.number(), robot.label(), robot.bodyMm(), pose, null, new Trail(), robot.connected(), false);
+                robot.number(),
+                robot.label(),
+                robot.bodyMm(),
+                pose,
+                robot.truth() == null ? null : pose,
+                new Trail(),
+                robot.connected(),
+                false);
     }
 }

@@ -127,13 +127,17 @@ final class TeamFloor implements MapContent {
         Point2D mouse = view.pixel(xMm, yMm);
         boolean alone = robotsAt(mouse, view).size() == 1;
         List<String> robots = robotsUnder(mouse, view)
-                .map(robot -> describe(alone && placeable ? "robot.placeable" : "robot", robot))
+                .map(robot -> describe(alone && placeable ? placeableKey(robot) : "robot", robot))
                 .toList();
         return switch (robots.size()) {
             case 0 -> MapContent.super.tip(xMm, yMm, view);
             case 1 -> robots.get(0);
             default -> "<html>" + String.join("<br>", robots);
         };
+    }
+
+    private static String placeableKey(MapScene.Robot robot) {
+        return robot.truth() == null ? "robot.placeable" : "robot.inLab";
     }
 
     private static String describe(String key, MapScene.Robot robot) {

@@ -88,6 +88,11 @@ public record ActionTable(
     }
 
     @Override
+    public RobotAction place(Command.Place place) {
+        return new LabActions.PlaceAction(place, factory);
+    }
+
+    @Override
     public RobotAction act(Command.Act act) {
         return new ActActions.ActAction(act, acts, this);
     }
@@ -169,12 +174,12 @@ public record ActionTable(
 
     @Override
     public SessionAction saveTeam(SessionCommand.SaveTeam save) {
-        return new FileActions.SaveTeamAction(save, new TeamScript(state.team(), connector));
+        return new FileActions.SaveTeamAction(save, new TeamScript(state.team(), factory, connector));
     }
 
     @Override
     public SessionAction lab(SessionCommand.Lab lab) {
-        return new TeamActions.LabAction(factory);
+        return new LabActions.LabAction(factory);
     }
 
     @Override

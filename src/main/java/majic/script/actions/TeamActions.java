@@ -1,14 +1,10 @@
 package majic.script.actions;
 
 import java.util.List;
-import java.util.Locale;
 import java.util.Objects;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
-import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.bot.Pose;
-import majic.lab.LabAccess;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
@@ -25,7 +21,7 @@ import majic.team.Member;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
-/** The commands for the team as a whole: the robots in it, STOP, and the simulated lab. */
+/** The commands for the team as a whole: the robots in it, and STOP. */
 final class TeamActions {
     private TeamActions() {}
 
@@ -210,34 +206,6 @@ final class TeamActions {
         @Override
         public void run(Execution execution) {
             execution.stopEverything();
-        }
-    }
-
-    static final class LabAction extends SessionAction {
-        private final BotFactory factory;
-
-        LabAction(BotFactory factory) {
-            super(Scheduling.AT_ONCE);
-            this.factory = factory;
-        }
-
-        @Override
-        public void check(Check check) {
-            if (factory.lab().isEmpty()) {
-                throw new BotException("lab: no simulated lab runs here; start MAJIC with --lab");
-            }
-        }
-
-        @Override
-        public void run(Execution execution) {
-            LabAccess lab = factory.lab().orElseThrow();
-            lab.truePoses().forEach((type, pose) -> execution.answer("lab: " + type + " " + text(pose)));
-        }
-
-        private static String text(Pose pose) {
-            double heading = Math.round(pose.headingDeg() * 10) / 10.0;
-            return String.format(
-                    Locale.ROOT, "x=%d y=%d heading=%.1f", Math.round(pose.xMm()), Math.round(pose.yMm()), heading);
         }
     }
 

@@ -10,6 +10,7 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Value;
 import majic.script.record.SessionRecord;
+import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
 
@@ -18,9 +19,10 @@ import majic.team.Team;
  * that was added without an address, by a program that embeds MAJIC, is left out.
  *
  * @param team the robots
+ * @param factory has the names of those in the simulated lab, which are put down at their places again
  * @param connector has their addresses
  */
-public record TeamScript(Team team, RobotConnector connector) {
+public record TeamScript(Team team, BotFactory factory, RobotConnector connector) {
     /** Returns whether there is no robot to write. */
     public boolean isEmpty() {
         return team.members().stream()
@@ -42,7 +44,7 @@ public record TeamScript(Team team, RobotConnector connector) {
      * @return as {@link #text()}
      */
     public String withoutCalibrations() {
-        return text(TeamScript::start);
+        return text(this::start);
     }
 
     private String text(Function<Member, String> settings) {
@@ -71,10 +73,13 @@ public record TeamScript(Team team, RobotConnector connector) {
                 .collect(Collectors.joining());
     }
 
-    private static String start(Member member) {
+    private String start(Member member) {
+        boolean inLab = factory.nameInLab(member.bot()).isPresent();
         return member.bot()
                 .placedAt()
-                .map(pose -> set(member, "pose", numbers(pose)))
+                .map(pose -> inLab
+                        ? "lab place " + member.number() + " " + numbers(pose) + "\n"
+                        : set(member, "pose", numbers(pose)))
                 .orElse("");
     }
 

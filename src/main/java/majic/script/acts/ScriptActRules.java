@@ -61,6 +61,11 @@ final class ScriptActRules implements Command.Visitor<Optional<String>>, Session
     }
 
     @Override
+    public Optional<String> place(Command.Place place) {
+        return FOR_SESSION;
+    }
+
+    @Override
     public Optional<String> act(Command.Act act) {
         return OTHER_ACT;
     }

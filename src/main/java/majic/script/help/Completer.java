@@ -158,6 +158,10 @@ public final class Completer {
                                 new Completion("team", "FILE", "the robots, as a script that adds them"))
                         : List.of();
             case "remove" -> Explained.robots(team.members());
+            case "lab" ->
+                next
+                        ? List.of(new Completion("place", "ROBOT X Y HEADING", "puts a robot of the lab down there"))
+                        : tokens.size() == 2 ? Explained.robots(team.members()) : List.of();
             case "trust" -> next ? joined(acts.completions(), List.of(OFF)) : List.of();
             case "help" -> next ? Help.topics().stream().map(Help::completion).toList() : List.of();
             case "while", "if" -> conditions(List.of()).after(tokens.subList(1, tokens.size()));

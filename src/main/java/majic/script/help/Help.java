@@ -58,7 +58,9 @@ public final class Help {
             entry(
                     "save",
                     "save session FILE, save log FILE, save team FILE: the session as a script, the parameter log as CSV, the robots as a script"),
-            entry("lab", "lab: shows the true poses in the simulated lab"),
+            entry(
+                    "lab",
+                    "lab: shows the true poses in the simulated lab, and how often each robot ran into something; lab place 2 X Y HEADING puts robot 2 there"),
             entry(
                     "trust",
                     "trust FILE [HASH]: shows the code in an act; with its hash it gives consent to run it; trust off FILE takes that back"),

@@ -79,12 +79,11 @@ public final class SessionRecord {
     /**
      * Keeps that a robot has just begun a command of a script, after all that it had to do before.
      *
-     * @param text the words of the command without the robot; nothing is kept if they are empty
+     * @param line the line that does it again; nothing is kept if it is empty
      */
-    public synchronized void begun(String text, int number, Owner by, RecordedBlock block) {
-        if (!text.isEmpty()) {
+    public synchronized void begun(String line, int number, Owner by, RecordedBlock block) {
+        if (!line.isEmpty()) {
             Set<Integer> robot = Set.of(number);
-            String line = number + " " + text;
             keep(new Event(Event.Kind.COMMAND, nanos(), line, robot, robot, finishedOthers(robot, by), block));
         }
     }

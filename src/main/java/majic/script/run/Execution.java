@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
+import java.util.function.IntFunction;
 import majic.bot.Permit;
 import majic.log.Line;
 import majic.log.SessionOutput;
@@ -196,9 +197,9 @@ public class Execution {
     /**
      * Whether a command is recorded for each robot when that robot begins it, instead of now.
      *
-     * @param replayText the words with which a saved session repeats it
+     * @param replayLine for the number of a robot, the line with which a saved session repeats it
      */
-    boolean isRecordedWhenBegun(String replayText) {
+    boolean isRecordedWhenBegun(IntFunction<String> replayLine) {
         return false;
     }
 

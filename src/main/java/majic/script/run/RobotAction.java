@@ -69,13 +69,14 @@ public abstract class RobotAction {
     public void runRecorded(
             Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
         Set<Integer> numbers = SessionRecord.numbers(robots);
-        String text = replayText(execution.isTyped());
-        if (has(CommandTrait.COMMANDS_ROBOTS) && execution.isRecordedWhenBegun(text)) {
+        boolean typed = execution.isTyped();
+        if (has(CommandTrait.COMMANDS_ROBOTS)
+                && execution.isRecordedWhenBegun(number -> replayLine(String.valueOf(number), typed))) {
             run(execution, robots);
             return;
         }
         SessionRecord.Event event = record.command(
-                text.isEmpty() ? "" : SessionRecord.names(numbers) + " " + text,
+                replayLine(SessionRecord.names(numbers), typed),
                 has(CommandTrait.COMMANDS_ROBOTS) ? numbers : Set.of(),
                 execution.owner(),
                 block);
@@ -83,7 +84,13 @@ public abstract class RobotAction {
         record.keep(event);
     }
 
-    /** The words with which a saved session repeats it; empty if there is nothing to repeat. */
+    /** The line with which a saved session repeats it for some robots; empty if there is nothing to repeat. */
+    public String replayLine(String robots, boolean typed) {
+        String text = replayText(typed);
+        return text.isEmpty() ? "" : robots + " " + text;
+    }
+
+    /** The words of that line behind the robots; empty if there is nothing to repeat. */
     public String replayText(boolean typed) {
         return text();
     }

@@ -3,6 +3,7 @@ package majic.script.run;
 import java.util.Collection;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import java.util.function.IntFunction;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
 import majic.script.conditions.Selection;
@@ -32,7 +33,7 @@ public final class ScriptExecution extends Execution {
     private volatile boolean ended;
     private int files;
     private ScriptControl.@Nullable Turn turn;
-    private String replayText = "";
+    private IntFunction<String> replayLine = number -> "";
 
     private ScriptExecution(Execution line, String name, RecordedBlock block, @Nullable ScriptControl control) {
         super(line, line.origin(), line.selection(), line.wasStoppedSinceTyped());
@@ -124,18 +125,18 @@ public final class ScriptExecution extends Execution {
 
     /** Under control a command may be held back for long, or for ever, behind the statement. */
     @Override
-    boolean isRecordedWhenBegun(String text) {
-        replayText = text;
+    boolean isRecordedWhenBegun(IntFunction<String> line) {
+        replayLine = line;
         return control != null;
     }
 
     /** A command that is still queued when the script has ended or failed must not begin before the stop reaches it. */
     @Override
     QueuedCommand permitted(Member member, QueuedCommand command, Permit permit) {
-        String text = replayText;
+        String line = replayLine.apply(member.number());
         QueuedCommand recorded = control == null || block == null
                 ? command
-                : command.checkedBy(() -> super.record().begun(text, member.number(), owner, block));
+                : command.checkedBy(() -> super.record().begun(line, member.number(), owner, block));
         return recorded.checkedBy(() -> {
             if (mustNotBegin()) {
                 throw new MotionStopped("stopped");

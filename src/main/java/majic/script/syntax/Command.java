@@ -2,7 +2,6 @@ package majic.script.syntax;
 
 import java.math.BigDecimal;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -14,7 +13,7 @@ public sealed interface Command {
 
     <R> R accept(Visitor<R> visitor);
 
-    /** The words that answers repeat: without robots, in lower case, numbers as they were written. */
+    /** The words that answers repeat: without robots, MAJIC's own in lower case, names and numbers as they were written. */
     String text();
 
     /** The condition that ends a motion early; null for none. */
@@ -46,6 +45,8 @@ public sealed interface Command {
         R logOff(LogOff logOff);
 
         R name(Name name);
+
+        R place(Place place);
 
         R act(Act act);
 
@@ -188,6 +189,24 @@ public sealed interface Command {
         }
     }
 
+    /** Puts a robot of the simulated lab down at a pose in the room's frame. */
+    record Place(Token at, Literal x, Literal y, Literal heading) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.place(this);
+        }
+
+        @Override
+        public String text() {
+            return "lab place " + pose();
+        }
+
+        /** The pose, as a line has it behind the robots. */
+        public String pose() {
+            return x.text() + " " + y.text() + " " + heading.text();
+        }
+    }
+
     /** Runs a behaviour, with the robots for its further roles in their order. */
     record Act(Token at, Literal name, @Nullable Robots others) implements Command {
         @Override
@@ -249,7 +268,7 @@ public sealed interface Command {
 
         @Override
         public String text() {
-            return at.text().toLowerCase(Locale.ROOT) + valueTexts(arguments);
+            return at.text() + valueTexts(arguments);
         }
     }
 

@@ -75,14 +75,31 @@ public final class LineParser {
         return at.peekSecond().kind() == Kind.LEFT;
     }
 
-    /** Parses the line: {@code line = sessionCommand | robots ( command | call ) ;}. */
+    /** Parses the line: {@code line = sessionCommand | place | robots ( command | call ) ;}. */
     public Statement line() {
         Token first = at.peek();
-        Statement statement = first.isOneOf(SessionParser.WORDS)
-                ? new Statement.ForSession(first, new SessionParser(at).sessionCommand())
-                : forRobots(first);
+        Statement statement = statement(first);
         at.endOfLine();
         return statement;
+    }
+
+    private Statement statement(Token first) {
+        if (first.is("lab") && at.peekSecond().is("place")) {
+            return place(first);
+        }
+        return first.isOneOf(SessionParser.WORDS)
+                ? new Statement.ForSession(first, new SessionParser(at).sessionCommand())
+                : forRobots(first);
+    }
+
+    /** {@code place = "lab" "place" robots DISTANCE DISTANCE ANGLE ;} */
+    private Statement place(Token first) {
+        at.advance();
+        Token word = at.advance();
+        Robots robots = Robots.parse(at);
+        Literal x = at.number(Quantity.DISTANCE);
+        Literal y = at.number(Quantity.DISTANCE);
+        return new Statement.ForRobots(first, robots, new Command.Place(word, x, y, at.number(Quantity.ANGLE)));
     }
 
     private Statement forRobots(Token first) {

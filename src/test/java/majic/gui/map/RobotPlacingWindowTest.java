@@ -9,6 +9,7 @@ import java.awt.geom.Point2D;
 import majic.bot.Pose;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
+import majic.gui.ToyLab;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -31,8 +32,12 @@ class RobotPlacingWindowTest {
     /** Drags from the robot, which is at the origin, to a place on the floor. */
     private void drag(int modifiers, double xMm, double yMm) {
         window.await("the robot on the map", () -> map().topRobotAt(pixel(0, 0)).isPresent());
+        drag(modifiers, Pose.START, xMm, yMm);
+    }
+
+    private void drag(int modifiers, Pose start, double xMm, double yMm) {
         window.run(() -> {
-            Point from = pixel(0, 0);
+            Point from = pixel(start.xMm(), start.yMm());
             Point to = pixel(xMm, yMm);
             send(MouseEvent.MOUSE_PRESSED, modifiers, from);
             send(MouseEvent.MOUSE_DRAGGED, modifiers, to);
@@ -58,6 +63,25 @@ class RobotPlacingWindowTest {
         assertThat(place.distanceMm(new Pose(400, 200, 0))).isLessThan(20);
         assertThat(place.headingDeg()).isZero();
         assertThat(bot.told).isEmpty();
+    }
+
+    @Test
+    void aRobotOfTheLabIsPutDownThere() {
+        ToyLab lab = new ToyLab();
+        ToyBot inLab = window.addFrom(lab);
+        Pose before = ToyLab.FIRST_PLACE;
+        window.await(
+                "the robot of the lab on the map",
+                () -> map().topRobotAt(pixel(before.xMm(), before.yMm()))
+                        .filter(robot -> robot.truth() != null)
+                        .isPresent());
+        drag(SHIFT, new Pose(before.xMm(), before.yMm(), 0), 2000, 1500);
+        window.await("the place", () -> inLab.placedAt().isPresent());
+        Pose truth = lab.truePoses().get("toy");
+        assertThat(truth.distanceMm(new Pose(2000, 1500, 90))).isLessThan(20);
+        assertThat(truth.headingDeg()).isEqualTo(90);
+        assertThat(inLab.placedAt()).contains(truth);
+        assertThat(inLab.told).isEmpty();
     }
 
     @Test
