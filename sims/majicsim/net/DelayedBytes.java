@@ -13,6 +13,8 @@ final class DelayedBytes {
     private final boolean jitters;
     private final Consumer<byte[]> exit;
     private final ArrayDeque<Piece> pending = new ArrayDeque<>();
+    private long enteredNanos = -1;
+    private long jitterNanos;
     private volatile boolean empty = true;
 
     DelayedBytes(Faults faults, boolean jitters, Consumer<byte[]> exit) {
@@ -23,7 +25,7 @@ final class DelayedBytes {
 
     void enter(byte[] message) {
         byte[] bytes = faults.garbled(message);
-        long due = faults.nowNanos() + faults.drawDelayNanos(jitters);
+        long due = faults.nowNanos() + faults.delayNanos() + jitterNanos();
         if (faults.isHalving() && bytes.length > 1) {
             keep(due, Arrays.copyOfRange(bytes, 0, bytes.length / 2));
             keep(due + 1, Arrays.copyOfRange(bytes, bytes.length / 2, bytes.length));
@@ -31,6 +33,18 @@ final class DelayedBytes {
             keep(due, bytes);
         }
         release();
+    }
+
+    /**
+     * Returns the jitter of the bytes that enter now. All bytes of one step of the lab have the same, because how many
+     * pieces they arrive in depends on the computer.
+     */
+    private long jitterNanos() {
+        if (jitters && enteredNanos != faults.nowNanos()) {
+            enteredNanos = faults.nowNanos();
+            jitterNanos = faults.drawJitterNanos();
+        }
+        return jitterNanos;
     }
 
     /** Delivers what is due; during an outage nothing is due. */

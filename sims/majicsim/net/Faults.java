@@ -135,11 +135,16 @@ public final class Faults {
         return halving;
     }
 
-    /** The delay of the next message, drawn anew each time; a wire has no jitter. */
-    long drawDelayNanos(boolean jitters) {
-        double jitterMs =
-                jitters && jitterToMs > 0 && !noise.isExact() ? noise.uniform(jitterFromMs, jitterToMs) / 2 : 0;
-        return (long) ((delayMs + jitterMs) * NANOS_PER_MS);
+    /** The ordered delay. */
+    long delayNanos() {
+        return (long) (delayMs * NANOS_PER_MS);
+    }
+
+    /** A further delay, drawn anew each time; none without noise. */
+    long drawJitterNanos() {
+        return jitterToMs > 0 && !noise.isExact()
+                ? (long) (noise.uniform(jitterFromMs, jitterToMs) / 2 * NANOS_PER_MS)
+                : 0;
     }
 
     byte[] garbled(byte[] message) {
