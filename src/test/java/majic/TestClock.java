@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
@@ -38,7 +39,8 @@ public final class TestClock implements AutoCloseable {
      * @param quiet whether no data is in transit on any line; time does not advance while there is
      */
     public TestClock(LongConsumer onStep, BooleanSupplier quiet) {
-        clock = new LabClock(new CountedSteps(onStep), Pacing.stepped(quiet));
+        AtomicLong nanos = new AtomicLong();
+        clock = new LabClock(STEP_NANOS, () -> onStep.accept(nanos.addAndGet(STEP_NANOS)), Pacing.stepped(quiet));
         membership = clock.join();
         clock.start();
     }
@@ -93,25 +95,5 @@ public final class TestClock implements AutoCloseable {
     public void close() {
         membership.close();
         clock.close();
-    }
-
-    private static final class CountedSteps implements LabClock.Steps {
-        private final LongConsumer onStep;
-        private volatile long nanos;
-
-        CountedSteps(LongConsumer onStep) {
-            this.onStep = onStep;
-        }
-
-        @Override
-        public void step() {
-            nanos += STEP_NANOS;
-            onStep.accept(nanos);
-        }
-
-        @Override
-        public long nanos() {
-            return nanos;
-        }
     }
 }

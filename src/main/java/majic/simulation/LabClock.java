@@ -23,8 +23,9 @@ import org.jspecify.annotations.Nullable;
  * another, as its {@link Pacing} allows: at the pace of the wall clock, or as soon as all members wait.
  *
  * <p>Threads made by {@link #thread} and those that {@link #join} are members: a stepped clock does not advance while
- * one of them runs, and advances when all of them wait at a {@link Signal}. A thread that wakes a member counts it as
- * running before waking it, so the clock cannot take a step in between.
+ * one of them runs, and advances when all of them wait at a {@link Signal}. Members that have been raised, or whose time
+ * has come, wake one after another, each when no other runs and no byte is in transit. So a run does not depend on which
+ * thread the computer happens to run first.
  *
  * <p>A clock ends when a step of its lab throws, and a stepped one also when it has not advanced for 10 s of real time
  * although a thread waits for a later time and no member has used the processor. Every wait then throws a
@@ -34,34 +35,34 @@ public final class LabClock implements TimeSource, AutoCloseable {
     private static final Logger LOG = System.getLogger(LabClock.class.getName());
     private static final long LOOK_NANOS = 250_000_000;
 
-    private final Steps lab;
+    private final long stepNanos;
+    private final Runnable lab;
     private final Pacing pacing;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition membersWait = lock.newCondition();
     private final Set<Waiter> waiting = new HashSet<>();
-    private final PriorityQueue<Waiter> sleepers = new PriorityQueue<>(Comparator.comparingLong(w -> w.deadline));
+    private final PriorityQueue<Waiter> sleepers = new PriorityQueue<>(
+            Comparator.<Waiter>comparingLong(w -> w.deadline).thenComparingLong(w -> w.number));
     private final Map<Thread, ClockMember> members = new HashMap<>();
     private final StallDetector watch = new StallDetector();
     private volatile long nowNanos;
     private volatile @Nullable String ended;
     private int running;
     private long awakenings;
+    private long pauses;
+    private boolean over;
     private volatile boolean closed;
 
-    /** The simulation that the clock advances: the lab. */
-    public interface Steps {
-        /** Advances the lab by one step. */
-        void step();
-
-        /**
-         * Returns the lab's time.
-         *
-         * @return nanoseconds since its start
-         */
-        long nanos();
-    }
-
-    public LabClock(Steps lab, Pacing pacing) {
+    /**
+     * Creates a clock at time 0 that does not run yet.
+     *
+     * @param stepNanos lab time of one step, ns. The clock shows the new time before the lab takes the step, because a
+     *     driver may handle what a robot sends while the step is not yet over.
+     * @param lab advances the lab by one step; called on the clock's own thread
+     * @param pacing when the clock may take a step
+     */
+    public LabClock(long stepNanos, Runnable lab, Pacing pacing) {
+        this.stepNanos = stepNanos;
         this.lab = lab;
         this.pacing = pacing;
     }
@@ -177,7 +178,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
             while (!closed && ended == null) {
                 long seen = awaitMembers();
                 if (!closed && pacing.mayStep(nowNanos)) {
-                    stepUnlessAwake(seen);
+                    advance(seen);
                 } else if (pacing.awaitsMembers()) {
                     endIfStuck();
                 }
@@ -187,6 +188,18 @@ public final class LabClock implements TimeSource, AutoCloseable {
         } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, "the simulated lab has ended", e);
             end("the simulated lab has ended by an error in it (" + e + "), see MAJIC's log; start it again");
+        } finally {
+            nothingIsInTurnAnyMore();
+        }
+    }
+
+    private void nothingIsInTurnAnyMore() {
+        lock.lock();
+        try {
+            over = true;
+            wakeAllDue();
+        } finally {
+            lock.unlock();
         }
     }
 
@@ -249,18 +262,39 @@ public final class LabClock implements TimeSource, AutoCloseable {
         }
     }
 
-    private void stepUnlessAwake(long seen) {
-        if (pacing.awaitsMembers() && hasWoken(seen)) {
-            return;
+    /** Takes a step and wakes the members whose time has come; a stepped clock does one of both. */
+    private void advance(long seen) {
+        if (!pacing.awaitsMembers()) {
+            step();
+            wakeAllDue();
+        } else if (!hasWoken(seen) && !wakeNextDue()) {
+            step();
         }
-        lab.step();
+    }
+
+    private void step() {
+        nowNanos += stepNanos;
+        lab.run();
         watch.stepped();
-        nowNanos = lab.nanos();
+    }
+
+    private void wakeAllDue() {
+        boolean more = wakeNextDue();
+        while (more) {
+            more = wakeNextDue();
+        }
+    }
+
+    /** Returns whether there was one. */
+    private boolean wakeNextDue() {
         lock.lock();
         try {
-            for (Waiter next = sleepers.peek(); next != null && next.deadline <= nowNanos; next = sleepers.peek()) {
-                wake(next);
+            Waiter next = sleepers.peek();
+            if (next == null || next.deadline > nowNanos) {
+                return false;
             }
+            wake(next);
+            return true;
         } finally {
             lock.unlock();
         }
@@ -272,6 +306,18 @@ public final class LabClock implements TimeSource, AutoCloseable {
             return running > 0 || awakenings != seen;
         } finally {
             lock.unlock();
+        }
+    }
+
+    /** Wakes a member of a stepped clock as soon as no other member runs; wakes any other thread at once. */
+    private void wakeInTurn(Waiter waiter) {
+        if (waiter.member == null || over || !pacing.awaitsMembers()) {
+            wake(waiter);
+        } else if (waiter.deadline > nowNanos) {
+            sleepers.remove(waiter);
+            waiter.deadline = nowNanos;
+            sleepers.add(waiter);
+            membersWait.signalAll();
         }
     }
 
@@ -292,7 +338,8 @@ public final class LabClock implements TimeSource, AutoCloseable {
 
     /** One wait of one thread. Guarded by the clock's lock. */
     private final class Waiter {
-        private final long deadline;
+        private long deadline;
+        private final long number = ++pauses;
         private final @Nullable ClockMember member = members.get(Thread.currentThread());
         private final Condition wakeUp = lock.newCondition();
         private boolean woken;
@@ -332,7 +379,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
 
         @Override
         protected void wakeAll() {
-            waiters.forEach(LabClock.this::wake);
+            waiters.forEach(LabClock.this::wakeInTurn);
             waiters.clear();
         }
 

@@ -30,24 +30,16 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
 
     private SimulatedLab(Lab lab, Pacing pacing) {
         this.lab = lab;
-        this.clock = new LabClock(
-                new LabClock.Steps() {
-                    @Override
-                    public void step() {
-                        try {
-                            lab.step();
-                        } catch (RuntimeException | Error e) {
-                            lab.close();
-                            throw e;
-                        }
-                    }
+        this.clock = new LabClock(Lab.STEP_NANOS, () -> step(lab), pacing);
+    }
 
-                    @Override
-                    public long nanos() {
-                        return lab.nanos();
-                    }
-                },
-                pacing);
+    private static void step(Lab lab) {
+        try {
+            lab.step();
+        } catch (RuntimeException | Error e) {
+            lab.close();
+            throw e;
+        }
     }
 
     /**

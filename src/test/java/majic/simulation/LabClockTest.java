@@ -22,24 +22,10 @@ import org.junit.jupiter.api.Timeout;
 class LabClockTest {
     private static final long STEP_NANOS = 4_000_000;
 
-    private final AtomicLong labNanos = new AtomicLong();
     private final AtomicBoolean quiet = new AtomicBoolean(true);
-    private final LabClock clock = new LabClock(
-            new LabClock.Steps() {
-                @Override
-                public void step() {
-                    inStep.run();
-                    labNanos.addAndGet(STEP_NANOS);
-                }
-
-                @Override
-                public long nanos() {
-                    return labNanos.get();
-                }
-            },
-            Pacing.stepped(quiet::get));
-    private Membership membership = () -> {};
     private volatile Runnable inStep = () -> {};
+    private final LabClock clock = new LabClock(STEP_NANOS, () -> inStep.run(), Pacing.stepped(quiet::get));
+    private Membership membership = () -> {};
 
     @BeforeEach
     void joinTheClock() {
@@ -125,6 +111,54 @@ class LabClockTest {
         hush.join();
 
         assertThat(clock.nanos()).isEqualTo(STEP_NANOS);
+    }
+
+    @Test
+    void theNewTimeIsShownWhileTheLabTakesItsStep() throws InterruptedException {
+        List<Long> seen = Collections.synchronizedList(new ArrayList<>());
+        inStep = () -> seen.add(clock.nanos());
+        clock.sleep(0.008);
+
+        assertThat(seen).containsExactly(STEP_NANOS, 2 * STEP_NANOS);
+    }
+
+    @Test
+    void whatAStepSentIsHandledBeforeAMemberWhoseTimeHasComeWakes() throws InterruptedException {
+        AtomicBoolean handled = new AtomicBoolean();
+        inStep = () -> {
+            quiet.set(false);
+            new Thread(() -> {
+                        for (int spin = 0; spin < 1000; spin++) {
+                            Thread.onSpinWait();
+                        }
+                        handled.set(true);
+                        quiet.set(true);
+                    })
+                    .start();
+        };
+        clock.sleep(0.004);
+
+        assertThat(handled).isTrue();
+    }
+
+    @Test
+    void membersOfTheSameTimeWakeOneAfterAnotherAsTheyFellAsleep() throws InterruptedException {
+        List<Integer> order = Collections.synchronizedList(new ArrayList<>());
+        Signal done = clock.signal();
+        for (int number = 1; number <= 8; number++) {
+            int own = number;
+            clock.sleep(0.004);
+            double untilOneSecond = 1 - clock.nanos() / 1e9;
+            clock.thread("sleeper " + own, () -> {
+                        sleep(untilOneSecond);
+                        order.add(own);
+                        done.raise();
+                    })
+                    .start();
+        }
+        assertThat(done.await(() -> order.size() == 8, 10)).isTrue();
+
+        assertThat(order).containsExactly(1, 2, 3, 4, 5, 6, 7, 8);
     }
 
     @Test
