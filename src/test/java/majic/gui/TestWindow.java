@@ -70,6 +70,7 @@ public final class TestWindow implements AutoCloseable {
     private final @Nullable Path history;
     private final Robot robot;
     private final java.awt.Robot input = input();
+    private final ArrivedInput arrived = ArrivedInput.count();
     private final EventThreadGuard guard = EventThreadGuard.install();
     private final EventThreadWatch watch;
 
@@ -84,6 +85,7 @@ public final class TestWindow implements AutoCloseable {
         robot.settings().eventPostingDelay(0);
         frame = GuiActionRunner.execute(this::makeFrame);
         robot.showWindow(frame);
+        await("the keys", frame::isFocused);
         await("the menus to have entries", () -> frame.getJMenuBar().getMenu(0).getItemCount() > 0);
         settle();
         watch = EventThreadWatch.start();
@@ -103,6 +105,14 @@ public final class TestWindow implements AutoCloseable {
      */
     private void settle() {
         input.waitForIdle();
+    }
+
+    /** Gives input, and waits until that many events of it have arrived and Swing has handled them. */
+    private void give(int event, int count, Runnable input) {
+        int wanted = arrived.count(event) + count;
+        input.run();
+        await("the input", () -> arrived.count(event) >= wanted);
+        settle();
     }
 
     public static TestWindow open() {
@@ -236,8 +246,7 @@ public final class TestWindow implements AutoCloseable {
 
     /** Types into the component that has the focus. */
     public void type(String text) {
-        robot.enterText(text);
-        settle();
+        give(KeyEvent.KEY_TYPED, text.length(), () -> robot.enterText(text));
     }
 
     /** Dispatches the event of a typed character with a given time, ms since 1970. */
@@ -255,8 +264,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     public void press(int keyCode) {
-        robot.pressAndReleaseKey(keyCode);
-        settle();
+        give(KeyEvent.KEY_PRESSED, 1, () -> robot.pressAndReleaseKey(keyCode));
     }
 
     public void pressWithCtrl(int keyCode) {
@@ -272,19 +280,17 @@ public final class TestWindow implements AutoCloseable {
     }
 
     void clickAt(String name, Point place) {
-        robot.click(find(name, Component.class), place);
-        settle();
+        give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.click(find(name, Component.class), place));
     }
 
     /** Opens the context menu of a component. */
     void menuOf(String name) {
-        robot.rightClick(awaitShowing(name, Component.class));
-        settle();
+        give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.rightClick(awaitShowing(name, Component.class)));
     }
 
     void menuAt(String name, Point place) {
-        robot.click(find(name, Component.class), place, MouseButton.RIGHT_BUTTON, 1);
-        settle();
+        Component component = find(name, Component.class);
+        give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.click(component, place, MouseButton.RIGHT_BUTTON, 1));
     }
 
     /** Returns the tool tip of a place in a component. */
@@ -303,28 +309,23 @@ public final class TestWindow implements AutoCloseable {
     }
 
     void hold(int keyCode) {
-        robot.pressKey(keyCode);
-        settle();
+        give(KeyEvent.KEY_PRESSED, 1, () -> robot.pressKey(keyCode));
     }
 
     void letGo(int keyCode) {
-        robot.releaseKey(keyCode);
-        settle();
+        give(KeyEvent.KEY_RELEASED, 1, () -> robot.releaseKey(keyCode));
     }
 
     void holdMouse(String name) {
-        robot.pressMouse(find(name, Component.class), new Point(5, 5));
-        settle();
+        give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.pressMouse(find(name, Component.class), new Point(5, 5)));
     }
 
     void letGoMouse() {
-        robot.releaseMouseButtons();
-        settle();
+        give(MouseEvent.MOUSE_RELEASED, 1, robot::releaseMouseButtons);
     }
 
     void click(String name) {
-        robot.click(awaitShowing(name, Component.class));
-        settle();
+        give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.click(awaitShowing(name, Component.class)));
     }
 
     /** Presses a button without the mouse, which may still be moving to another place. */
@@ -417,6 +418,7 @@ public final class TestWindow implements AutoCloseable {
     @Override
     public void close() {
         robot.cleanUp();
+        arrived.close();
         team.close();
         try {
             watch.checkAndEnd();
