@@ -15,13 +15,11 @@ import majic.script.MajicParser;
 import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that a panel of the window keeps its important readings while the bar of a running act is shown above it. */
-@Timeout(120)
 class ActBarWindowTest {
     private static final List<String> DISTANCES =
             List.of("distanceFront", "distanceBack", "distanceLeft", "distanceRight");

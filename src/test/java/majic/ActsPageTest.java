@@ -15,13 +15,11 @@ import majic.act.NoActs;
 import majic.cli.ActCommand;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
 /** Tests the page on behaviours: its sources compile, and every command on it works as described. */
 @Tag("jdk")
-@Timeout(120)
 class ActsPageTest {
     private static final Pattern HASH = Pattern.compile("trust \\S+ (\"[0-9a-f]{8}\")$");
 

@@ -9,12 +9,10 @@ import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests the shipped behaviours of the Aibo. */
-@Timeout(120)
 @Tag("long")
 class AiboActsInLabTest {
     static Stream<Named<Supplier<LabRig>>> labs() {

@@ -10,10 +10,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.team.ManualControl;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests the Aibo's driver with the simulated dog. */
-@Timeout(60)
 class AiboInLabTest {
     @Test
     void theHeadTakesACommandedPositionRightAfterAWalk() throws InterruptedException {

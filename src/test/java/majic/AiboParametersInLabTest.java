@@ -9,10 +9,8 @@ import majic.bot.Parameter;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests parameters and commands of the Aibo's driver with the simulated dog, in MAJIC Script. */
-@Timeout(120)
 class AiboParametersInLabTest {
     @AutoClose
     private final LabRig rig = LabRig.exact();

@@ -18,11 +18,9 @@ import majic.bot.MajicBot;
 import majicsim.aibo.PlayedSound;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests what the simulated dog's speaker plays and its microphone records. */
-@Timeout(120)
 class AiboSoundInLabTest {
     private static final int AMPLITUDE = 8000;
 

@@ -14,7 +14,6 @@ import majic.bot.BotListener;
 import majic.bot.MajicBot;
 import majic.bot.Value;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -22,7 +21,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * Tests the driver with all kinds of Hemissons: real receivers that lose bytes, modules, both firmwares, special modes.
  */
-@Timeout(120)
 class AnyHemissonInLabTest {
     @ParameterizedTest
     @ValueSource(

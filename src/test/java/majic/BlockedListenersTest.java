@@ -22,13 +22,11 @@ import majic.team.Team;
 import majic.team.TeamListener;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /**
  * Tests that STOP halts real drivers' robots although every listener blocks forever. The lab's clock follows the wall
  * clock here.
  */
-@Timeout(60)
 class BlockedListenersTest {
     private final CountDownLatch testIsOver = new CountDownLatch(1);
 

@@ -17,10 +17,8 @@ import majicsim.net.TcpPort;
 import majicsim.net.Wiring;
 import majicsim.world.Noise;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests that a robot that closes its connection before its last data has arrived does not block a stepped clock. */
-@Timeout(60)
 class ClosingLineTest {
     private final Faults faults = new Faults(Noise.seeded(1));
 

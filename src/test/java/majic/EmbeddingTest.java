@@ -15,11 +15,9 @@ import majicsim.world.Pose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests that a program that only embeds a robot loads no window class and needs none of MAJIC's libraries. */
 @Tag("jdk")
-@Timeout(60)
 class EmbeddingTest {
     private static final List<String> UNNEEDED = List.of(
             " javax.swing.",

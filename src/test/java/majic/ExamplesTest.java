@@ -12,13 +12,11 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Runs the stand-alone programs of the programmer's guide with the lab; {@link EmbeddingTest} runs the ten lines. */
 @Tag("jdk")
-@Timeout(120)
 class ExamplesTest {
     private final PrintStream console = System.out;
     private final ByteArrayOutputStream said = new ByteArrayOutputStream();

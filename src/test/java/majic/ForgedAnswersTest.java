@@ -29,11 +29,9 @@ import majic.team.QueuedCommand;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that no text of a robot, an act or an exception can imitate a reply, or control a terminal. */
-@Timeout(30)
 class ForgedAnswersTest {
     private static final String FORGED = "gone\n2 stop: done\r\u001b[2J\u202e\u2028";
     private static final String HARMLESS = "gone\\n2 stop: done\\r\\u001b[2J\\u202e\\u2028";

@@ -7,12 +7,10 @@ import java.util.stream.Stream;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests the shipped behaviours of the Hemisson with the tape and the lamps of the standard room. */
-@Timeout(120)
 @Tag("long")
 class HemissonActsInLabTest {
     private static final Pose TAPE_MIDDLE = new Pose(-2000, -2900, 0);

@@ -6,10 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests that a Hemisson is calibrated with a ruler, and that its motions use the result. */
-@Timeout(120)
 class HemissonCalibrationInLabTest {
     @Test
     void aStretchThatWasMeasuredScalesAllSpeeds() throws Exception {

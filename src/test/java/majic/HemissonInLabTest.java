@@ -20,13 +20,11 @@ import majicsim.world.Pose;
 import majicsim.world.Segment;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the Hemisson's driver with the lab's Hemisson, on the lab's stepped clock. */
-@Timeout(120)
 class HemissonInLabTest {
     private static final double HULL_MM = 60;
     private static final double ROOM_MM = 10;

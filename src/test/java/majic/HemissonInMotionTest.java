@@ -13,12 +13,10 @@ import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the queries to a moving robot without a watchdog: no long pause, no long query, and an immediate stop. */
-@Timeout(120)
 class HemissonInMotionTest {
     private static final String WITH_ALL_MODULES = "kteam+camera+ultrasonic+speech+lcd+io+overrun+paced";
     private static final double MS = 1e6;

@@ -11,7 +11,6 @@ import majic.bot.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -20,7 +19,6 @@ import org.junit.jupiter.params.provider.ValueSource;
  * Tests a serial server that holds data for a while and then delivers all of it at once, with a robot with the real
  * receiver: a stop that arrives together with a query would overrun it, and the robot would not stop.
  */
-@Timeout(120)
 class HemissonOnAStallingLineTest {
     @AutoClose
     private LabRig rig;

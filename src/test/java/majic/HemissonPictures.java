@@ -10,7 +10,6 @@ import majic.bot.Value;
 import majic.bot.Value.Flag.Words;
 import majic.script.MajicParser;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /**
  * Makes the pictures of the Hemisson's panel, with the robot moving along a wall on a stepped clock: {@code mvn
@@ -20,7 +19,6 @@ class HemissonPictures {
     private static final Value ON = new Value.Flag(true, Words.ON_OFF);
 
     @Test
-    @Timeout(120)
     void paintsTheHemissonsPanel() throws Exception {
         try (LabRig lab = LabRig.noisy(7)) {
             MajicBot bot = lab.add("hemisson");

@@ -17,7 +17,6 @@ import majic.bot.BotEnvironment;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -27,7 +26,6 @@ import org.junit.jupiter.params.provider.MethodSource;
  * act, or lines of an example. The line number of a failure is that on the page.
  */
 @Tag("jdk")
-@Timeout(120)
 class JavaOnPagesTest {
     private static final Pattern CLASS = Pattern.compile("(?m)^public (?:final )?class (\\w+)");
     private static final Pattern ADDRESS = Pattern.compile("\\(\"(pioneer|hemisson):.*?\"\\)");

@@ -12,14 +12,12 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the shell script that builds and starts MAJIC, with scripts in place of Maven and Java. */
 @Tag("jdk")
-@Timeout(60)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has majic.cmd instead")
 class LauncherTest {
     private static final String MAVEN =

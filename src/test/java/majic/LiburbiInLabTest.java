@@ -32,7 +32,6 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
@@ -40,7 +39,6 @@ import org.junit.jupiter.api.io.TempDir;
  * folder that {@code -Dliburbi.home} names; without it a small double of it is compiled, with the same weaknesses.
  */
 @Tag("vendor")
-@Timeout(120)
 class LiburbiInLabTest {
     private static final double LONGEST_S = 30;
 

@@ -17,13 +17,11 @@ import majic.program.UserFolder;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptParser;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import picocli.CommandLine;
 
 /** Tests the lines to type on the pages of the documentation: MAJIC Script, and the command line of the shell. */
-@Timeout(60)
 class LinesOnPagesTest {
     private static final Set<String> LANGUAGES =
             Set.of("majic", "java", "sh", "console", "python", "ebnf", "yaml", "text", "urbi", "mermaid", "xml");

@@ -24,12 +24,10 @@ import majic.text.MarkedTexts;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 @Tag("jdk")
-@Timeout(60)
 class PanelsInLabTest {
     /** What panels show without its being a text: values and units of parameters, and what a robot calls itself. */
     private static final Pattern DATA =

@@ -12,10 +12,8 @@ import majicsim.pioneer.PioneerHandling;
 import majicsim.pioneer.devices.Tone;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests how the driver reports events at the robot itself, with the lab's Pioneer on the lab's stepped clock. */
-@Timeout(60)
 class PioneerDevicesInLabTest {
     @AutoClose
     private final LabRig rig = LabRig.exact();

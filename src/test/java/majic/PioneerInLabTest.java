@@ -11,12 +11,10 @@ import majic.bot.MotionReport;
 import majic.bot.Pose;
 import majic.lab.LabAccess.Wall;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the Pioneer's driver with the lab's Pioneer, on the lab's stepped clock. */
-@Timeout(120)
 class PioneerInLabTest {
     private static final double FRONT_MM = 210;
     private static final double REAR_MM = 301;

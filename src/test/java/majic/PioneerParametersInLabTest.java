@@ -10,10 +10,8 @@ import majic.bot.MotionStopped;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests parameters and commands of the Pioneer's driver with the lab's well equipped Pioneer, in MAJIC Script. */
-@Timeout(120)
 class PioneerParametersInLabTest {
     @AutoClose
     private final LabRig rig = LabRig.exactWithPioneer("p3dx-sh+gripper+gyro+charger");

@@ -7,7 +7,6 @@ import javax.swing.JFrame;
 import majic.bot.MajicBot;
 import majic.script.MajicParser;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /**
  * Makes the pictures of the Pioneer's panel, with the robot in the middle of a curve on a stepped clock: {@code mvn
@@ -15,7 +14,6 @@ import org.junit.jupiter.api.Timeout;
  */
 class PioneerPictures {
     @Test
-    @Timeout(120)
     void paintsThePioneersPanel() throws Exception {
         try (LabRig lab = LabRig.noisy(7)) {
             MajicBot bot = lab.add("pioneer");

@@ -4,9 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import majic.team.BotFactory;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class ProbeInLabTest {
     @Test
     void aPioneerTellsItsModelAndNameAndIsFreeAgain() {

@@ -23,11 +23,9 @@ import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the example client of the user's guide. */
-@Timeout(60)
 class PythonClientTest {
     private static final Path CLIENT = Path.of("examples", "client.py");
 

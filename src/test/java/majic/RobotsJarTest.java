@@ -24,12 +24,10 @@ import majicsim.LabOptions;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that the jar for programs that embed robots has all that these need beside the two libraries that come with it. */
 @Tag("jdk")
-@Timeout(60)
 class RobotsJarTest {
     private static final Path CLASSES = Path.of(System.getProperty("majic.target", "target"), "classes");
 

@@ -7,14 +7,12 @@ import majic.bot.Pose;
 import majic.team.ManualControl;
 import majic.team.Member;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that running a saved session again moves a simulated robot to the same place. */
-@Timeout(60)
 class SavedSessionInLabTest {
     /**
      * The largest distance between the ends of a replay and of the session; the robot moves this far in a twentieth of

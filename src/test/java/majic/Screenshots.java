@@ -79,7 +79,6 @@ class Screenshots {
     }
 
     @Test
-    @Timeout(60)
     void paintsTheStartPage(@TempDir Path home) throws Exception {
         try (Program program = new Program(new UserFolder(home), null, true)) {
             program.settings()

@@ -21,7 +21,6 @@ import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,7 +30,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests that a robot is stopped when the program that embeds it ends or is suspended during a motion. */
 @Tag("jdk")
-@Timeout(60)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has neither signals nor pseudo-terminals")
 class ShutdownTest {
     private static final String PIONEER_STOP = "\u00FA\u00FB\u0003\u001D\0\u001D";

@@ -27,10 +27,8 @@ import majic.time.TimeSource;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests STOP with twenty robots of ten labs, half of which no longer read the data sent to them. */
-@Timeout(60)
 class StopTest {
     private static final int LABS = 10;
     private static final int STUCK = 5;

@@ -11,13 +11,11 @@ import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the shipped behaviours for more than one robot. */
-@Timeout(120)
 @Tag("long")
 class TeamActsInLabTest {
     static Stream<Named<Supplier<LabRig>>> labs() {

@@ -57,7 +57,7 @@ public final class TestClock implements AutoCloseable {
         return clock;
     }
 
-    /** Lets time pass until a condition is true; without limit, so tests need a timeout. */
+    /** Lets time pass until a condition is true; without a limit of its own. */
     public void until(BooleanSupplier so) {
         Signal never = clock.signal();
         try {

@@ -5,12 +5,10 @@ import static org.assertj.core.api.Assertions.within;
 
 import majic.bot.MajicBot;
 import majic.bot.Pose;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that the commanded distance matches the distance between the lab's own poses. */
-@Timeout(60)
 class TravelInTheLabTest {
     @ParameterizedTest(name = "{0} moves {1} mm")
     @CsvSource({

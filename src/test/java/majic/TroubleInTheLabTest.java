@@ -12,13 +12,11 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests robots that are absent, refuse, stop sending or disconnect while they drive. */
-@Timeout(60)
 class TroubleInTheLabTest {
     @ParameterizedTest
     @ValueSource(strings = {"aibo", "pioneer", "hemisson"})

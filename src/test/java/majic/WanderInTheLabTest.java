@@ -12,12 +12,10 @@ import majic.bot.Pose;
 import majic.script.MajicParser;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests the wander script of the language's manual, unchanged, on all three robots at once. */
-@Timeout(180)
 @Tag("long")
 class WanderInTheLabTest {
     private static final int MINUTES = 10;

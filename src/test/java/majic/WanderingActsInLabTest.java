@@ -9,7 +9,6 @@ import java.util.stream.Stream;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Named;
 import org.junit.jupiter.api.Tag;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -17,7 +16,6 @@ import org.junit.jupiter.params.provider.MethodSource;
  * Tests that the shipped wander behaviours move around for ten minutes among walls, boxes and stationary robots without
  * a collision.
  */
-@Timeout(120)
 @Tag("long")
 class WanderingActsInLabTest {
     private static final int TEN_MINUTES_S = 600;

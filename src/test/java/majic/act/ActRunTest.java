@@ -24,14 +24,12 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that an act has exclusive use of its robots, and that a stop of one of them ends it for all. */
 @Tag("jdk")
-@Timeout(30)
 class ActRunTest implements TeamListener {
     private final TestClock clock = new TestClock();
     private final TimeSource time = clock.time();

@@ -21,12 +21,10 @@ import majic.act.file.BoundedZipTest;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that a signed file names its signer, and is refused after any change. */
 @Tag("jdk")
-@Timeout(60)
 class ActSigningTest {
     private static final char[] PASSWORD = "correct horse".toCharArray();
 

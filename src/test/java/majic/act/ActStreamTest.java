@@ -29,13 +29,11 @@ import majic.act.make.ActMaker;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests loading the object stream alone of an act whose class MAJIC has, with all kinds of plain values. */
 @Tag("jdk")
-@Timeout(30)
 class ActStreamTest {
     private static final ActTrust NOBODY_ASKED = new ActTrust(Settings.inMemory());
 

@@ -13,12 +13,10 @@ import majic.bot.Settings;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that the classes of an act are unloaded after its end. */
 @Tag("jdk")
-@Timeout(60)
 class ActUnloadingTest {
     private static final String ANYWHERE = Sources.WANDER.replace(".types(\"aibo\").with(\"distanceFront\")", "");
 

@@ -43,7 +43,6 @@ import majic.bot.Settings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -53,7 +52,6 @@ import org.junit.jupiter.params.provider.MethodSource;
  * code runs.
  */
 @Tag("jdk")
-@Timeout(30)
 class HostileStreamsTest {
     private static final AtomicInteger RAN = new AtomicInteger();
 

@@ -21,10 +21,8 @@ import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests that an act can command its robot until it ends, and never afterwards. */
-@Timeout(30)
 class MajicActTest {
     private static final List<String> SAID = new CopyOnWriteArrayList<>();
 

@@ -29,14 +29,12 @@ import majic.bot.Settings;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests that a file that is not an act is refused in one sentence that begins with its name. */
 @Tag("jdk")
-@Timeout(30)
 class OddFilesTest {
     private static final String SCRIPT = "majic.script.ScriptAct";
 

@@ -13,10 +13,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Walks and drives that something else ends, and a hand that changes its mind. */
-@Timeout(30)
 class AiboDriveTest {
     @AutoClose
     private final DrivenAibo driven = DrivenAibo.standing().connected();

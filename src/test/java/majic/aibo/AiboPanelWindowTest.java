@@ -27,10 +27,8 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The panel on a tab of a real window, before a scripted dog. */
-@Timeout(60)
 class AiboPanelWindowTest {
     private static final String ASKED = "camera.val";
     private static final int PATIENCE_S = 20;

@@ -5,13 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import majic.bot.BotException;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A peer that dies or stalls at each step of connecting, and comes back. */
-@Timeout(30)
 class ConnectingTest {
     @AutoClose
     private final DrivenAibo driven = DrivenAibo.lying();

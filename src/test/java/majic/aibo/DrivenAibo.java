@@ -64,7 +64,7 @@ final class DrivenAibo implements AutoCloseable {
         dog.clock().join(begun);
     }
 
-    /** Lets time pass until a condition is true; without limit, so tests need a timeout. */
+    /** Lets time pass until a condition is true; without a limit of its own. */
     void until(BooleanSupplier so) {
         dog.clock().until(so);
     }

@@ -8,12 +8,10 @@ import majic.aibo.session.AiboSession;
 import majic.bot.LinkLost;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Connections that end while the dog walks. */
-@Timeout(30)
 class LostDogTest {
     private static final int STOP = 0;
     private static final int MOTION = 2;

@@ -15,9 +15,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(30)
 class MajicAiboTest {
     private static final int SENSORS = 1;
 

@@ -11,10 +11,8 @@ import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The pace of the dog's legs, and the calibration factors of its gaits. */
-@Timeout(30)
 class PaceTest {
     @AutoClose
     private final DrivenAibo driven = DrivenAibo.standing();

@@ -14,9 +14,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(40)
 class PanelPollerTest implements PanelPoller.PictureReceiver {
     private static final String ASKED = "camera.val";
     private static final String PICTURE = "BIN 12 YCbCr 2 2\nabcdefghijkl";

@@ -22,10 +22,8 @@ import majic.bot.MotionStopped;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(30)
 class PlayCommandTest {
     private static final int SENSORS = 1;
 

@@ -10,10 +10,8 @@ import majic.bot.MotionStopped;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Postures, and a dog that must not fall when its motors go off. */
-@Timeout(30)
 class PostureControlTest {
     @AutoClose
     private final DrivenAibo driven = DrivenAibo.standing().connected();

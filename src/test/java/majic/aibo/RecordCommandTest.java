@@ -13,10 +13,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(30)
 class RecordCommandTest {
     private static final int SENSORS = 1;
     private static final String BLOCK = "BIN 2048 raw 2 16000 16 1 1\n" + "a".repeat(2048);

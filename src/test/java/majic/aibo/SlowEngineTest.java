@@ -6,12 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import majic.bot.MotionReport;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** A dog whose engine answers a question after two seconds. */
-@Timeout(60)
 class SlowEngineTest {
     @AutoClose
     private final DrivenAibo driven = DrivenAibo.standing();

@@ -12,9 +12,7 @@ import majic.time.Signal;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class StopPathTest {
     private static final int MOTION = 2;
 

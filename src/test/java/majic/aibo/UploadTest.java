@@ -22,10 +22,8 @@ import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Binaries to a server, also to one that goes away or takes no more in the middle of one. */
-@Timeout(30)
 class UploadTest {
     private static final int PATIENCE_MS = 5000;
 

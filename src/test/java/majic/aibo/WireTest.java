@@ -9,12 +9,10 @@ import majic.bot.Value;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** What parameters look like on the wire, word for word but for the tags. */
-@Timeout(30)
 class WireTest {
     @AutoClose
     private final DrivenAibo driven = DrivenAibo.standing();

@@ -10,9 +10,7 @@ import majic.driver.CalibrateCommand.Trial;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class CalibrateCommandTest {
     private final List<Double> learned = new ArrayList<>();
 

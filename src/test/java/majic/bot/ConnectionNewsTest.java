@@ -11,10 +11,8 @@ import majic.time.TimeSource;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** A listener for connection changes may call any method, and receives every change in order. */
-@Timeout(20)
 class ConnectionNewsTest implements BotListener {
     @AutoClose
     private final FakeBot bot = FakeBot.on(TimeSource.system());

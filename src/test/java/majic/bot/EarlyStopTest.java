@@ -9,9 +9,7 @@ import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class EarlyStopTest {
     private final FakeBot bot = FakeBot.on(TimeSource.system());
     private final CountDownLatch sending = new CountDownLatch(1);

@@ -11,10 +11,8 @@ import java.util.List;
 import majic.TestClock;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** A guard of a motion may ask anything; whatever that throws is no trouble of the robot that moves. */
-@Timeout(20)
 class GuardTest {
     @AutoClose
     private final SteppedBot stepped = new SteppedBot();

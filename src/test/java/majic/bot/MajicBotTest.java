@@ -8,9 +8,7 @@ import majic.TestClock;
 import majic.time.Signal;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class MajicBotTest {
     @AutoClose
     private final SteppedBot stepped = new SteppedBot();

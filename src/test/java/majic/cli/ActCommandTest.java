@@ -11,13 +11,11 @@ import java.util.stream.Stream;
 import majic.program.Failures;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
 /** Tests that the act maker on the command line reports what it wrote, or in one sentence why it did not. */
 @Tag("jdk")
-@Timeout(60)
 class ActCommandTest {
     @TempDir
     Path folder;

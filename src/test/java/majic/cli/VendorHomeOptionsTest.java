@@ -12,14 +12,12 @@ import majic.program.Program;
 import majic.program.UserFolder;
 import majic.vendor.VendorLibrary;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import picocli.CommandLine;
 
 /** Tests the options for the folders in which makers' libraries are installed, from the command line to the search. */
-@Timeout(20)
 class VendorHomeOptionsTest {
     private static final Map<VendorLibrary, String> ROBOTS = Map.of(
             VendorLibrary.ARIA, "pioneer+aria://127.0.0.1:1", VendorLibrary.LIBURBI, "aibo+liburbi://127.0.0.1:1");

@@ -19,11 +19,9 @@ import java.util.function.Consumer;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.mockito.InOrder;
 
 /** The effect of errors in a reader on its link. */
-@Timeout(20)
 class LinkReaderTest {
     private final LinkHandler<String> handler = mock();
 

@@ -9,10 +9,8 @@ import majic.bot.MotionStopped;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** What ends a wait of a driver. */
-@Timeout(20)
 class RobotWaitTest {
     private static final double LONG_S = 60;
 

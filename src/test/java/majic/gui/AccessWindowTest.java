@@ -33,11 +33,9 @@ import majic.text.MarkedTexts;
 import org.assertj.core.api.SoftAssertions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that the window and all its dialogs can be used by keyboard and screen reader, and read in both looks. */
-@Timeout(180)
 class AccessWindowTest {
     /** Entries that open no dialog. */
     private static final Set<String> EFFECTS =

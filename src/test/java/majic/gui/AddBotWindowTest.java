@@ -10,9 +10,7 @@ import majic.gui.add.RecentRobots;
 import majic.gui.kit.ProgramServices;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class AddBotWindowTest {
     private static final int SHORT_MS = 300;
 

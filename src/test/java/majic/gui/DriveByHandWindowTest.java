@@ -10,9 +10,7 @@ import majic.gui.command.CommandLine;
 import majic.team.Owner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class DriveByHandWindowTest {
     private static final String AHEAD = "drive 200 0";
 

@@ -10,10 +10,8 @@ import javax.swing.SwingUtilities;
 import majic.bot.Settings;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class FrameMemoryWindowTest {
     private static final Rectangle NEW = new Rectangle(1, 2, 600, 400);
 

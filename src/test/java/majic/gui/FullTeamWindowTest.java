@@ -12,11 +12,9 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests the window with as many robots as a team can have. */
 @Tag("jdk")
-@Timeout(120)
 class FullTeamWindowTest {
     private static final int ROBOTS = 20;
 

@@ -12,9 +12,7 @@ import javax.swing.text.html.HTMLDocument;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class HelpWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

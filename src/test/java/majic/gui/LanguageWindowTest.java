@@ -10,10 +10,8 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class LanguageWindowTest {
     private static final String KEY = "window.language";
 

@@ -10,14 +10,12 @@ import majic.team.Owner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Tests that an act is loaded onto a robot by clicks, that nothing happens before the last of them, and that one click
  * ends it.
  */
-@Timeout(60)
 class LoadActWindowTest {
     @TempDir
     private Path folder;

@@ -12,11 +12,9 @@ import majic.gui.map.TeamMap;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests that robots are selected by a click on the map. Without a lab they are drawn one metre apart, downwards. */
 @Tag("jdk")
-@Timeout(60)
 class MapSelectionWindowTest {
     private static final int APART_MM = 1000;
 

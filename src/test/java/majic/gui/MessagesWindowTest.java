@@ -16,9 +16,7 @@ import majic.gui.kit.Palette;
 import majic.log.Line;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class MessagesWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

@@ -10,10 +10,8 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class NarrowWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

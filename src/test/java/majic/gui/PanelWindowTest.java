@@ -13,10 +13,8 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests the panel of a robot in a window of its own. */
-@Timeout(60)
 class PanelWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

@@ -26,10 +26,8 @@ import majic.panel.PlotHost;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(60)
 class PlotWindowTest {
     @TempDir
     private Path folder;

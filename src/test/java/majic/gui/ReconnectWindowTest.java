@@ -5,10 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class ReconnectWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.openWith("robots.reconnect", "on");

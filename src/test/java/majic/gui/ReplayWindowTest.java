@@ -27,10 +27,8 @@ import majic.recorder.RecordingFolder;
 import majic.text.MarkedTexts;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(120)
 class ReplayWindowTest {
     /** What is shown without being a text: the type of the robot. */
     private static final Pattern DATA = Pattern.compile("Toy");

@@ -7,11 +7,9 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that an act with further roles gets suitable robots that are free. */
-@Timeout(60)
 class RolesWindowTest {
     @TempDir
     private Path folder;

@@ -7,11 +7,9 @@ import javax.swing.JFileChooser;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 @Tag("jdk")
-@Timeout(60)
 class SaveFileWindowTest {
     @TempDir
     private Path folder;

@@ -31,10 +31,8 @@ import org.fife.ui.rsyntaxtextarea.parser.ParserNotice;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(60)
 class ScriptEditorWindowTest {
     @TempDir
     private Path folder;

@@ -8,10 +8,8 @@ import java.util.List;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests what selects robots, and what the selection is used for. */
-@Timeout(60)
 class SelectionWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

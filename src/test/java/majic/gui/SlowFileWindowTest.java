@@ -8,11 +8,9 @@ import majic.act.SlowActs;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the window while a file that a typed line names is being checked. */
-@Timeout(60)
 class SlowFileWindowTest {
     @TempDir
     private Path folder;

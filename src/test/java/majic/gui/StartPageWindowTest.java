@@ -6,10 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(60)
 class StartPageWindowTest {
     @Test
     void isShownUntilThereIsARobotAndAgainWhenTheLastIsGone() {

@@ -12,10 +12,8 @@ import javax.swing.MenuSelectionManager;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class StopWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

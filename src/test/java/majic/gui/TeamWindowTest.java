@@ -9,10 +9,8 @@ import majic.gui.map.TeamMap;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class TeamWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

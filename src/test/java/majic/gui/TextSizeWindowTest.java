@@ -7,10 +7,8 @@ import majic.gui.kit.Icons;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class TextSizeWindowTest {
     @AfterEach
     void restore() {

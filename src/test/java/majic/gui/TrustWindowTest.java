@@ -10,12 +10,10 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that nothing of an act's code is loaded before its contents are shown and the user has agreed. */
 @Tag("jdk")
-@Timeout(60)
 class TrustWindowTest {
     @TempDir
     private Path folder;

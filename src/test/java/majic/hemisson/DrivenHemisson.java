@@ -111,7 +111,7 @@ final class DrivenHemisson implements AutoCloseable {
                 .orElseThrow();
     }
 
-    /** Lets time pass until a condition holds; without a limit, so that tests need a timeout. */
+    /** Lets time pass until a condition holds; without a limit of its own. */
     void await(BooleanSupplier condition) {
         robot.clock().until(condition);
     }

@@ -17,10 +17,8 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The Hemisson's tab in a real window, clicked with a real mouse, before a peer with scripted answers. */
-@Timeout(60)
 class HemissonPanelWindowTest {
     private static final int PATIENCE_S = 15;
 

@@ -10,10 +10,8 @@ import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** A robot that misses answers, is reset, falls silent or is cut off, above all in motion. */
-@Timeout(20)
 class LostRobotTest {
     @AutoClose
     private final DrivenHemisson pair = new DrivenHemisson();

@@ -11,12 +11,10 @@ import majic.bot.LinkLost;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
 /** The driver over a real serial port of the system, with a RoadNarrows robot at the other end. */
-@Timeout(20)
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has no pseudo-terminals that are serial ports")
 class MajicHemissonOnAPortTest {
     private final PortHemisson robot = PortHemisson.roadNarrows();

@@ -8,10 +8,8 @@ import majic.bot.BotException;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Connecting, closing, and the values that the robot reports. */
-@Timeout(20)
 class MajicHemissonTest {
     @AutoClose
     private final DrivenHemisson pair = new DrivenHemisson();

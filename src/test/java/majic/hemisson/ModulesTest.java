@@ -14,10 +14,8 @@ import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** What is plugged into a stock robot, and the exact commands that reach it (Hemisson sheet 9 and 14). */
-@Timeout(20)
 class ModulesTest {
     @AutoClose
     private final DrivenHemisson pair = new DrivenHemisson();

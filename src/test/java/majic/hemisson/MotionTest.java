@@ -12,10 +12,8 @@ import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Motions of a robot that obeys. */
-@Timeout(20)
 class MotionTest {
     @AutoClose
     private final DrivenHemisson pair = new DrivenHemisson();

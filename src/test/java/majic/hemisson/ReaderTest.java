@@ -9,10 +9,8 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The thread that reads the robot's line, and what listeners and errors do to it. */
-@Timeout(20)
 class ReaderTest {
     private static final int ROUNDS = 5;
 

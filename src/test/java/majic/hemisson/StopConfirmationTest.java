@@ -15,10 +15,8 @@ import majic.hemisson.line.StopConfirmation;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The stop at the end of a session. */
-@Timeout(20)
 class StopConfirmationTest {
     @AutoClose
     private final ScriptedHemisson robot = new ScriptedHemisson();

@@ -10,10 +10,8 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** A stepped clock does not advance while a link counts as open, which is until its end has been handled. */
-@Timeout(20)
 class LinkEndTest {
     private final CountDownLatch ended = new CountDownLatch(1);
     private final CountDownLatch mayTell = new CountDownLatch(1);

@@ -8,11 +8,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 @Tag("jdk")
-@Timeout(20)
 class SerialOpenErrorTest {
     private static final File SHUT = new File("/dev/ttyUSB0") {
         private static final long serialVersionUID = 1;

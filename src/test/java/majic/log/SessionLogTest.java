@@ -15,11 +15,9 @@ import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that the session log holds every line with its time. */
-@Timeout(30)
 class SessionLogTest {
     private static final Clock NOON = Clock.fixed(Instant.parse("2007-09-01T12:00:00.250Z"), ZoneOffset.UTC);
 

@@ -13,9 +13,7 @@ import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(30)
 class VisibilityWatchWindowTest {
     private final List<Boolean> reported = new ArrayList<>();
     private final JPanel panel = new JPanel();

@@ -7,12 +7,10 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.link.Links;
 import majic.pioneer.arcos.Packet;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Closing the robot while it is being connected. */
-@Timeout(30)
 class ClosingTest {
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
     private final AtomicInteger packets = new AtomicInteger();

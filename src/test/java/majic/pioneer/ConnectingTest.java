@@ -7,10 +7,8 @@ import static org.assertj.core.api.Assertions.within;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Connecting, up to the first readings, with usual and unusual answers. */
-@Timeout(30)
 class ConnectingTest {
     private static final String MOTION = "(ENABLE|VEL|RVEL|VEL2|MOVE|ROTATE|HEAD|DHEAD).*";
 

@@ -6,10 +6,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.charset.StandardCharsets;
 import majic.pioneer.arcos.Packet;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Other devices than a Pioneer at its address. */
-@Timeout(30)
 class ForeignPeerTest {
     private static final byte[] RFC_2217 = {(byte) 0xFF, (byte) 0xFB, 0x2C};
 

@@ -14,10 +14,8 @@ import majic.bot.Value;
 import majic.pioneer.arcos.Bytes;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Guard conditions and listeners that read reports beside the SIPs, without blocking other threads. */
-@Timeout(30)
 class GuardTest {
     private static final int ENCODERS = 0x90;
     private static final byte[] AT_ZERO = new byte[8];

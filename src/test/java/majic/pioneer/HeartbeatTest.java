@@ -11,10 +11,8 @@ import majic.bot.MotionFailed;
 import majic.pioneer.arcos.Bytes;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** What is sent, and when, while the robot reports nothing or the driver has no commands. */
-@Timeout(30)
 class HeartbeatTest {
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
 

@@ -9,13 +9,11 @@ import java.util.function.DoubleUnaryOperator;
 import java.util.function.Supplier;
 import majic.bot.MotionFailed;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Motions end at their target by the robot's odometry, with servers of different behaviour. */
-@Timeout(60)
 class MotionAccuracyTest {
     private static final List<Supplier<ScriptedPioneer>> MAKES =
             List.of(ScriptedPioneer::robot, ScriptedPioneer::vendorSimulator);

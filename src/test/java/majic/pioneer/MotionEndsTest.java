@@ -10,10 +10,8 @@ import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** What ends a motion or a drive early. */
-@Timeout(30)
 class MotionEndsTest {
     private static final int STOP_BUTTON = 1 << 5;
     private static final int E_STALL = 1 << 6;

@@ -12,10 +12,8 @@ import majic.pioneer.state.RequestedReport;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The reports of the lab's Pioneer as the driver decodes them. */
-@Timeout(60)
 class PacketsInLabTest {
     @AutoClose
     private LabRig rig;

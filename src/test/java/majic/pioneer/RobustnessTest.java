@@ -11,12 +11,10 @@ import majic.link.Links;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Packet;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Peers that send too little, too much or garbage, and robots that fail and restart. */
-@Timeout(60)
 class RobustnessTest {
     private static final double CONNECT_LIMIT_S = 11;
 

@@ -18,12 +18,10 @@ import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.SipBytes;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
 /** The driver on a real serial port, with a robot at the other end that has one speed at a time. */
-@Timeout(20)
 @EnabledOnOs(value = OS.LINUX, disabledReason = "the port's speed is read as Linux keeps it")
 class SerialSpeedTest {
     private static final int PULSE = 0;

@@ -25,12 +25,10 @@ import majic.bot.Settings;
 import majic.team.BotFactory;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests robot types in jars in the plug-ins folder. */
 @Tag("jdk")
-@Timeout(30)
 class PluginsTest {
     @TempDir
     private Path folder;

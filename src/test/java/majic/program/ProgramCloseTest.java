@@ -12,12 +12,10 @@ import majic.bot.MajicBot;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests the end of the program when it is requested twice at once: Ctrl-C while "quit" is being carried out. */
 @Tag("jdk")
-@Timeout(20)
 class ProgramCloseTest {
     private final CountDownLatch closing = new CountDownLatch(1);
     private final CountDownLatch mayClose = new CountDownLatch(1);

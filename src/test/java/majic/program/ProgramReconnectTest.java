@@ -7,10 +7,8 @@ import java.util.OptionalInt;
 import majic.bot.FakeBot;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(30)
 class ProgramReconnectTest {
     @Test
     void aLostRobotIsConnectedAgainIfThatIsRequested(@TempDir Path folder) throws Exception {

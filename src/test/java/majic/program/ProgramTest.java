@@ -18,14 +18,12 @@ import majicsim.LabOptions;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the program as users start it: a process with arguments, input, output and an exit status. */
 @Tag("jdk")
-@Timeout(120)
 class ProgramTest {
     private static final long END_WITHIN_S = 4;
 

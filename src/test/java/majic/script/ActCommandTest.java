@@ -12,13 +12,11 @@ import majic.act.file.ActFile;
 import majic.act.make.ActMaker;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests a script as a behaviour: loaded onto a robot, run as an act, ended by a stop. */
-@Timeout(30)
 class ActCommandTest {
     @TempDir
     private Path folder;

@@ -16,11 +16,9 @@ import majic.team.Owner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** When a behaviour in MAJIC Script ends, all it has ordered ends with it, on each of its robots. */
-@Timeout(30)
 class ActEndTest {
     /** Drives robot 1 by repeated commands for half a minute. */
     private static final String LONG_DRIVE = "1 drive 100 0 for 30s";

@@ -7,12 +7,10 @@ import majic.script.help.Completions;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that a line without robots is for the default robots of its parser. */
-@Timeout(30)
 class DefaultRobotsTest {
     @AutoClose
     private final ScriptFixture fixture = new ScriptFixture();

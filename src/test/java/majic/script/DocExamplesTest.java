@@ -8,13 +8,11 @@ import java.util.stream.Stream;
 import majic.Page;
 import majic.bot.FakeBot;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests the examples on the page of the language: all of them run, and the behaviour avoids obstacles. */
-@Timeout(60)
 class DocExamplesTest {
     private static Stream<String> examples() {
         return Page.of("docs/majic-script.md").blocks("majic").map(Page.Code::text);

@@ -6,11 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The {@code log} command fills the parameter log while robots do other things. */
-@Timeout(30)
 class LoggingTest {
     @TempDir
     Path folder;

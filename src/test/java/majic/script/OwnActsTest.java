@@ -15,13 +15,11 @@ import majic.bot.Settings;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Behaviours in the user's folder: found by name, whatever the case, with blanks, as scripts and as acts. */
-@Timeout(30)
 class OwnActsTest {
     @TempDir
     private Path folder;

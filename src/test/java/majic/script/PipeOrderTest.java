@@ -8,13 +8,11 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** In a pipe, at a socket and in a file, what a line needs of the lines before it is done by then. */
-@Timeout(30)
 class PipeOrderTest {
     @TempDir
     private Path folder;

@@ -6,9 +6,7 @@ import majic.bot.BotException;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(10)
 class ReconnectTest {
     @AutoClose
     private final ScriptFixture fixture = new ScriptFixture();

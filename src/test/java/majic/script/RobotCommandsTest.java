@@ -6,10 +6,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests the effect of one line and its answers. Robot 1 is an Aibo, 2 a Pioneer; both move at 300 mm/s and 90 deg/s. */
-@Timeout(30)
 class RobotCommandsTest {
     @AutoClose
     private final ScriptFixture fixture = ScriptFixture.withTwo();

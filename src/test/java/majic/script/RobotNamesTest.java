@@ -11,14 +11,12 @@ import majic.team.Member;
 import majic.team.TeamListener;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Names of robots, and their use in place of numbers. */
-@Timeout(30)
 class RobotNamesTest {
     @AutoClose
     private final ScriptFixture fixture = ScriptFixture.withTwo();

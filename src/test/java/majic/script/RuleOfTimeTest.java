@@ -4,10 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Commands to one robot run in order, different robots run side by side, a wait joins them. */
-@Timeout(30)
 class RuleOfTimeTest {
     @AutoClose
     private final ScriptFixture fixture = ScriptFixture.withTwo();

@@ -9,10 +9,8 @@ import majic.bot.BotException;
 import majic.bot.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-@Timeout(20)
 class SavedTeamTest {
     @AutoClose
     private final ScriptFixture fixture = new ScriptFixture();

@@ -12,11 +12,9 @@ import majic.script.run.ScriptControl.Progress;
 import majic.script.run.ScriptSource;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Scripts that are paused, stepped and ended while they run. */
-@Timeout(30)
 class ScriptControlTest {
     @AutoClose
     private final ScriptFixture fixture = ScriptFixture.withTwo();

@@ -9,11 +9,9 @@ import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Scripts in files and blocks at the prompt: they have their robots to themselves, and end with all of them. */
-@Timeout(30)
 class ScriptsTest {
     @TempDir
     Path folder;

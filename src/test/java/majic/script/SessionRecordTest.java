@@ -10,13 +10,11 @@ import majic.bot.Pose;
 import majic.team.ManualControl;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A saved session is a script that does again what was done. */
-@Timeout(30)
 class SessionRecordTest {
     @TempDir
     Path folder;

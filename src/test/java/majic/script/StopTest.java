@@ -7,13 +7,11 @@ import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** STOP, and the stop of one robot. */
-@Timeout(30)
 class StopTest {
     private static final String LATCHED = "STOP is latched; \"release\" allows motion again";
 

@@ -10,12 +10,10 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptParser;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whatever is typed is taken or refused with one sentence; nothing is thrown. */
-@Timeout(60)
 class TokenSoupTest {
     private static final List<String> WORDS = List.of(
             "1",

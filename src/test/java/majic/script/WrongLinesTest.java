@@ -3,12 +3,10 @@ package majic.script;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that a wrong line has no effect, and that the answer names what is wrong, where, and what would be right. */
-@Timeout(30)
 class WrongLinesTest {
     @ParameterizedTest
     @CsvSource(

@@ -16,9 +16,7 @@ import majic.time.TimeSource.Membership;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class LabClockTest {
     private static final long STEP_NANOS = 4_000_000;
 

@@ -16,9 +16,7 @@ import majic.team.AutoReconnect.Status;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class AutoReconnectTest {
     private static final BotException ABSENT = new BotException("nothing answers");
 

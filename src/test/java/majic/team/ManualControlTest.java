@@ -14,10 +14,8 @@ import majic.bot.FakeBot;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests manual settings of parameters that move a robot; manual driving is tested in {@link TeamTest}. */
-@Timeout(20)
 class ManualControlTest {
     private final TestClock clock = new TestClock();
     private final Team team = new Team(clock.time());

@@ -14,13 +14,11 @@ import majic.time.Signal;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /**
  * Tests that a robot can still be stopped when the system has no thread left, for instance because an act uses them
  * all.
  */
-@Timeout(20)
 class NoThreadsLeftTest {
     private final Exhaustible time = new Exhaustible();
     private final Team team = new Team(time);

@@ -20,13 +20,11 @@ import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /**
  * Tests that a stop revokes, writes to every connection, and only then notifies: a callback that never returns delays
  * no byte.
  */
-@Timeout(20)
 class StopOrderTest {
     private final Team team = new Team(TimeSource.system());
     private final CountDownLatch testIsOver = new CountDownLatch(1);

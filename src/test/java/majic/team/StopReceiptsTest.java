@@ -13,10 +13,8 @@ import majic.bot.FakeBot;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests what the team reports about the confirmation of stops. */
-@Timeout(20)
 class StopReceiptsTest {
     private static final String STUCK = "takes no more data";
 

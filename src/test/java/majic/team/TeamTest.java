@@ -22,9 +22,7 @@ import majic.bot.Value;
 import majic.time.Signal;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class TeamTest {
     private final TestClock clock = new TestClock();
     private final Team team = new Team(clock.time());

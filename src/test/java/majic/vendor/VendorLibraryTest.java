@@ -16,14 +16,12 @@ import majic.bot.Settings;
 import majic.vendor.probe.ProbeAdapter;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests how an installed library is found and loaded, and the sentences for all that can be wrong with it. */
 @Tag("jdk")
-@Timeout(60)
 class VendorLibraryTest {
     private static final String EVENT = """
             package liburbi.call;

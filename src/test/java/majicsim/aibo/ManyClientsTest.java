@@ -7,7 +7,6 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
@@ -17,10 +16,8 @@ import majicsim.world.Noise;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Clients on real sockets, good ones and bad ones, beside each other (URBI sheet, sections 2, 12 and 17). */
-@Timeout(value = 60, unit = TimeUnit.SECONDS)
 class ManyClientsTest {
     private final Bench bench = Bench.exact();
     private final ReentrantLock lock = new ReentrantLock();

@@ -3,15 +3,12 @@ package majicsim.aibo;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Random;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.RepetitionInfo;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Nothing that a client sends may harm the server: others are served as before. */
-@Timeout(value = 60, unit = TimeUnit.SECONDS)
 class NastyInputTest {
     private static final String PIECES = "{}()[];,:|&+-*/^!=<>~'\"\\$#.@ \n\u00e9\u0000"
             + "at every loop while if else stop echo wait bin function return group x.y head 1e3 t: +end true 9999999999";

@@ -8,7 +8,6 @@ import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.ReentrantLock;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
@@ -16,10 +15,8 @@ import majicsim.net.TcpPort;
 import majicsim.net.Wiring;
 import majicsim.world.Noise;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** The dog behind a real port on loopback. */
-@Timeout(value = 20, unit = TimeUnit.SECONDS)
 class SocketTest {
     @Test
     void aClientOnARealSocketIsGreetedAnsweredAndSentTheEnd() throws IOException {

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Clients like those of other projects come one after the other to the same port, and half of them go without CLOSE. */
-@Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@Timeout(value = 180, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class AgainAndAgainTest {
     private static final int SESSIONS = 40;
     private static final List<Kind> NETWORK = List.of(

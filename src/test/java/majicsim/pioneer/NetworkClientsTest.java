@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Clients over a real socket that do it wrong, or come when they should not (ARCOS sheet 4, 14, 15). */
-@Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+@Timeout(value = 180, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class NetworkClientsTest {
     private static final int OPEN = 1;
     private static final int CLOSE = 2;

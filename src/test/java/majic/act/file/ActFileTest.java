@@ -23,7 +23,6 @@ import majic.bot.Settings;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -31,7 +30,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that a file brings the code of its act into a session that lacks it, and only after the user agrees. */
 @Tag("jdk")
-@Timeout(60)
 class ActFileTest {
     private static final String LOADED = "majic.test.wander";
 

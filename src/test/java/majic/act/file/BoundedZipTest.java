@@ -12,12 +12,10 @@ import java.util.TreeMap;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that a jar is unpacked completely, or refused before it uses much memory or time. */
-@Timeout(30)
 public class BoundedZipTest {
     private static final byte[] SOME = {1, 2, 3};
 

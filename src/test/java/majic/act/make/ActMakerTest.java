@@ -19,14 +19,12 @@ import majic.act.file.ClassNames;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests making acts from a source, a class file, a folder or a jar, and the errors for unsuitable classes. */
 @Tag("jdk")
-@Timeout(60)
 class ActMakerTest {
     private static final ActDetails DETAILS = ActDetails.named("Wander");
 

@@ -38,7 +38,6 @@ import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.mockito.ArgumentCaptor;
 import org.mockito.InOrder;
@@ -47,7 +46,6 @@ import org.mockito.junit.jupiter.MockitoExtension;
 
 /** Tests the adapter with doubles of the library's classes, on a real socket. */
 @ExtendWith(MockitoExtension.class)
-@Timeout(20)
 class LiburbiTransportTest {
     private static final int PATIENCE_MS = 10_000;
 

@@ -16,9 +16,7 @@ import majic.link.Links;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class DogGuardTest {
     private static final int SENSORS = 1;
     private static final String DISARMED = "1000000000000";

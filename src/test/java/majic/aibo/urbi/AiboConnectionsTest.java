@@ -10,9 +10,7 @@ import majic.bot.BotException;
 import majic.driver.RobotWait;
 import majic.link.Links;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class AiboConnectionsTest {
     @Test
     void whatIsClosedWhileItConnectsConnectsNoFurther() throws IOException {

@@ -7,9 +7,7 @@ import majic.TestClock;
 import majic.driver.RobotWait;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(10)
 class DogClockTest {
     private static final long AHEAD_MS = 50_000;
 

@@ -16,10 +16,8 @@ import majic.driver.ReplayLink;
 import majic.driver.RobotWait;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.mockito.InOrder;
 
-@Timeout(20)
 class ErrorsInMessagesTest {
     @Test
     void oneMessageThatCannotBeHandledDoesNotCostTheConnection() throws IOException {

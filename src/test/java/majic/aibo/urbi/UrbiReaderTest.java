@@ -7,9 +7,7 @@ import java.util.List;
 import majic.TestClock;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class UrbiReaderTest {
     @AutoClose
     private final TestClock clock = new TestClock();

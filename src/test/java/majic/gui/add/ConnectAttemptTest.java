@@ -21,9 +21,7 @@ import majic.team.Team;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(30)
 class ConnectAttemptTest {
     private final ToyType type = new ToyType(BotType.Reach.TCP);
 

@@ -20,10 +20,8 @@ import majic.gui.kit.ProgramServices.SerialPortChoice;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class SearchDialogWindowTest {
     private static final InetAddress HERE = InetAddress.getLoopbackAddress();
 

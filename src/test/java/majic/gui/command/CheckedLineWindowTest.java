@@ -9,11 +9,9 @@ import java.nio.file.Path;
 import majic.act.SlowActs;
 import majic.gui.TestWindow;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests lines whose files are read while further ones are typed, and lines of earlier windows. */
-@Timeout(60)
 class CheckedLineWindowTest {
     @TempDir
     private Path folder;

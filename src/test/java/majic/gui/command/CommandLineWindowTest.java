@@ -20,9 +20,7 @@ import majic.gui.ToyBot;
 import majic.script.help.Completion;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class CommandLineWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

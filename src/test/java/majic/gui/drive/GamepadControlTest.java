@@ -23,10 +23,8 @@ import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests driving by a game controller that is a double. */
-@Timeout(60)
 class GamepadControlTest {
     private static final GamepadState RELEASED = GamepadState.of(false, 1, 0);
     private static final GamepadState AHEAD = GamepadState.of(true, 1, 0);

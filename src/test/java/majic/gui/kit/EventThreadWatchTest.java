@@ -6,9 +6,7 @@ import java.util.concurrent.CountDownLatch;
 import javax.swing.SwingUtilities;
 import majic.gui.WindowWait;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class EventThreadWatchTest {
     @Test
     void anEventThatWaitsIsFoundWithItsStack() throws Exception {

@@ -16,9 +16,7 @@ import majic.team.Team;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(30)
 class MapFeedTest {
     private final BotFactory factory = new BotFactory(List.of(new ToyType(BotType.Reach.TCP)), Settings.inMemory());
     private final Team team = new Team(TimeSource.system());

@@ -13,10 +13,8 @@ import majic.gui.ToyLab;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 @Tag("jdk")
-@Timeout(60)
 class RobotPlacingWindowTest {
     private static final int SHIFT = InputEvent.SHIFT_DOWN_MASK;
 

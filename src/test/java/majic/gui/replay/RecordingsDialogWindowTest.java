@@ -12,9 +12,7 @@ import majic.gui.TestWindow;
 import majic.recorder.RecordingFolder;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(60)
 class RecordingsDialogWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

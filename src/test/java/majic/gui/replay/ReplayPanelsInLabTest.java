@@ -21,12 +21,10 @@ import majic.recorder.RecordingFolder;
 import majic.team.Member;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** In a replay the panels of all three robots show what they showed when it was recorded. */
 @Tag("jdk")
-@Timeout(60)
 class ReplayPanelsInLabTest {
     @TempDir
     private Path folder;

@@ -11,10 +11,8 @@ import java.nio.charset.StandardCharsets;
 import majic.driver.ReplayLink;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** One connection and its reader thread. */
-@Timeout(20)
 class HemissonSessionTest {
     @Test
     void anErrorInOneLineDoesNotEndTheLink() {

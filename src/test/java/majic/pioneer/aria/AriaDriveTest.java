@@ -18,13 +18,11 @@ import majic.pioneer.MajicPioneer;
 import majic.pioneer.TestPioneers;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The whole driver over a double of ARIA. */
-@Timeout(60)
 class AriaDriveTest {
     private AriaDouble aria;
     private MajicPioneer bot;

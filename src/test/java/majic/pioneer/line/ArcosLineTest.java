@@ -17,7 +17,6 @@ import majic.pioneer.state.Models;
 import majic.pioneer.state.Ramps;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.mockito.InOrder;
 
 class ArcosLineTest {
@@ -37,7 +36,6 @@ class ArcosLineTest {
     }
 
     @Test
-    @Timeout(20)
     void anErrorOverOnePacketLeavesTheLineToTheNextOnes() {
         ArcosLine.Listener listener = mock();
         doThrow(new LinkageError("made up")).when(listener).received(any());

@@ -19,10 +19,8 @@ import majic.pioneer.PioneerRig;
 import majic.pioneer.ScriptedPioneer;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** What is sent when parameters are set, and what is read, of a robot with little equipment. */
-@Timeout(60)
 class PioneerParametersTest {
     private final ScriptedPioneer robot = ScriptedPioneer.robot();
 

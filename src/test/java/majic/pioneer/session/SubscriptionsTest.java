@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import majic.TestClock;
 import majic.bot.LinkLost;
 import majic.pioneer.arcos.Bytes;
@@ -15,9 +14,7 @@ import majic.pioneer.state.RequestedReport;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(value = 20, unit = TimeUnit.SECONDS)
 class SubscriptionsTest {
     private static final String BATTERIES_STREAM = "62 2";
     private static final String PORTS_STREAM = "40 2";

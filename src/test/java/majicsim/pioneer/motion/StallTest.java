@@ -9,9 +9,7 @@ import majicsim.pioneer.model.PioneerModel;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
-@Timeout(20)
 class StallTest {
     private static final int VEL = 11;
     private static final int RVEL = 21;

@@ -12,13 +12,11 @@ import majicsim.pioneer.SipView;
 import majicsim.pioneer.devices.Tone;
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Every command of the ARCOS sheet's tables (6.1, 6.2), line by line. */
-@Timeout(60)
 class CommandTableTest {
     /** They end the session or the controller's attention: shown by tests of their own. */
     private static final Set<Integer> ENDINGS = Set.of(2, 253, 255);
