@@ -99,7 +99,7 @@ class JavaOnPagesTest {
     /** Compares with the examples, without layout and comments. */
     private static boolean isInAnExample(Page.Code block) throws IOException {
         try (Stream<Path> examples = Files.list(Path.of("examples"))) {
-            for (Path example : examples.toList()) {
+            for (Path example : examples.filter(Files::isRegularFile).toList()) {
                 if (bare(Files.readString(example)).contains(bare(block.text()))) {
                     return true;
                 }
