@@ -23,8 +23,8 @@ import picocli.CommandLine;
 
 /** Tests the lines to type on the pages of the documentation: MAJIC Script, and the command line of the shell. */
 class LinesOnPagesTest {
-    private static final Set<String> LANGUAGES =
-            Set.of("majic", "java", "sh", "console", "python", "ebnf", "yaml", "text", "urbi", "mermaid", "xml");
+    private static final Set<String> LANGUAGES = Set.of(
+            "majic", "java", "sh", "console", "python", "matlab", "ebnf", "yaml", "text", "urbi", "mermaid", "xml");
     private static final List<String> TYPES = List.of("aibo", "pioneer", "hemisson");
     private static final Pattern SCRIPT = Pattern.compile("(\\d[\\d,-]*|all|me) [a-z].*");
     private static final Pattern CALL = Pattern.compile("(?:^|[ |])\\./majic(?<words> [^|#>]*)?");

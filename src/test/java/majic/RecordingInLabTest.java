@@ -1,7 +1,6 @@
 package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -195,11 +194,11 @@ class RecordingInLabTest {
 
     @Test
     void theProgramInPythonReadsARecordingThatIsStillWritten() throws Exception {
-        assumeTrue(PythonClientTest.hasPython());
+        Tool.require("python3");
         rig.run("2 move 100");
         Series x = recorder.history().series(2, "x", 0);
         Path file = new RecordingFolder(folder.resolve("recordings")).files().get(0);
-        String[] printed = PythonClientTest.python(PYTHON.toString(), file.toString(), "2", "x")
+        String[] printed = Tool.run("python3", PYTHON.toString(), file.toString(), "2", "x")
                 .strip()
                 .split("\\R");
         assertThat(printed).hasSizeGreaterThanOrEqualTo(x.size());

@@ -1,0 +1,93 @@
+package majic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import majic.act.NoActs;
+import majic.bot.FakeType;
+import majic.bot.MajicBot;
+import majic.bot.Settings;
+import majic.log.SessionLog;
+import majic.script.Session;
+import majic.server.LineServer;
+import majic.server.ListenToken;
+import majic.team.BotFactory;
+import majic.team.Team;
+import majic.time.TimeSource;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Tests the clients on the page about commands from other programs. */
+@Timeout(60)
+class ClientProgramsTest {
+    private static final Path EXAMPLES = Path.of("examples");
+
+    @TempDir
+    private Path folder;
+
+    @ParameterizedTest
+    @ValueSource(strings = {"client.py", "client.m"})
+    void thePageShowsTheClientAsItIs(String client) throws IOException {
+        assertThat(Page.of("docs/other-programs.md").text()).contains(Files.readString(EXAMPLES.resolve(client)));
+    }
+
+    @Test
+    void theClientInPythonMovesARobotAndGetsItsAnswers() throws Exception {
+        Tool.require("python3");
+        try (Team team = new Team(TimeSource.system());
+                LineServer server = withARobot(team)) {
+            String client = EXAMPLES.resolve("client.py").toString();
+            String port = String.valueOf(server.port());
+            String token = server.token().orElseThrow().file().toString();
+            assertThat(Tool.run("python3", client, port, token, "1 move 30", "1 get x"))
+                    .containsSubsequence("1 move 30: done (30 mm", "1 x = 30 mm");
+        }
+    }
+
+    /** The client in MATLAB is not run. It keeps the connection open and waits for the answer to its last line. */
+    @Test
+    void theLastLineOfTheClientInMatlabIsAnsweredAfterAllOthers() throws Exception {
+        assertThat(Files.readString(EXAMPLES.resolve("client.m"))).contains("{'wait', 'help quit'}", "'help: quit'");
+        try (Team team = new Team(TimeSource.system());
+                LineServer server = withARobot(team);
+                Socket client = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+            String token = Files.readString(server.token().orElseThrow().file()).strip();
+            String lines = String.join("\n", token, "1 move 30", "1 get x", "wait", "help quit", "");
+            client.getOutputStream().write(lines.getBytes(StandardCharsets.UTF_8));
+            BufferedReader answers =
+                    new BufferedReader(new InputStreamReader(client.getInputStream(), StandardCharsets.UTF_8));
+            List<String> received = new ArrayList<>();
+            do {
+                received.add(answers.readLine());
+            } while (!received.get(received.size() - 1).startsWith("help: quit"));
+            assertThat(String.join("\n", received))
+                    .containsSubsequence("1 move 30: done (30 mm", "1 x = 30 mm", "help: quit");
+        }
+    }
+
+    private LineServer withARobot(Team team) throws IOException {
+        BotFactory factory = new BotFactory(List.of(new FakeType()), Settings.inMemory());
+        MajicBot bot = factory.create("fake://one");
+        bot.connect();
+        team.add(bot, OptionalInt.empty());
+        Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
+        InetSocketAddress any = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+        LineServer server = LineServer.open(any, session, port -> ListenToken.create(folder, port));
+        server.ready();
+        return server;
+    }
+}
