@@ -26,13 +26,11 @@ import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the clients on the page about commands from other programs. */
-@Timeout(60)
 class ClientProgramsTest {
     private static final Path EXAMPLES = Path.of("examples");
 

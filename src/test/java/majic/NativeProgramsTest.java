@@ -14,7 +14,6 @@ import java.util.List;
 import majic.bot.Pose;
 import majicsim.net.LineCount;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -23,7 +22,6 @@ import org.junit.jupiter.params.provider.ValueSource;
  * Tests the programs without MAJIC that {@code docs/results.md} compares with those with MAJIC: those for the Aibo and the Hemisson with the simulated
  * robots, those with ARIA by a compiler against its signatures.
  */
-@Timeout(120)
 class NativeProgramsTest {
     private static final Path PROGRAMS = Path.of("examples", "native");
     private static final double LONGEST_S = 600;

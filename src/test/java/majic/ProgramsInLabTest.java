@@ -9,10 +9,8 @@ import java.util.List;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Runs the examples in MAJIC Script, and what the Java examples do with a connected robot, in the stepped lab. */
-@Timeout(120)
 class ProgramsInLabTest {
     private static final Pose NEAR_THE_WALL = new Pose(3000, 0, 0);
 
