@@ -80,7 +80,7 @@ public final class TestWindow implements AutoCloseable {
         kept.forEach(settings::put);
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         parser = new MajicParser(session, true);
-        robot = BasicRobot.robotWithNewAwtHierarchy();
+        robot = BasicRobot.robotWithNewAwtHierarchyWithoutScreenLock();
         robot.settings().delayBetweenEvents(0);
         robot.settings().eventPostingDelay(0);
         frame = GuiActionRunner.execute(this::makeFrame);
@@ -313,7 +313,8 @@ public final class TestWindow implements AutoCloseable {
     }
 
     void letGo(int keyCode) {
-        give(KeyEvent.KEY_RELEASED, 1, () -> robot.releaseKey(keyCode));
+        robot.releaseKey(keyCode);
+        settle();
     }
 
     void holdMouse(String name) {
@@ -321,7 +322,8 @@ public final class TestWindow implements AutoCloseable {
     }
 
     void letGoMouse() {
-        give(MouseEvent.MOUSE_RELEASED, 1, robot::releaseMouseButtons);
+        robot.releaseMouseButtons();
+        settle();
     }
 
     void click(String name) {

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 class HemissonPanelWindowTest {
     private static final int PATIENCE_S = 15;
 
-    private final Robot mouse = BasicRobot.robotWithNewAwtHierarchy();
+    private final Robot mouse = BasicRobot.robotWithNewAwtHierarchyWithoutScreenLock();
     private ScriptedHemisson peer;
     private MajicHemisson bot;
     private JFrame frame;
