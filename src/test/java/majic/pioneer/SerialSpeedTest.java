@@ -5,23 +5,27 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.Executors;
-import java.util.concurrent.ScheduledExecutorService;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
+import majic.TestClock;
 import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
+import majic.bot.Settings;
+import majic.link.Links;
 import majic.link.PseudoTerminal;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.SipBytes;
+import majic.simulation.TransitCheck;
+import majicsim.net.LineCount;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.EnabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
-/** The driver on a real serial port, with a robot at the other end that has one speed at a time. */
+/** The driver on a real serial port, in stepped time, with a robot at the other end that has one speed at a time. */
 @EnabledOnOs(value = OS.LINUX, disabledReason = "the port's speed is read as Linux keeps it")
 class SerialSpeedTest {
     private static final int PULSE = 0;
@@ -29,28 +33,33 @@ class SerialSpeedTest {
     private static final int HOSTBAUD = 50;
     private static final int B9600 = 13;
     private static final int B38400 = 15;
+    private static final long CYCLE_NANOS = 50_000_000;
 
     private final PseudoTerminal plug = new PseudoTerminal();
     private final List<Integer> heard = new CopyOnWriteArrayList<>();
-    private final ScheduledExecutorService cycle = Executors.newSingleThreadScheduledExecutor();
-    private final MajicPioneer bot = new MajicPioneer(new BotAddress("pioneer", plug.name()), BotEnvironment.plain());
+    private final AtomicLong consumed = new AtomicLong();
+    private final AtomicLong written = new AtomicLong();
+    private final TestClock clock =
+            new TestClock(this::step, new TransitCheck(Links::traffic, this::lines, Set.of(plug.name())));
+    private final MajicPioneer bot = new MajicPioneer(
+            new BotAddress("pioneer", plug.name()), new BotEnvironment(clock.time(), Settings.inMemory()));
     private volatile int speed = B9600;
     private volatile boolean changesSpeed = true;
     private volatile boolean open;
     private volatile boolean oneMoreIsOnItsWay;
+    private volatile boolean portIsOpen = true;
 
     private void connect() {
         Thread robot = new Thread(this::converse, "robot on a port");
         robot.setDaemon(true);
         robot.start();
-        cycle.scheduleAtFixedRate(this::sendSip, 50, 50, TimeUnit.MILLISECONDS);
         bot.connect();
     }
 
     @AfterEach
     void unplug() {
         bot.close();
-        cycle.shutdownNow();
+        clock.close();
         plug.close();
     }
 
@@ -131,9 +140,21 @@ class SerialSpeedTest {
                 if (plug.speedCode() == speed) {
                     decoder.feed(bytes, bytes.length, this::received);
                 }
+                consumed.addAndGet(bytes.length);
             }
         } catch (IOException e) {
             open = false;
+            portIsOpen = false;
+        }
+    }
+
+    private List<LineCount> lines() {
+        return List.of(new LineCount(plug.name(), plug.name(), consumed.get(), written.get(), portIsOpen, false));
+    }
+
+    private void step(long nanos) {
+        if (nanos % CYCLE_NANOS == 0) {
+            sendSip();
         }
     }
 
@@ -168,6 +189,7 @@ class SerialSpeedTest {
         boolean understood = plug.speedCode() == speed;
         byte[] arriving = understood || oneMoreIsOnItsWay ? bytes : new byte[] {(byte) 0xE6, 0x19, (byte) 0x80};
         oneMoreIsOnItsWay &= understood;
+        written.addAndGet(arriving.length);
         plug.write(new String(arriving, StandardCharsets.ISO_8859_1));
     }
 }
