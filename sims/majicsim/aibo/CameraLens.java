@@ -13,12 +13,11 @@ final class CameraLens {
     static final double YFOV_DEG = 44.0;
     private static final double TAN_X = Math.tan(Math.toRadians(XFOV_DEG / 2));
     private static final double TAN_Y = Math.tan(Math.toRadians(YFOV_DEG / 2));
-    private static final double GRAIN = 4;
 
     private final World world;
     private final Body body;
     private final Head head;
-    private final Noise noise;
+    private final Exposure exposure;
     private final Colours colours;
     private @Nullable Sight last;
 
@@ -36,18 +35,13 @@ final class CameraLens {
         this.world = world;
         this.body = body;
         this.head = head;
-        this.noise = noise;
+        this.exposure = new Exposure(noise);
         this.colours = new Colours(world);
     }
 
     Picture take(CameraSettings settings) {
         int[] seen = sight(settings).rgb();
-        double[] exposure = settings.exposure();
-        int[] rgb = new int[seen.length];
-        for (int i = 0; i < rgb.length; i++) {
-            rgb[i] = exposed(seen[i], exposure, settings.gain());
-        }
-        return new Picture(settings.width(), settings.height(), rgb);
+        return new Picture(settings.width(), settings.height(), exposure.expose(seen, settings));
     }
 
     /** The room ahead; computed only if the head or a robot has moved since the last picture. */
@@ -81,16 +75,5 @@ final class CameraLens {
         VisibleSurface surface = scene.look(ray);
         double reach = surface.levelMm() / Math.max(1e-6, ray.level());
         return colours.of(surface, at.x() + ray.x() * reach, at.y() + ray.y() * reach);
-    }
-
-    private int exposed(int rgb, double[] exposure, int gain) {
-        double grain = noise.isExact() ? 0 : noise.uniform(-GRAIN * gain / 3, GRAIN * gain / 3);
-        int red = level((rgb >> 16 & 0xFF) * exposure[0] + grain);
-        int green = level((rgb >> 8 & 0xFF) * exposure[1] + grain);
-        return red << 16 | green << 8 | level((rgb & 0xFF) * exposure[2] + grain);
-    }
-
-    private static int level(double value) {
-        return (int) Math.max(0, Math.min(255, value));
     }
 }

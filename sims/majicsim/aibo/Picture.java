@@ -1,8 +1,12 @@
 package majicsim.aibo;
 
+import java.awt.Transparency;
+import java.awt.color.ColorSpace;
 import java.awt.image.BufferedImage;
-import java.awt.image.DataBufferInt;
-import java.awt.image.DirectColorModel;
+import java.awt.image.ColorModel;
+import java.awt.image.ComponentColorModel;
+import java.awt.image.DataBuffer;
+import java.awt.image.DataBufferByte;
 import java.awt.image.Raster;
 import java.awt.image.WritableRaster;
 import java.io.ByteArrayOutputStream;
@@ -21,6 +25,7 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
  * @param rgb one number a pixel: 0xRRGGBB
  */
 record Picture(int width, int height, int[] rgb) {
+    private static final int CHANNELS = 3;
 
     /** As JFIF file; bytes are characters of the same number. */
     String jpeg(int factor) {
@@ -40,25 +45,31 @@ record Picture(int width, int height, int[] rgb) {
         return bytes.toString(StandardCharsets.ISO_8859_1);
     }
 
-    /** The pixels themselves as an image, not a copy. */
+    /** The pixels in bytes side by side, the only order that the writer takes without converting each line. */
     private BufferedImage image() {
-        DirectColorModel colors = new DirectColorModel(24, 0xFF0000, 0xFF00, 0xFF);
-        WritableRaster raster = Raster.createPackedRaster(
-                new DataBufferInt(rgb, rgb.length), width, height, width, colors.getMasks(), null);
+        WritableRaster raster = Raster.createInterleavedRaster(DataBuffer.TYPE_BYTE, width, height, CHANNELS, null);
+        byte[] bytes = ((DataBufferByte) raster.getDataBuffer()).getData();
+        for (int i = 0; i < rgb.length; i++) {
+            bytes[CHANNELS * i] = (byte) (rgb[i] >> 16);
+            bytes[CHANNELS * i + 1] = (byte) (rgb[i] >> 8);
+            bytes[CHANNELS * i + 2] = (byte) rgb[i];
+        }
+        ColorSpace sRgb = ColorSpace.getInstance(ColorSpace.CS_sRGB);
+        ColorModel colors = new ComponentColorModel(sRgb, false, false, Transparency.OPAQUE, DataBuffer.TYPE_BYTE);
         return new BufferedImage(colors, raster, false, null);
     }
 
     /** Three bytes a pixel: Y, Cb, Cr, all over the whole range of a byte as in JFIF. */
     String yCbCr() {
-        byte[] bytes = new byte[3 * rgb.length];
+        byte[] bytes = new byte[CHANNELS * rgb.length];
         for (int i = 0; i < rgb.length; i++) {
             double red = rgb[i] >> 16 & 0xFF;
             double green = rgb[i] >> 8 & 0xFF;
             double blue = rgb[i] & 0xFF;
             double luma = 0.299 * red + 0.587 * green + 0.114 * blue;
-            bytes[3 * i] = (byte) Math.rint(luma);
-            bytes[3 * i + 1] = level(128 + 0.564 * (blue - luma));
-            bytes[3 * i + 2] = level(128 + 0.713 * (red - luma));
+            bytes[CHANNELS * i] = (byte) Math.rint(luma);
+            bytes[CHANNELS * i + 1] = level(128 + 0.564 * (blue - luma));
+            bytes[CHANNELS * i + 2] = level(128 + 0.713 * (red - luma));
         }
         return new String(bytes, StandardCharsets.ISO_8859_1);
     }
