@@ -24,6 +24,9 @@ public final class Horizon extends JPanel {
     /** Tilt in degrees between the middle and the rim of the disc. */
     private static final double HALF_VIEW_DEG = 60;
 
+    /** A change that moves nothing by more than half a pixel. */
+    private static final double UNSEEN_DEG = 0.5;
+
     private static final int LADDER_DEG = 20;
     private static final double GROUND = 0.4;
     private static final Texts TEXTS = Texts.of(Horizon.class);
@@ -55,6 +58,9 @@ public final class Horizon extends JPanel {
      * @param newTilt null when it is not known
      */
     public void show(@Nullable Tilt newTilt) {
+        if (!looksDifferent(newTilt)) {
+            return;
+        }
         tilt = newTilt;
         String words = newTilt == null
                 ? TEXTS.get("horizon.none")
@@ -62,6 +68,15 @@ public final class Horizon extends JPanel {
         setToolTipText(words);
         getAccessibleContext().setAccessibleName(words);
         repaint();
+    }
+
+    /** Compares with what is shown, so that small changes add up until they are seen. */
+    private boolean looksDifferent(@Nullable Tilt newTilt) {
+        Tilt shown = tilt;
+        return shown == null
+                || newTilt == null
+                || Math.abs(newTilt.pitchDeg() - shown.pitchDeg()) > UNSEEN_DEG
+                || Math.abs(newTilt.rollDeg() - shown.rollDeg()) > UNSEEN_DEG;
     }
 
     @Override

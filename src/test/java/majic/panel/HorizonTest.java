@@ -54,6 +54,16 @@ class HorizonTest {
         assertThat(unknown.getRGB(MIDDLE, 85)).isEqualTo(unknown.getRGB(MIDDLE, 20));
     }
 
+    @Test
+    void smallChangesAddUpUntilTheyAreSeen() {
+        horizon.show(new Tilt(12.4, 0));
+        horizon.show(new Tilt(12.8, 0));
+        assertThat(horizon.getToolTipText()).contains("12°");
+
+        horizon.show(new Tilt(13, 0));
+        assertThat(horizon.getToolTipText()).contains("13°");
+    }
+
     private BufferedImage painted(Tilt tilt) {
         horizon.show(tilt);
         horizon.setSize(SIZE, SIZE);

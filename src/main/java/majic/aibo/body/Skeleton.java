@@ -41,7 +41,7 @@ public final class Skeleton {
     }
 
     /** How far the body is raised in front, degrees. */
-    double pitchDeg() {
+    public double pitchDeg() {
         return contact.pitchDeg();
     }
 

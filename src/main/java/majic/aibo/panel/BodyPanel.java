@@ -32,6 +32,7 @@ final class BodyPanel extends JPanel {
         super(new MigLayout("insets 0, gap 8 0, novisualpadding", "[][grow, fill]", "[][][]"));
         setOpaque(false);
         battery.setName("batteryLeft");
+        battery.setDisabledIcon(new BatteryIcon(OptionalInt.empty(), false));
         battery.setFocusable(true);
         PlotLink.install(battery, List.of("battery"));
         battery.setToolTipText(TEXTS.get("battery.tip"));
@@ -67,8 +68,10 @@ final class BodyPanel extends JPanel {
     private void showBattery(Optional<Double> charge) {
         OptionalInt percent =
                 charge.isPresent() ? OptionalInt.of((int) Math.round(100 * charge.get())) : OptionalInt.empty();
-        battery.setIcon(new BatteryIcon(percent, false));
-        battery.setDisabledIcon(new BatteryIcon(OptionalInt.empty(), false));
+        BatteryIcon icon = new BatteryIcon(percent, false);
+        if (!icon.equals(battery.getIcon())) {
+            battery.setIcon(icon);
+        }
         battery.setText(percent.isPresent() ? percent.getAsInt() + " %" : TEXTS.get("battery.none"));
     }
 }

@@ -6,14 +6,17 @@ import java.awt.Graphics2D;
 import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.util.EnumSet;
+import java.util.List;
 import java.util.Set;
 import java.util.function.BiConsumer;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.JPanel;
 import majic.aibo.body.DogState;
 import majic.aibo.body.LedNames;
 import majic.aibo.body.Sensor;
+import majic.aibo.body.Skeleton;
 import majic.panel.DrawingColors;
 import majic.text.Texts;
 
@@ -38,15 +41,27 @@ final class DogDrawing extends JPanel {
     private static final double NOSE_MM = 104;
     private static final double BEHIND_HEAD_MM = 270;
 
-    /** The distances alone do not change the figure, and the others are not drawn. */
-    private static final Set<Sensor> FIGURE = EnumSet.complementOf(
-            EnumSet.of(Sensor.NEAR, Sensor.FAR, Sensor.CHEST, Sensor.LEG_LOAD, Sensor.CHARGE, Sensor.POSTURE));
+    /** The distances alone do not change the figure, the accelerations only its pitch, and the others are not drawn. */
+    private static final Set<Sensor> FIGURE = EnumSet.complementOf(EnumSet.of(
+            Sensor.NEAR,
+            Sensor.FAR,
+            Sensor.CHEST,
+            Sensor.ACCEL_X,
+            Sensor.ACCEL_Y,
+            Sensor.ACCEL_Z,
+            Sensor.LEG_LOAD,
+            Sensor.CHARGE,
+            Sensor.POSTURE));
 
-    private final transient DogState dog;
-    /** A change that is too small to be seen: degrees, m/s² of the tilt, tenths of an LED. */
+    private static final List<String> EARS = List.of("earL", "earR");
+
+    /** A change that is too small to be seen: degrees, tenths of an LED, mm of a distance. */
     private static final double UNSEEN = 0.3;
 
-    private transient double[] painted = {};
+    private final transient DogState dog;
+    private final transient Painted figure = new Painted();
+    private final transient Painted beams = new Painted();
+    private final transient Painted faceLeds = new Painted();
 
     DogDrawing(DogState dog) {
         this.dog = dog;
@@ -60,31 +75,62 @@ final class DogDrawing extends JPanel {
 
     /** Paints the views anew that have changed since the last call. */
     void refresh() {
-        double[] now = figure();
-        if (looksDifferent(now)) {
-            painted = now;
+        boolean all = figure.change(figure());
+        boolean above = beams.change(beams());
+        boolean faceOnly = faceLeds.change(leds(true));
+        if (all) {
             repaint();
-        } else {
+            return;
+        }
+        if (above) {
             repaint(views().above());
+        }
+        if (faceOnly) {
+            repaint(views().face());
         }
     }
 
-    /** Returns everything that the figure depends on; the view from above also has the beams of the distance sensors. */
-    private double[] figure() {
+    /** Returns what all views depend on. */
+    private DoubleStream figure() {
+        DoubleStream whole = DoubleStream.of(isEnabled() ? 1 : 0, new Skeleton(dog.senses()).pitchDeg());
         DoubleStream senses = FIGURE.stream()
                 .mapToDouble(sensor -> dog.senses().number(sensor).orElse(Double.NaN));
-        DoubleStream leds = LedNames.all().stream()
-                .mapToDouble(led -> 10 * dog.leds().amount(led).orElse(Double.NaN));
-        return DoubleStream.concat(DoubleStream.of(isEnabled() ? 1 : 0), DoubleStream.concat(senses, leds))
-                .toArray();
+        return DoubleStream.concat(whole, DoubleStream.concat(senses, leds(false)));
     }
 
-    /** Compares with what is painted, so that small changes add up until they are seen. */
-    private boolean looksDifferent(double[] now) {
-        return now.length != painted.length
-                || IntStream.range(0, now.length)
-                        .anyMatch(index -> Double.isNaN(now[index]) != Double.isNaN(painted[index])
-                                || Math.abs(now[index] - painted[index]) > UNSEEN);
+    /** Returns what the view from above has in addition to the figure. */
+    private DoubleStream beams() {
+        return Stream.of(dog.infraRed().headMm(), dog.infraRed().chestMm(), dog.frontMm())
+                .mapToDouble(mm -> mm.orElse(Double.NaN));
+    }
+
+    /** Returns the LEDs that only the face has, or the others and the ears, in tenths. */
+    private DoubleStream leds(boolean ofFace) {
+        return Stream.concat(LedNames.all().stream(), EARS.stream())
+                .filter(led -> FaceDrawing.isOnlyThere(led) == ofFace)
+                .mapToDouble(led -> 10 * dog.leds().amount(led).orElse(Double.NaN));
+    }
+
+    /** What was painted last, with which the present is compared, so that small changes add up until they are seen. */
+    private static final class Painted {
+        private double[] values = {};
+
+        /** Returns whether something looks different now; it counts as painted then. */
+        boolean change(DoubleStream present) {
+            double[] now = present.toArray();
+            boolean different = looksDifferent(now);
+            if (different) {
+                values = now;
+            }
+            return different;
+        }
+
+        private boolean looksDifferent(double[] now) {
+            return now.length != values.length
+                    || IntStream.range(0, now.length)
+                            .anyMatch(index -> Double.isNaN(now[index]) != Double.isNaN(values[index])
+                                    || Math.abs(now[index] - values[index]) > UNSEEN);
+        }
     }
 
     @Override

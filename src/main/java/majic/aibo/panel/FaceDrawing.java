@@ -42,6 +42,11 @@ final class FaceDrawing {
         this.leds = new LedDrawing(colors, LED_MM, colors.grey(0.55));
     }
 
+    /** Returns whether an LED is drawn in the face only. */
+    static boolean isOnlyThere(String led) {
+        return led.startsWith("ledF") || MODES.contains(led);
+    }
+
     /** Paints with y upwards. */
     void paint(Graphics2D pen) {
         paintEar(pen, -1, "earR");

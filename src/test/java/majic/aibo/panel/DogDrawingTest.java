@@ -6,6 +6,7 @@ import java.awt.Dimension;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.DoubleConsumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
@@ -24,6 +25,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Whatever moves, shines or is touched can be seen in the drawing, and a lost dog shines no more. */
 class DogDrawingTest {
@@ -110,7 +112,57 @@ class DogDrawingTest {
     }
 
     @Test
-    void onlyAChangeThatIsSeenPaintsTheWholeDrawingAgain() {
+    void onlyAChangeThatIsSeenIsPainted() {
+        Dimension all = new Dimension(WIDTH, HEIGHT);
+
+        assertThat(paintedFor(Sensor.HEAD_PAN, 10, 10.2, 10.4)).containsExactly(all, all);
+    }
+
+    @Test
+    void aDistanceIsPaintedOnlyInTheViewFromAbove() {
+        drawing.refresh();
+
+        assertThat(paintedFor(Sensor.NEAR, 30, 30, 31))
+                .hasSize(2)
+                .allMatch(area -> area.width < WIDTH && area.height < HEIGHT);
+    }
+
+    @Test
+    void theNoiseOfTheAccelerationOfADogAtRestIsNotPainted() {
+        put(Sensor.ACCEL_X, 0);
+        put(Sensor.ACCEL_Y, 0);
+        put(Sensor.ACCEL_Z, -9.8);
+        drawing.refresh();
+
+        assertThat(paintedFor(Sensor.ACCEL_X, 0.4, -0.4)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"earL", "ledHC", "ledBFC"})
+    void whatSeveralViewsShowPaintsAllOfThem(String device) {
+        drawing.refresh();
+
+        assertThat(paintedFor(amount -> shine(device, amount), 0.2, 0.9))
+                .hasSize(2)
+                .containsOnly(new Dimension(WIDTH, HEIGHT));
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"ledF5", "modeR"})
+    void anLedOfTheFaceIsPaintedOnlyThere(String led) {
+        drawing.refresh();
+
+        assertThat(paintedFor(amount -> shine(led, amount), 0.2, 0.21, 0.9))
+                .hasSize(2)
+                .allMatch(area -> area.width < WIDTH && area.height < HEIGHT);
+    }
+
+    private List<Dimension> paintedFor(Sensor sensor, double... readings) {
+        return paintedFor(reading -> put(sensor, reading), readings);
+    }
+
+    /** Returns the areas that are to be painted again after each reading. */
+    private List<Dimension> paintedFor(DoubleConsumer reported, double... readings) {
         RepaintManager usual = RepaintManager.currentManager(drawing);
         List<Dimension> painted = new ArrayList<>();
         RepaintManager.setCurrentManager(new RepaintManager() {
@@ -120,16 +172,14 @@ class DogDrawingTest {
             }
         });
         try {
-            for (double degrees : new double[] {10, 10.2, 10.4}) {
-                put(Sensor.HEAD_PAN, degrees);
+            for (double reading : readings) {
+                reported.accept(reading);
                 drawing.refresh();
             }
         } finally {
             RepaintManager.setCurrentManager(usual);
         }
-        Dimension all = new Dimension(WIDTH, HEIGHT);
-        assertThat(painted).hasSize(3).startsWith(all).endsWith(all);
-        assertThat(painted.get(1)).isNotEqualTo(all);
+        return painted;
     }
 
     private void put(Sensor sensor, double amount) {
