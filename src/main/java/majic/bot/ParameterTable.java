@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 public final class ParameterTable {
     private final Map<String, Entry> entries = Collections.synchronizedMap(new LinkedHashMap<>());
     private volatile Map<String, Entry> renewed = Map.of();
+    private volatile @Nullable List<Entry> merged;
 
     /** Made by {@link MajicBot}, one for each robot. */
     ParameterTable() {}
@@ -102,11 +103,17 @@ public final class ParameterTable {
     public void renew(Consumer<ParameterTable> description) {
         ParameterTable fresh = new ParameterTable();
         description.accept(fresh);
-        renewed = Collections.unmodifiableMap(new LinkedHashMap<>(fresh.entries));
+        synchronized (entries) {
+            renewed = Collections.unmodifiableMap(new LinkedHashMap<>(fresh.entries));
+            merged = null;
+        }
     }
 
     private Entry put(Entry entry) {
-        entries.put(key(entry.parameter().name()), entry);
+        synchronized (entries) {
+            entries.put(key(entry.parameter().name()), entry);
+            merged = null;
+        }
         return entry;
     }
 
@@ -116,13 +123,18 @@ public final class ParameterTable {
         return found == null ? entries.get(key(name)) : found;
     }
 
+    /** Returns all; called often, so the entries are merged only after a change. */
     List<Parameter> all() {
-        Map<String, Entry> all;
-        synchronized (entries) {
-            all = new LinkedHashMap<>(entries);
+        List<Entry> present = merged;
+        if (present == null) {
+            synchronized (entries) {
+                Map<String, Entry> all = new LinkedHashMap<>(entries);
+                all.putAll(renewed);
+                present = List.copyOf(all.values());
+                merged = present;
+            }
         }
-        all.putAll(renewed);
-        return all.values().stream().map(Entry::parameter).toList();
+        return present.stream().map(Entry::parameter).toList();
     }
 
     private static String key(String name) {
