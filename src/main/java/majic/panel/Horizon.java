@@ -25,7 +25,7 @@ public final class Horizon extends JPanel {
     private static final double HALF_VIEW_DEG = 60;
 
     /** A change that moves nothing by more than half a pixel. */
-    private static final double UNSEEN_DEG = 0.5;
+    private static final double UNSEEN_DEG = 1;
 
     private static final int LADDER_DEG = 20;
     private static final double GROUND = 0.4;

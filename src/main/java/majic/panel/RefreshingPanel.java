@@ -2,20 +2,18 @@ package majic.panel;
 
 import java.util.concurrent.atomic.AtomicBoolean;
 import javax.swing.JPanel;
-import javax.swing.Timer;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.text.Texts;
 
 /**
- * A panel that shows one robot. An event of the robot only sets a flag, on whatever thread it arrives; a timer of the
- * event dispatch thread checks the flag ten times a second while the panel is visible, and only then: not on a hidden
- * tab, not in an iconified window. Must be used on the event dispatch thread, except {@link #stateReceived}.
+ * A panel that shows one robot. An event of the robot only sets a flag, on whatever thread it arrives; the event dispatch
+ * thread checks the flag ten times a second ({@link RefreshTicks}) while the panel is visible, and only then: not on a
+ * hidden tab, not in an iconified window. Must be used on the event dispatch thread, except {@link #stateReceived}.
  */
 public abstract class RefreshingPanel extends JPanel {
     private static final long serialVersionUID = 1;
-    private static final int REFRESH_MS = 100;
     private static final Texts TEXTS = Texts.of(RefreshingPanel.class);
 
     /**
@@ -27,7 +25,7 @@ public abstract class RefreshingPanel extends JPanel {
     private final transient MajicBot bot;
     private final transient AtomicBoolean hasChanged = new AtomicBoolean(true);
     private final transient BotListener listener = new ChangeListener();
-    private final Timer timer = new Timer(REFRESH_MS, tick -> tick());
+    private final transient Runnable tick = this::tick;
     private final transient VisibilityWatch visibility;
     private int quietTicks;
 
@@ -43,7 +41,7 @@ public abstract class RefreshingPanel extends JPanel {
     }
 
     private void visible(boolean seen) {
-        runTimer(seen);
+        refreshAtTicks(seen);
         visibilityChanged(seen);
     }
 
@@ -113,12 +111,12 @@ public abstract class RefreshingPanel extends JPanel {
         super.removeNotify();
     }
 
-    private void runTimer(boolean showing) {
+    private void refreshAtTicks(boolean showing) {
         if (showing) {
             refreshIfChanged();
-            timer.start();
+            RefreshTicks.add(tick);
         } else {
-            timer.stop();
+            RefreshTicks.remove(tick);
         }
     }
 

@@ -57,11 +57,11 @@ class HorizonTest {
     @Test
     void smallChangesAddUpUntilTheyAreSeen() {
         horizon.show(new Tilt(12.4, 0));
-        horizon.show(new Tilt(12.8, 0));
+        horizon.show(new Tilt(13.2, 0));
         assertThat(horizon.getToolTipText()).contains("12°");
 
-        horizon.show(new Tilt(13, 0));
-        assertThat(horizon.getToolTipText()).contains("13°");
+        horizon.show(new Tilt(13.5, 0));
+        assertThat(horizon.getToolTipText()).contains("14°");
     }
 
     private BufferedImage painted(Tilt tilt) {

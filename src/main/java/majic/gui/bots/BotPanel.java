@@ -15,8 +15,8 @@ import javax.swing.SwingConstants;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
-import majic.gui.kit.UpdateThrottle;
 import majic.panel.PlotHost;
+import majic.panel.RefreshTicks;
 import majic.team.Member;
 import majic.team.Team;
 import majic.text.Texts;
@@ -31,7 +31,7 @@ final class BotPanel extends JPanel implements PlotHost {
     private final transient Member member;
     private final transient RobotActions actions;
     private final StatusStrip strip;
-    private final transient UpdateThrottle throttle;
+    private final transient Runnable update;
     private final transient BotListener listener = new ChangeListener();
 
     /**
@@ -46,10 +46,10 @@ final class BotPanel extends JPanel implements PlotHost {
         this.actions = actions;
         setName("bot" + member.number());
         strip = new StatusStrip(team, member, actions, () -> move.accept(member));
-        throttle = new UpdateThrottle(() -> {
+        update = () -> {
             strip.update();
             changed.run();
-        });
+        };
         add(strip, BorderLayout.NORTH);
         add(display(), BorderLayout.CENTER);
         member.bot().addListener(listener);
@@ -76,7 +76,7 @@ final class BotPanel extends JPanel implements PlotHost {
 
     /** Schedules an update; callable from any thread. */
     void changed() {
-        throttle.changed();
+        RefreshTicks.once(update);
     }
 
     /** Shows whether the panel is in a window of its own. */
@@ -119,12 +119,12 @@ final class BotPanel extends JPanel implements PlotHost {
     private final class ChangeListener implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {
-            throttle.changed();
+            RefreshTicks.once(update);
         }
 
         @Override
         public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
-            throttle.changed();
+            RefreshTicks.once(update);
         }
     }
 }

@@ -24,11 +24,11 @@ import majic.gui.kit.Html;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
-import majic.gui.kit.UpdateThrottle;
 import majic.panel.BatteryIcon;
 import majic.panel.DrawingColors;
 import majic.panel.PlotHost;
 import majic.panel.PlotLink;
+import majic.panel.RefreshTicks;
 import majic.team.Member;
 import majic.team.Team;
 import majic.text.Texts;
@@ -50,7 +50,7 @@ final class RobotCard extends JPanel implements PlotHost {
     private final transient RobotActions actions;
     private final transient RunningAct act;
     private final transient LinkMeter link = new LinkMeter();
-    private final transient UpdateThrottle throttle = new UpdateThrottle(this::update);
+    private final transient Runnable update = this::update;
     private final transient BotListener listener = new ChangeListener();
     private final JLabel badge = new JLabel();
     private final JLabel name;
@@ -127,7 +127,7 @@ final class RobotCard extends JPanel implements PlotHost {
 
     /** Schedules an update; callable from any thread. */
     void changed() {
-        throttle.changed();
+        RefreshTicks.once(update);
     }
 
     /** Removes the listener. */
@@ -302,12 +302,12 @@ final class RobotCard extends JPanel implements PlotHost {
     private final class ChangeListener implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {
-            throttle.changed();
+            RefreshTicks.once(update);
         }
 
         @Override
         public void connectionChanged(MajicBot bot, MajicBot.Connection now) {
-            throttle.changed();
+            RefreshTicks.once(update);
         }
     }
 }

@@ -18,9 +18,9 @@ import javax.swing.JScrollPane;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Position;
 import majic.gui.kit.EventThread;
-import majic.gui.kit.UpdateThrottle;
 import majic.log.Line;
 import majic.log.SessionListener;
+import majic.panel.RefreshTicks;
 
 /**
  * Shows the lines of the session that a filter accepts: the newest one at the bottom, in view unless the area is scrolled
@@ -32,7 +32,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
 
     private final transient List<Message> waiting = new ArrayList<>();
     private final transient Deque<Message> kept = new ArrayDeque<>();
-    private final transient UpdateThrottle throttle = new UpdateThrottle(this::showWaiting);
+    private final transient Runnable update = this::showWaiting;
     private final MessageText text = new MessageText();
     private transient MessageDocument document = new MessageDocument(false);
     private transient MessageFilter filter = MessageFilter.EVERYTHING;
@@ -73,7 +73,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
             }
             waiting.add(new Message(LocalTime.now(), line));
         }
-        throttle.changed();
+        RefreshTicks.once(update);
     }
 
     /** Shows the messages that a filter accepts, among them those that were hidden. */

@@ -15,9 +15,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import majic.bot.Pose;
 import majic.gui.kit.EventThread;
-import majic.gui.kit.UpdateThrottle;
 import majic.lab.LabAccess;
 import majic.lab.LabAccess.Wall;
+import majic.panel.RefreshTicks;
 import majic.panel.map.Trail;
 import majic.team.BotFactory;
 import majic.team.Member;
@@ -77,7 +77,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     public void start() {
         team.addListener(this);
         clock.scheduleWithFixedDelay(
-                this::update, UpdateThrottle.PERIOD_MS, UpdateThrottle.PERIOD_MS, TimeUnit.MILLISECONDS);
+                this::update, RefreshTicks.PERIOD_MS, RefreshTicks.PERIOD_MS, TimeUnit.MILLISECONDS);
     }
 
     /** Records where the robot is when it is added, before it moves. */

@@ -1,0 +1,91 @@
+package majic.panel;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import javax.swing.SwingUtilities;
+import org.junit.jupiter.api.Test;
+
+class RefreshTicksTest {
+    private static final int BOUND_S = 60;
+
+    private final AtomicInteger updates = new AtomicInteger();
+
+    @Test
+    void anUpdateRunsOnceHoweverOftenItBecomesDueBeforeATick() throws Exception {
+        CountDownLatch last = new CountDownLatch(1);
+        Runnable update = updates::incrementAndGet;
+        SwingUtilities.invokeAndWait(() -> {
+            RefreshTicks.once(update);
+            RefreshTicks.once(update);
+            RefreshTicks.once(last::countDown);
+        });
+
+        await(last);
+        SwingUtilities.invokeAndWait(() -> {});
+        assertThat(updates).hasValue(1);
+    }
+
+    @Test
+    void anUpdateThatBecomesDueDuringATickRunsAtTheNextOne() throws Exception {
+        CountDownLatch thrice = new CountDownLatch(3);
+        RefreshTicks.once(new Runnable() {
+            @Override
+            public void run() {
+                thrice.countDown();
+                if (thrice.getCount() > 0) {
+                    RefreshTicks.once(this);
+                }
+            }
+        });
+
+        await(thrice);
+    }
+
+    @Test
+    void aRepeatedUpdateRunsUntilItIsRemoved() throws Exception {
+        CountDownLatch twice = new CountDownLatch(2);
+        Runnable update = twice::countDown;
+        SwingUtilities.invokeAndWait(() -> RefreshTicks.add(update));
+        await(twice);
+
+        Runnable counted = updates::incrementAndGet;
+        CountDownLatch later = new CountDownLatch(1);
+        SwingUtilities.invokeAndWait(() -> {
+            RefreshTicks.remove(update);
+            RefreshTicks.add(counted);
+            RefreshTicks.remove(counted);
+            RefreshTicks.once(later::countDown);
+        });
+        await(later);
+        assertThat(updates).hasValue(0);
+    }
+
+    @Test
+    void anUpdateThatFailsDelaysNoOther() throws Exception {
+        AtomicInteger reported = new AtomicInteger();
+        CountDownLatch other = new CountDownLatch(1);
+        SwingUtilities.invokeAndWait(() -> {
+            Thread thread = Thread.currentThread();
+            thread.setUncaughtExceptionHandler((where, problem) -> reported.incrementAndGet());
+            Runnable failing = () -> {
+                throw new IllegalStateException("an update that fails");
+            };
+            RefreshTicks.add(failing);
+            RefreshTicks.once(() -> {
+                RefreshTicks.remove(failing);
+                thread.setUncaughtExceptionHandler(null);
+                other.countDown();
+            });
+        });
+
+        await(other);
+        assertThat(reported).hasValue(1);
+    }
+
+    private static void await(CountDownLatch latch) throws InterruptedException {
+        assertThat(latch.await(BOUND_S, TimeUnit.SECONDS)).isTrue();
+    }
+}
