@@ -96,7 +96,7 @@ public final class ReadingsPanel<S> extends JPanel {
      * @return this panel
      */
     public ReadingsPanel<S> with(String name, List<String> parameters, Function<? super S, String> text) {
-        JLabel value = new JLabel(NONE, SwingConstants.TRAILING);
+        JLabel value = new ValueLabel();
         value.setName(name);
         value.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, SLACK / 2));
         value.setToolTipText(ReadingText.tip(name));
@@ -140,16 +140,28 @@ public final class ReadingsPanel<S> extends JPanel {
     }
 
     /**
-     * Shows the values.
+     * Shows the values, unless there is no room for the panel.
      *
      * @param source the source of the values
      * @param current whether they are current; older ones are greyed
      */
     public void show(S source, boolean current) {
-        for (int index = 0; index < texts.size(); index++) {
+        for (int index = 0; index < texts.size() && isVisible(); index++) {
             values.get(index).setText(texts.get(index).apply(source));
             values.get(index).setEnabled(current);
         }
+    }
+
+    /** Needs no new layout for another text, since its place does not depend on it. */
+    private static final class ValueLabel extends JLabel {
+        private static final long serialVersionUID = 1;
+
+        ValueLabel() {
+            super(NONE, SwingConstants.TRAILING);
+        }
+
+        @Override
+        public void revalidate() {}
     }
 
     /** Lets the keys reach the values that can be plotted where the panel is. */

@@ -7,6 +7,8 @@ import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
+import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The shape of a status light.
@@ -15,10 +17,13 @@ import java.awt.geom.Path2D;
  */
 record StatusLightIcon(StatusLight.Kind kind) implements ScaledIcon {
     private static final int SIZE = 12;
+    private static final List<StatusLightIcon> ALL =
+            Stream.of(StatusLight.Kind.values()).map(StatusLightIcon::new).toList();
     private static final Color YELLOW = new Color(0xF0A732);
 
+    /** Returns the same icon for the same kind, since a label paints itself for another one. */
     static StatusLightIcon of(StatusLight.Kind kind) {
-        return new StatusLightIcon(kind);
+        return ALL.get(kind.ordinal());
     }
 
     @Override

@@ -57,6 +57,15 @@ class ReadingsPanelTest {
     }
 
     @Test
+    void readsNothingWhileItIsHidden() {
+        panel.setVisible(false);
+
+        panel.show(bot, true);
+
+        assertThat(value("voltage").getText()).isEqualTo(ReadingsPanel.NONE);
+    }
+
+    @Test
     void greysValuesThatAreNotOfNow() {
         panel.show(bot, false);
 

@@ -73,8 +73,11 @@ public final class DrivePad extends JPanel {
 
     /** Shows which of the robots can be driven now, and why the others cannot. */
     public void update() {
-        obstacles = DriveObstacles.of(members);
-        showState(isFocusOwner());
+        DriveObstacles now = DriveObstacles.of(members);
+        if (!now.equals(obstacles)) {
+            obstacles = now;
+            showState(isFocusOwner());
+        }
     }
 
     private void placeArrows() {
