@@ -7,8 +7,9 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.PriorityQueue;
+import java.util.NavigableSet;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
@@ -34,15 +35,15 @@ import org.jspecify.annotations.Nullable;
 public final class LabClock implements TimeSource, AutoCloseable {
     private static final Logger LOG = System.getLogger(LabClock.class.getName());
     private static final long LOOK_NANOS = 250_000_000;
+    private static final long NEVER = Long.MAX_VALUE;
 
     private final long stepNanos;
     private final Runnable lab;
     private final Pacing pacing;
     private final ReentrantLock lock = new ReentrantLock();
     private final Condition membersWait = lock.newCondition();
-    private final Set<Waiter> waiting = new HashSet<>();
-    private final PriorityQueue<Waiter> sleepers = new PriorityQueue<>(
-            Comparator.<Waiter>comparingLong(w -> w.deadline).thenComparingLong(w -> w.number));
+    private final NavigableSet<Waiter> waiting = new TreeSet<>(
+            Comparator.<Waiter>comparingLong(waiter -> waiter.deadline).thenComparingLong(waiter -> waiter.number));
     private final Map<Thread, ClockMember> members = new HashMap<>();
     private final StallDetector watch = new StallDetector();
     private volatile long nowNanos;
@@ -189,11 +190,12 @@ public final class LabClock implements TimeSource, AutoCloseable {
             LOG.log(Level.ERROR, "the simulated lab has ended", e);
             end("the simulated lab has ended by an error in it (" + e + "), see MAJIC's log; start it again");
         } finally {
-            nothingIsInTurnAnyMore();
+            endTurns();
         }
     }
 
-    private void nothingIsInTurnAnyMore() {
+    /** From now on members wake at once, since no thread gives them their turn. */
+    private void endTurns() {
         lock.lock();
         try {
             over = true;
@@ -206,7 +208,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
     private void endIfStuck() {
         lock.lock();
         try {
-            boolean waits = !sleepers.isEmpty();
+            boolean waits = nextDeadline() != NEVER;
             if (waits && watch.isOver(members.keySet())) {
                 String report = watch.report(members, pacing.toString());
                 LOG.log(Level.ERROR, report);
@@ -252,7 +254,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
     private long awaitMembers() throws InterruptedException {
         lock.lockInterruptibly();
         try {
-            while (pacing.awaitsMembers() && (running > 0 || sleepers.isEmpty()) && !closed && ended == null) {
+            while (pacing.awaitsMembers() && (running > 0 || nextDeadline() == NEVER) && !closed && ended == null) {
                 membersWait.await(LOOK_NANOS, TimeUnit.NANOSECONDS);
                 endIfStuck();
             }
@@ -289,15 +291,18 @@ public final class LabClock implements TimeSource, AutoCloseable {
     private boolean wakeNextDue() {
         lock.lock();
         try {
-            Waiter next = sleepers.peek();
-            if (next == null || next.deadline > nowNanos) {
+            if (nextDeadline() > nowNanos) {
                 return false;
             }
-            wake(next);
+            wake(waiting.first());
             return true;
         } finally {
             lock.unlock();
         }
+    }
+
+    private long nextDeadline() {
+        return waiting.isEmpty() ? NEVER : waiting.first().deadline;
     }
 
     private boolean hasWoken(long seen) {
@@ -314,9 +319,9 @@ public final class LabClock implements TimeSource, AutoCloseable {
         if (waiter.member == null || over || !pacing.awaitsMembers()) {
             wake(waiter);
         } else if (waiter.deadline > nowNanos) {
-            sleepers.remove(waiter);
+            waiting.remove(waiter);
             waiter.deadline = nowNanos;
-            sleepers.add(waiter);
+            waiting.add(waiter);
             membersWait.signalAll();
         }
     }
@@ -326,7 +331,6 @@ public final class LabClock implements TimeSource, AutoCloseable {
             return;
         }
         waiter.woken = true;
-        sleepers.remove(waiter);
         waiting.remove(waiter);
         if (waiter.member != null) {
             waiter.member.runs();
@@ -386,9 +390,6 @@ public final class LabClock implements TimeSource, AutoCloseable {
         private void fallAsleep(Waiter waiter) {
             waiters.add(waiter);
             waiting.add(waiter);
-            if (waiter.deadline != Long.MAX_VALUE) {
-                sleepers.add(waiter);
-            }
             if (waiter.member != null) {
                 waiter.member.waits();
                 running--;
