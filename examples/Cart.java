@@ -3,6 +3,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
@@ -24,7 +25,7 @@ import majic.link.Links;
  * A robot behind a network link: a cart that takes lines such as {@code drive 100 0} (mm/s and deg/s) and reports its
  * position in lines such as {@code at 250 0 0} (mm, mm and degrees).
  */
-public final class Cart extends MajicBot {
+public final class Cart extends BotDriver {
     private static final int CONNECT_TIMEOUT_MS = 3000;
 
     private final String address;

@@ -1,4 +1,5 @@
 import java.util.List;
+import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
@@ -12,7 +13,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 
 /** A complete robot type of one's own: a turtle that exists only in memory. */
-public final class Turtle extends MajicBot {
+public final class Turtle extends BotDriver {
     private volatile double speedMmPerSec;
     private volatile double turnDegPerSec;
     private volatile boolean penDown;

@@ -30,10 +30,10 @@ import majic.aibo.urbi.UrbiTransport;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.BotAddress;
+import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -48,7 +48,7 @@ import org.jspecify.annotations.Nullable;
  * settings adapt them to the dog. The first motion switches the motors on and stands the dog up. While it walks ahead
  * its head sweeps from side to side: the infra-red beams are much narrower than the dog.
  */
-public final class MajicAibo extends MajicBot {
+public final class MajicAibo extends BotDriver {
     private static final double TICK_S = 0.1;
 
     private final Supplier<UrbiTransport> transports;

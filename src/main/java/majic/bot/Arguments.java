@@ -6,7 +6,6 @@ import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.IntFunction;
-import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /** Checks what is handed to {@code set} and to a robot's own commands, before anything is sent. */
@@ -36,15 +35,6 @@ final class Arguments {
                     parameter.name(), parameter.name() + ": takes " + wanted.size() + " value(s), not " + given.size());
         }
         return fit(wanted::get, given);
-    }
-
-    static BotCommand command(String bot, List<BotCommand> commands, String name) {
-        return commands.stream()
-                .filter(command -> command.name().equalsIgnoreCase(name))
-                .findFirst()
-                .orElseThrow(() -> new BotException(name + ": " + bot + " has no such command"
-                        + Suggestion.didYouMean(
-                                name, commands.stream().map(BotCommand::name).toList())));
     }
 
     static List<Value> forCommand(BotCommand command, List<Value> given) {

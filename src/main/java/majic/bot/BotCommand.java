@@ -14,79 +14,16 @@ import org.jspecify.annotations.Nullable;
  *     argument has extras
  * @param moves whether it moves the robot or may do so, as a raw command may; it then needs the robot to be free
  * @param help one line for people
- * @param action what it does
  * @param raw whether it passes the user's text to the robot unchecked by MAJIC; not allowed in behaviours written in
  *     MAJIC Script
  */
 public record BotCommand(
-        String name,
-        List<Parameter> arguments,
-        List<Parameter> repeated,
-        boolean moves,
-        String help,
-        Action action,
-        boolean raw) {
-
-    /** The action of a command that only some robots have. */
-    @FunctionalInterface
-    public interface Action {
-        /**
-         * Runs the command, on the calling thread.
-         *
-         * @param arguments the checked arguments, in order
-         * @param motion through which everything that moves is to be sent
-         * @return the answer for the user
-         * @throws BotException if the robot could not do it
-         */
-        String run(List<Value> arguments, Motion motion);
-    }
+        String name, List<Parameter> arguments, List<Parameter> repeated, boolean moves, String help, boolean raw) {
 
     /** Keeps copies of the arguments. */
     public BotCommand {
         arguments = List.copyOf(arguments);
         repeated = List.copyOf(repeated);
-    }
-
-    /**
-     * A command that is not raw.
-     *
-     * @param name its word
-     * @param arguments what it takes, in order
-     * @param repeated what may follow behind them
-     * @param moves whether it moves the robot or may do so
-     * @param help one line for people
-     * @param action what it does
-     */
-    public BotCommand(
-            String name,
-            List<Parameter> arguments,
-            List<Parameter> repeated,
-            boolean moves,
-            String help,
-            Action action) {
-        this(name, arguments, repeated, moves, help, action, false);
-    }
-
-    /**
-     * A command with so many arguments and no more.
-     *
-     * @param name its word
-     * @param arguments what it takes, in order; each is required
-     * @param moves whether it moves the robot or may do so
-     * @param help one line for people
-     * @param action what it does
-     */
-    public BotCommand(String name, List<Parameter> arguments, boolean moves, String help, Action action) {
-        this(name, arguments, List.of(), moves, help, action, false);
-    }
-
-    /**
-     * This command, marked as raw.
-     *
-     * @return the same otherwise
-     */
-    public BotCommand asRaw() {
-        return new BotCommand(name, arguments, repeated, moves, help, action, true);
     }
 
     /**
@@ -98,8 +35,12 @@ public record BotCommand(
         return (name + " " + argumentNames()).strip();
     }
 
-    /** The names of its arguments as people read them. */
-    String argumentNames() {
+    /**
+     * Returns the names of its arguments in upper case, optional ones in brackets.
+     *
+     * @return empty for a command without arguments
+     */
+    public String argumentNames() {
         String optional = optional().stream()
                 .map(extra -> " [" + names(List.of(extra)) + "]")
                 .collect(Collectors.joining());
@@ -135,8 +76,13 @@ public record BotCommand(
         return repeated.isEmpty() ? null : repeated.get(further % repeated.size());
     }
 
-    /** Returns whether the command accepts this number of arguments. */
-    boolean takes(int count) {
+    /**
+     * Returns whether the command accepts a number of arguments.
+     *
+     * @param count 0 or more
+     * @return whether {@link MajicBot#run(String, java.util.List)} accepts so many
+     */
+    public boolean takes(int count) {
         int further = count - arguments.size();
         boolean rounds = further > 0 && !repeated.isEmpty() && further % repeated.size() == 0;
         return rounds || further >= 0 && further <= optional().size();

@@ -12,6 +12,9 @@ import java.util.List;
  * value is wrong and nothing was sent.
  */
 public interface BotControl {
+    /** How long a drive without a given time holds unless it is renewed, seconds. */
+    double DRIVE_LEASE_S = 0.6;
+
     /**
      * Returns the name of the robot in messages.
      *

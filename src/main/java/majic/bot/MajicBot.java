@@ -3,13 +3,7 @@ package majic.bot;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicLong;
-import java.util.function.BiFunction;
-import java.util.function.Supplier;
 import javax.swing.JComponent;
-import majic.text.Suggestion;
-import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -21,31 +15,9 @@ import org.jspecify.annotations.Nullable;
  * to the listeners. All public methods are thread-safe. Motions of several callers run one after the other;
  * {@link #stop()} overtakes them.
  *
- * <p>Subclasses implement the protected hooks. This class checks arguments, orders callers, stops, ends a {@code drive}
- * that is not renewed, calls listeners and defines the shared parameters.
+ * <p>The drivers of robots extend {@link BotDriver}, which implements all of this.
  */
 public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoCloseable {
-    private final BotType type;
-    private final TimeSource time;
-    private final Settings settings;
-    private final ParameterTable parameters = new ParameterTable();
-    private final PoseOffset offset = new PoseOffset();
-    private final List<BotCommand> commands = new CopyOnWriteArrayList<>();
-    private final Listeners listeners;
-    private final ConnectionLife life;
-    private final List<Runnable> watchers = new CopyOnWriteArrayList<>();
-    private final Signal changes;
-    private final RobotTimer timer;
-    private final MotionGate gate;
-    private final AtomicLong readings = new AtomicLong();
-    private final ShutdownHook.Closing atShutdown;
-
-    private volatile BotProfile profile;
-    private volatile MotionLimits limits;
-    private volatile String name;
-    private volatile @Nullable TeamMembership membership;
-    private volatile BotState state = BotState.UNKNOWN;
-
     /** The state of a robot's connection. */
     public enum Connection {
         /** Not yet connected. */
@@ -61,116 +33,18 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Creates a driver; contacts no robot and starts no thread.
-     *
-     * @param type what it is a driver for
-     * @param profile its size and pace
-     * @param environment its clock and settings
-     */
-    protected MajicBot(BotType type, BotProfile profile, BotEnvironment environment) {
-        this.type = type;
-        this.profile = profile;
-        this.limits = new MotionLimits(profile);
-        this.time = environment.time();
-        this.settings = environment.settings();
-        this.listeners = new Listeners(this, time);
-        this.life = new ConnectionLife(listeners::connectionChanged);
-        this.changes = time.signal();
-        this.timer = new RobotTimer(time);
-        this.gate = new MotionGate(new Moving(), timer);
-        this.name = "the " + type.label();
-        this.atShutdown = new ShutdownHook.Closing(this::name, time, this::revokeForGood, this::close);
-        SharedParameters.describe(
-                parameters, new SharedParameters.Source(this::state, this::profile, time), this::place);
-        limits.describe(parameters);
-    }
-
-    /**
      * Connects, without moving the robot or switching its motors on. May be called again after the connection was lost.
      *
      * <p>Until it is closed, a robot that was connected is also stopped and closed when the Java program ends by
-     * {@code System.exit}, Ctrl-C or a signal; see {@link ShutdownHook}.
+     * {@code System.exit}, Ctrl-C or a signal.
      *
      * @throws BotException if the robot is not found, refuses, or does not answer within the driver's timeout, or if
      *     the program is ending; the message contains what to try, and the robot is in state {@link Connection#LOST}
      */
-    public final void connect() {
-        boolean first = life.begin(name);
-        try {
-            ShutdownHook.add(atShutdown);
-            if (first) {
-                listeners.start(time, type.name());
-                timer.start(type.name());
-            }
-            offset.reconnecting();
-            listeners.deliver();
-            open();
-        } catch (RuntimeException | Error e) {
-            life.end(Connection.LOST);
-            listeners.deliver();
-            throw e;
-        }
-        if (!life.end(Connection.CONNECTED)) {
-            shut();
-        }
-        news();
-        listeners.deliver();
-        requireConnected();
-    }
-
-    @Override
-    public final MotionReport move(double mm, Guard until) {
-        return move(mm, until, permit());
-    }
-
-    final MotionReport move(double mm, Guard until, Permit permit) {
-        limits.checkMove(mm);
-        return gate.perform(until, permit, motion -> moveBy(mm, motion));
-    }
-
-    @Override
-    public final MotionReport turn(double degrees, Guard until) {
-        return turn(degrees, until, permit());
-    }
-
-    final MotionReport turn(double degrees, Guard until, Permit permit) {
-        limits.checkTurn(degrees);
-        return gate.perform(until, permit, motion -> turnBy(degrees, motion));
-    }
-
-    @Override
-    public final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until) {
-        return drive(mmPerSec, degPerSec, seconds, until, permit());
-    }
-
-    final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
-        limits.checkDrive(mmPerSec, degPerSec, seconds);
-        return gate.drive(mmPerSec, degPerSec, seconds, until, permit);
-    }
-
-    @Override
-    public final void drive(double mmPerSec, double degPerSec) {
-        drive(mmPerSec, degPerSec, permit());
-    }
-
-    final void drive(double mmPerSec, double degPerSec, Permit permit) {
-        limits.checkDrive(mmPerSec, degPerSec);
-        gate.drive(mmPerSec, degPerSec, permit);
-    }
-
-    @Override
-    public final void stop() {
-        revokeMotions();
-        if (isConnected()) {
-            sendStop();
-        }
-    }
+    public abstract void connect();
 
     /** Revokes the permission to move of all current motions; does not block, sends nothing. */
-    public final void revokeMotions() {
-        gate.revoke(() -> new MotionStopped("stopped"));
-        changes.raise();
-    }
+    public abstract void revokeMotions();
 
     /**
      * Sends the stop and waits until the robot has confirmed it. Unlike {@link #stop()} it revokes no permission to
@@ -181,81 +55,12 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @throws BotException if the robot is being reconnected, or reconnecting failed; the stop cannot be sent then
      *     either
      */
-    public final void sendStop() {
-        if (writeStop()) {
-            confirmHalt();
-        }
-    }
+    public abstract void sendStop();
 
     /**
      * The part of {@link #sendStop()} that writes; false for a robot that needs no stop, not connected yet or closed.
      */
-    public final boolean writeStop() {
-        changes.raise();
-        refuseLost();
-        Connection now = life.now();
-        if (now == Connection.CONNECTING || now == Connection.LOST) {
-            throw new BotException(name + " is not connected, so no stop can reach it");
-        }
-        boolean open = isConnected();
-        if (open) {
-            gate.writeStop();
-        }
-        return open;
-    }
-
-    @Override
-    public final Value get(String parameter) {
-        ParameterTable.Entry entry = entry(parameter);
-        if (entry.reader() == null) {
-            throw new ParameterException(parameter, entry.parameter().name() + ": can be set but not read");
-        }
-        return entry.reader().get();
-    }
-
-    @Override
-    public final void set(String parameter, List<Value> values) {
-        set(parameter, values, permit());
-    }
-
-    final void set(String parameter, List<Value> values, Permit permit) {
-        ParameterTable.Entry entry = entry(parameter);
-        BiFunction<List<Value>, Motion, @Nullable Value> writer = Arguments.writer(entry);
-        List<Value> fitted = Arguments.forSet(entry.parameter(), values);
-        if (entry.parameter().moves()) {
-            gate.perform(Guard.NEVER, permit, motion -> writer.apply(fitted, motion));
-        } else {
-            requireConnected();
-            writer.apply(fitted, gate.beside(permit));
-        }
-    }
-
-    @Override
-    public final String run(String command, List<Value> arguments) {
-        return run(command, arguments, permit());
-    }
-
-    final String run(String command, List<Value> arguments, Permit permit) {
-        BotCommand known = Arguments.command(name, commands(), command);
-        List<Value> fitted = Arguments.forCommand(known, arguments);
-        if (!known.moves()) {
-            requireConnected();
-            return known.action().run(fitted, gate.beside(permit));
-        }
-        MotionReport report = gate.perform(
-                Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
-        return String.valueOf(report.amount());
-    }
-
-    @Override
-    public final List<Parameter> parameters() {
-        return parameters.all();
-    }
-
-    @Override
-    public final List<BotCommand> commands() {
-        return List.copyOf(commands);
-    }
+    public abstract boolean writeStop();
 
     /**
      * Checks values for a parameter without setting it, as a script does before any robot moves.
@@ -265,12 +70,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return the parameter
      * @throws ParameterException what setting it would throw for these values
      */
-    public final Parameter checkSet(String parameter, List<Value> values) {
-        ParameterTable.Entry entry = entry(parameter);
-        Arguments.writer(entry);
-        Arguments.forSet(entry.parameter(), values);
-        return entry.parameter();
-    }
+    public abstract Parameter checkSet(String parameter, List<Value> values);
 
     /**
      * Checks arguments for one of the commands that only this type of robot has, without running it.
@@ -279,18 +79,33 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @param arguments as for {@link #run(String, List)}
      * @throws BotException what running it would throw for these arguments
      */
-    public final void checkRun(String command, List<Value> arguments) {
-        Arguments.forCommand(Arguments.command(name, commands, command), arguments);
-    }
+    public abstract void checkRun(String command, List<Value> arguments);
 
     /**
-     * Returns the limits of its motions.
+     * Checks the distance of a {@code move} against the present {@code maxMove}.
      *
-     * @return as known now; connecting may change them
+     * @param mm the distance, mm, ahead positive
+     * @throws ParameterException if it is longer, or not finite
      */
-    public final MotionLimits limits() {
-        return limits;
-    }
+    public abstract void checkMove(double mm);
+
+    /**
+     * Checks the angle of a {@code turn}.
+     *
+     * @param degrees the angle, counterclockwise positive; at most 36000 either way
+     * @throws ParameterException if it is larger, or not finite
+     */
+    public abstract void checkTurn(double degrees);
+
+    /**
+     * Checks a {@code drive} for a time against what the robot can do.
+     *
+     * @param mmPerSec the speed, mm/s, ahead positive
+     * @param degPerSec the turn rate, deg/s, counterclockwise positive
+     * @param seconds for how long; more than 0, at most 60
+     * @throws ParameterException if it is too fast or too long
+     */
+    public abstract void checkDrive(double mmPerSec, double degPerSec, double seconds);
 
     /**
      * Looks a parameter up.
@@ -299,39 +114,14 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return its description
      * @throws ParameterException if this robot has none of that name; the message suggests one
      */
-    public final Parameter parameter(String parameter) {
-        return entry(parameter).parameter();
-    }
+    public abstract Parameter parameter(String parameter);
 
     /**
      * Stops the robot and closes the connection for good. Takes at most about a second, also when the link is stuck;
      * does nothing when it is closed already.
      */
     @Override
-    public final void close() {
-        Connection before = life.close(() -> revokeForGood(name + " is closed"));
-        if (before == Connection.CLOSED) {
-            return;
-        }
-        try {
-            timer.close();
-            news();
-            gate.end(before == Connection.CONNECTED);
-            if (before != Connection.NEW) {
-                shut();
-            }
-        } finally {
-            ShutdownHook.remove(atShutdown);
-            listeners.deliver();
-            listeners.close();
-        }
-    }
-
-    /** Ends all motions and permits no others; does not block, sends nothing. */
-    final void revokeForGood(String reason) {
-        gate.close(() -> new BotException(reason));
-        changes.raise();
-    }
+    public abstract void close();
 
     /**
      * Describes the connected robot, as far as connecting reported it.
@@ -339,7 +129,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return article and make, {@code a MobileRobots Pioneer}; a driver whose robot reports more adds it
      */
     public String introduction() {
-        return "a " + type.make();
+        return "a " + type().make();
     }
 
     /**
@@ -366,14 +156,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      *
      * @return its type
      */
-    public final BotType type() {
-        return type;
-    }
-
-    @Override
-    public final String name() {
-        return name;
-    }
+    public abstract BotType type();
 
     /**
      * Returns the membership in a team. Every operation that a display offers goes through {@code Member.of(bot)}, so
@@ -381,9 +164,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      *
      * @return empty for a robot that is used alone
      */
-    public final Optional<TeamMembership> membership() {
-        return Optional.ofNullable(membership);
-    }
+    public abstract Optional<TeamMembership> membership();
 
     /**
      * Records the membership in a team. Called by the team once, before any other command.
@@ -391,46 +172,35 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @param newMembership the membership
      * @param newName the robot's name in messages from then on
      */
-    public final void join(TeamMembership newMembership, String newName) {
-        membership = newMembership;
-        name = newName;
-    }
+    public abstract void join(TeamMembership newMembership, String newName);
 
     /**
      * Returns the size and the speeds of this robot.
      *
      * @return as known now; connecting may change it
      */
-    public final BotProfile profile() {
-        return profile;
-    }
+    public abstract BotProfile profile();
 
     /**
      * Returns the state of its connection.
      *
      * @return the state now
      */
-    public final Connection connection() {
-        return life.now();
-    }
+    public abstract Connection connection();
 
     /**
      * Returns whether it can be commanded.
      *
      * @return true while connected
      */
-    public final boolean isConnected() {
-        return life.now() == Connection.CONNECTED;
-    }
+    public abstract boolean isConnected();
 
     /**
      * Returns the last state the robot reported.
      *
      * @return the newest state; {@link BotState#UNKNOWN} before the first report
      */
-    public final BotState state() {
-        return state;
-    }
+    public abstract BotState state();
 
     /**
      * Sets the pose that this robot reports at its present place. Moves nothing and sends nothing; a motion in progress
@@ -438,22 +208,14 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      *
      * @param pose where the robot is, in a frame that several robots can share: that of the team map
      */
-    public final void place(Pose pose) {
-        synchronized (offset) {
-            state = offset.place(pose);
-        }
-        news();
-        listeners.stateChanged();
-    }
+    public abstract void place(Pose pose);
 
     /**
      * Returns where this robot was placed last.
      *
      * @return the pose passed to {@link #place}; empty if its poses are relative to where it was connected
      */
-    public final Optional<Pose> placedAt() {
-        return offset.start();
-    }
+    public abstract Optional<Pose> placedAt();
 
     /**
      * Returns the parameters that describe this one robot and hold for longer than a session, such as measured speeds.
@@ -470,405 +232,65 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      *
      * @param listener called on the robot's listener thread, or on a thread that commands the robot
      */
-    public final void addListener(BotListener listener) {
-        listeners.add(listener);
-    }
+    public abstract void addListener(BotListener listener);
 
     /**
      * Removes a listener.
      *
      * @param listener the listener that was added
      */
-    public final void removeListener(BotListener listener) {
-        listeners.remove(listener);
-    }
+    public abstract void removeListener(BotListener listener);
 
     /**
-     * Opens the connection and performs the protocol's handshake. Called once for each {@link #connect()}, on its
-     * thread, in state {@link Connection#CONNECTING}. Must not move the robot nor switch motors on, must end within the
-     * driver's timeout, and must close everything it opened when it throws.
-     *
-     * @throws BotException with what went wrong and what to try
-     */
-    protected abstract void open();
-
-    /**
-     * Stops the robot if it may be moving, ends the session as the protocol requires, and closes the connection, in any
-     * state. Takes at most about a second; throws nothing.
-     */
-    protected abstract void shut();
-
-    /**
-     * Drives straight until done. Every command that moves the robot is sent through the motion; exceptions it throws
-     * must not be caught. Motors are switched on here when they are off, with a {@link #notice}.
-     *
-     * @param mm finite, within {@code maxMove}, ahead positive
-     * @param motion for sending and waiting
-     * @return how far it went, mm
-     */
-    protected abstract Value moveBy(double mm, Motion motion);
-
-    /**
-     * Turns on the spot until done; otherwise as {@link #moveBy}.
-     *
-     * @param degrees finite, counterclockwise positive, perhaps several turns
-     * @param motion for sending and waiting
-     * @return how far it turned, degrees
-     */
-    protected abstract Value turnBy(double degrees, Motion motion);
-
-    /**
-     * Sends the command to drive a curve from now on, and does not wait for anything. Called repeatedly during a
-     * drive, with no stop between; after the last call {@link #halt()} follows.
-     *
-     * @param mmPerSec within the profile's speeds, ahead positive
-     * @param degPerSec within the profile's rates, counterclockwise positive
-     */
-    protected abstract void driveAt(double mmPerSec, double degPerSec);
-
-    /**
-     * Returns how {@link #driveAt} adjusted the speeds requested last. Part of the answer to a drive for a given time.
-     *
-     * @return a description; null if the robot drives exactly as requested, or reports the difference in another way
-     */
-    protected @Nullable Value driven() {
-        return null;
-    }
-
-    /**
-     * Sends the stop command at once and does not wait for an answer. Called on any thread, with no other command
-     * being sent meanwhile.
-     */
-    protected abstract void halt();
-
-    /**
-     * Sends the stop ahead of {@link #halt()}, over a connection that no command uses. For robots whose stop has a
-     * connection of its own: {@code halt()} has to wait for the command that is being sent, up to the deadline of a
-     * stuck link. Called for every stop once all permits are revoked, on the thread that stops, perhaps on several at a
-     * time and while another thread is inside any other hook; must wait for none of them.
-     *
-     * <p>It replaces nothing. A command whose permit was checked before the stop may still go out behind this one;
-     * {@code halt()} follows as soon as that has been sent, and has to stop that too. So the state that
-     * {@code halt()} needs must not be cleared here. Does nothing unless overridden; what it throws is logged and
-     * {@code halt()} follows all the same.
-     */
-    protected void haltAhead() {}
-
-    /**
-     * Waits until the robot has confirmed the stop that {@link #halt()} sent, sending it again where that helps. Called
-     * without any lock, on the thread that stops and at the end of a drive for a time.
+     * Waits until the robot has confirmed the stop that {@link #writeStop()} wrote, which is sent again where that helps.
      *
      * @throws BotException if it is not confirmed within the driver's timeout
      */
-    public void confirmHalt() {}
-
-    /**
-     * Returns the table in which drivers describe the robot's own parameters.
-     *
-     * @return the table, with the shared ones in it
-     */
-    protected final ParameterTable table() {
-        return parameters;
-    }
-
-    /**
-     * Adds a command that only this type has; replaces one of the same name.
-     *
-     * @param command its description and what it does
-     */
-    protected final void add(BotCommand command) {
-        removeCommand(command.name());
-        commands.add(command);
-    }
-
-    /**
-     * Removes a command, such as one for equipment that the robot turns out not to have.
-     *
-     * @param command its name; nothing happens if there is none
-     */
-    protected final void removeCommand(String command) {
-        commands.removeIf(known -> known.name().equalsIgnoreCase(command));
-    }
-
-    /**
-     * Replaces the size and pace by those read from the robot itself.
-     *
-     * @param better the new profile; default for cruise and near unless they have been set
-     */
-    protected final void profile(BotProfile better) {
-        profile = better;
-        limits = limits.fittedTo(better);
-        limits.describe(parameters);
-    }
-
-    /**
-     * Returns the speed for {@code move}.
-     *
-     * @return mm/s, positive
-     */
-    protected final double cruiseMmPerSec() {
-        return limits.cruiseMmPerSec();
-    }
-
-    /**
-     * Returns the rate for {@code turn}.
-     *
-     * @return deg/s, positive
-     */
-    protected final double cruiseTurnDegPerSec() {
-        return limits.cruiseTurnDegPerSec();
-    }
+    public abstract void confirmHalt();
 
     /**
      * Returns the clock of this robot.
      *
-     * @return the only way its driver may wait and measure
+     * @return the clock by which its driver waits and measures
      */
-    public final TimeSource time() {
-        return time;
-    }
-
-    /**
-     * Returns the settings kept from one program start to the next.
-     *
-     * @return the settings
-     */
-    protected final Settings settings() {
-        return settings;
-    }
-
-    /**
-     * Returns the signal that all threads waiting for this robot wait on. Drivers raise it after any change a thread may wait
-     * for.
-     *
-     * @return the signal
-     */
-    protected final Signal changes() {
-        return changes;
-    }
-
-    /**
-     * Runs a task periodically on the robot's own timer thread, from now until the robot is closed.
-     *
-     * @param what the name of the task; a task of the same name is replaced
-     * @param seconds the period
-     * @param task quick; failures are logged
-     */
-    public final void every(String what, double seconds, Runnable task) {
-        timer.every(what, seconds, task);
-    }
-
-    /**
-     * Publishes new readings and wakes the threads that wait for readings.
-     *
-     * @param newState what was read
-     */
-    protected final void publish(BotState newState) {
-        synchronized (offset) {
-            state = offset.reported(newState);
-        }
-        news();
-        listeners.stateChanged();
-    }
-
-    /**
-     * Reports that a parameter may have changed though the state is the same; guards of this robot's motions are
-     * rechecked.
-     */
-    protected final void news() {
-        lookAgain();
-        watchers.forEach(Runnable::run);
-    }
-
-    private void lookAgain() {
-        readings.incrementAndGet();
-        changes.raise();
-    }
-
-    /**
-     * Sends a notice to the user.
-     *
-     * @param message one sentence or half of one
-     */
-    public final void notice(String message) {
-        listeners.notice(message);
-    }
-
-    /**
-     * Publishes a picture of the camera.
-     *
-     * @param jpeg makes a JPEG file of it; called only if a listener wants it, on any thread
-     */
-    protected final void publishPicture(Supplier<byte[]> jpeg) {
-        listeners.pictureTaken(jpeg);
-    }
-
-    /**
-     * Reports that the connection was lost; all waiting threads wake with the cause. Only the first call after a
-     * connect counts.
-     *
-     * @param cause how it was lost
-     */
-    protected final void lost(LinkLost cause) {
-        if (life.lose(cause, () -> gate.lost(cause))) {
-            news();
-            membership().ifPresent(there -> there.linkLost(String.valueOf(cause.getMessage())));
-            listeners.deliver();
-        }
-    }
-
-    /**
-     * Returns whether a {@link #drive(double, double)} is in progress.
-     *
-     * @return true from a drive until it expires or is ended
-     */
-    protected final boolean isDriving() {
-        return gate.isDriving();
-    }
-
-    /**
-     * Returns whether a motion or a drive is under way.
-     *
-     * @return true while the driver may have sent the robot a motion
-     */
-    public final boolean isBusy() {
-        return gate.isBusy();
-    }
+    public abstract TimeSource time();
 
     /**
      * Returns the permission to move that is in force.
      *
      * @return revoked by the next stop or the loss of the connection
      */
-    public final Permit permit() {
-        return gate.permit();
-    }
+    public abstract Permit permit();
 
     /** Refuses all motion until {@link #unlatch()}. */
-    public final void latch() {
-        gate.latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
-        changes.raise();
-    }
+    public abstract void latch();
 
     /** Allows motion again after {@link #latch()}. */
-    public final void unlatch() {
-        gate.unlatch();
-    }
+    public abstract void unlatch();
 
     /**
      * Returns the error that ended the connection.
      *
      * @return one sentence; empty while there is a connection, and after an attempt to connect that failed
      */
-    public final Optional<String> lostReason() {
-        return Optional.ofNullable(life.lostBecause()).map(LinkLost::getMessage);
-    }
+    public abstract Optional<String> lostReason();
 
-    private void requireConnected() {
-        refuseLost();
-        if (!isConnected()) {
-            throw new BotException(name + " is not connected");
-        }
-    }
+    /** Does the same as {@link #move(double, Guard)}, but only as long as the permit is valid. */
+    protected abstract MotionReport move(double mm, Guard until, Permit permit);
 
-    private void refuseLost() {
-        LinkLost cause = life.lostBecause();
-        if (cause != null) {
-            throw new LinkLost(cause.getMessage(), cause);
-        }
-    }
+    /** Does the same as {@link #turn(double, Guard)}, but only as long as the permit is valid. */
+    protected abstract MotionReport turn(double degrees, Guard until, Permit permit);
 
-    @Override
-    public final void addWatcher(Runnable watcher) {
-        watchers.add(watcher);
-    }
+    /** Does the same as {@link #drive(double, double, double, Guard)}, but only as long as the permit is valid. */
+    protected abstract MotionReport drive(
+            double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit);
 
-    @Override
-    public final void removeWatcher(Runnable watcher) {
-        watchers.remove(watcher);
-    }
+    /** Does the same as {@link #drive(double, double)}, but only as long as the permit is valid. */
+    protected abstract void drive(double mmPerSec, double degPerSec, Permit permit);
 
-    private ParameterTable.Entry entry(String parameter) {
-        ParameterTable.Entry entry = parameters.find(parameter);
-        if (entry == null) {
-            List<String> names = parameters().stream().map(Parameter::name).toList();
-            throw new ParameterException(
-                    parameter,
-                    parameter + ": " + name + " has no such parameter" + Suggestion.didYouMean(parameter, names));
-        }
-        return entry;
-    }
+    /** Does the same as {@link #set(String, List)}, but only as long as the permit is valid. */
+    protected abstract void set(String parameter, List<Value> values, Permit permit);
 
-    /** This robot as its motions use it. */
-    private final class Moving implements MovingRobot {
-        @Override
-        public String name() {
-            return name;
-        }
-
-        @Override
-        public TimeSource time() {
-            return time;
-        }
-
-        @Override
-        public Signal changes() {
-            return changes;
-        }
-
-        @Override
-        public boolean isConnected() {
-            return MajicBot.this.isConnected();
-        }
-
-        @Override
-        public void requireConnected() {
-            MajicBot.this.requireConnected();
-        }
-
-        @Override
-        public long readings() {
-            return readings.get();
-        }
-
-        @Override
-        public void lookAgain() {
-            MajicBot.this.lookAgain();
-        }
-
-        @Override
-        public void notice(String message) {
-            MajicBot.this.notice(message);
-        }
-
-        @Override
-        public void lost(LinkLost cause) {
-            MajicBot.this.lost(cause);
-        }
-
-        @Override
-        public void driveAt(double mmPerSec, double degPerSec) {
-            MajicBot.this.driveAt(mmPerSec, degPerSec);
-        }
-
-        @Override
-        public void halt() {
-            MajicBot.this.halt();
-        }
-
-        @Override
-        public void haltAhead() {
-            MajicBot.this.haltAhead();
-        }
-
-        @Override
-        public void confirmHalt() {
-            MajicBot.this.confirmHalt();
-        }
-
-        @Override
-        public @Nullable Value driven() {
-            return MajicBot.this.driven();
-        }
-    }
+    /** Does the same as {@link #run(String, List)}, but only as long as the permit is valid. */
+    protected abstract String run(String command, List<Value> arguments, Permit permit);
 }

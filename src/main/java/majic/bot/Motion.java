@@ -47,7 +47,7 @@ public final class Motion {
     /**
      * Waits until a condition is true, the guard becomes true, or the time is over.
      *
-     * @param done what to wait for; checked whenever the driver raises {@link MajicBot#changes()}
+     * @param done what to wait for; checked whenever the driver raises {@link BotDriver#changes()}
      * @param seconds how long at most
      * @return whether the condition became true; if not, {@link #guardReached()} gives the reason
      * @throws MotionStopped if the motion was stopped meanwhile

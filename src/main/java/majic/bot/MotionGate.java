@@ -14,11 +14,8 @@ import org.jspecify.annotations.Nullable;
  * both. Each command that moves the robot is sent under one lock, together with a check of the permit. A thread that
  * holds it must not wait, least of all for a listener. Thread-safe.
  */
-public final class MotionGate {
+final class MotionGate {
     private static final Logger LOG = System.getLogger(MotionGate.class.getName());
-
-    /** How long a drive holds without being renewed, seconds. */
-    public static final double DRIVE_LEASE_S = 0.6;
 
     /** How often a timed drive renews itself, seconds. */
     private static final double DRIVE_RENEWAL_S = 0.3;
@@ -220,7 +217,7 @@ public final class MotionGate {
         send(permit, () -> {
             refuseInMotion();
             driving = true;
-            timer.once("drive lapse", DRIVE_LEASE_S, this::endDrive);
+            timer.once("drive lapse", BotControl.DRIVE_LEASE_S, this::endDrive);
             bot.driveAt(mmPerSec, degPerSec);
         });
     }

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
  * The limits of speed and distance of one robot: those of its profile and the parameters that set others. Its checks
  * throw what the motion itself would throw, so that a script can be checked before any robot moves. Thread-safe.
  */
-public final class MotionLimits {
+final class MotionLimits {
     private static final double MAX_MOVE_MM = 5000;
     private static final double MAX_TURN_DEG = 36_000;
     private static final double MAX_DRIVE_SECONDS = 60;
@@ -91,13 +91,7 @@ public final class MotionLimits {
                 .writes(values -> nearSet = values.get(0).number());
     }
 
-    /**
-     * Checks the distance of a {@code move} against the present {@code maxMove}.
-     *
-     * @param mm the distance, mm, ahead positive
-     * @throws ParameterException if it is longer, or not finite
-     */
-    public void checkMove(double mm) {
+    void checkMove(double mm) {
         double most = maxMoveMm;
         if (!Double.isFinite(mm)) {
             throw new ParameterException("move", "move " + mm + ": not a distance");
@@ -110,13 +104,7 @@ public final class MotionLimits {
         }
     }
 
-    /**
-     * Checks the angle of a {@code turn}.
-     *
-     * @param degrees the angle, counterclockwise positive; at most 36000 either way
-     * @throws ParameterException if it is larger, or not finite
-     */
-    public void checkTurn(double degrees) {
+    void checkTurn(double degrees) {
         if (!Double.isFinite(degrees) || Math.abs(degrees) > MAX_TURN_DEG) {
             throw new ParameterException("turn", "turn " + shown(degrees) + ": not an angle of at most 36000 deg");
         }
@@ -126,15 +114,7 @@ public final class MotionLimits {
         return Double.isFinite(number) ? Value.plain(number) : String.valueOf(number);
     }
 
-    /**
-     * Checks a {@code drive} for a time against what the robot can do.
-     *
-     * @param mmPerSec the speed, mm/s, ahead positive
-     * @param degPerSec the turn rate, deg/s, counterclockwise positive
-     * @param seconds for how long; more than 0, at most 60
-     * @throws ParameterException if it is too fast or too long
-     */
-    public void checkDrive(double mmPerSec, double degPerSec, double seconds) {
+    void checkDrive(double mmPerSec, double degPerSec, double seconds) {
         checkDrive(mmPerSec, degPerSec);
         if (!(seconds > 0 && seconds <= MAX_DRIVE_SECONDS)) {
             throw new ParameterException(

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -117,10 +118,21 @@ public final class ParameterTable {
         return entry;
     }
 
-    @Nullable
-    Entry find(String name) {
-        Entry found = renewed.get(key(name));
-        return found == null ? entries.get(key(name)) : found;
+    /**
+     * Looks a parameter up.
+     *
+     * @param bot the name of the robot for the message
+     * @param name its name, whatever the case
+     * @throws ParameterException if there is none of that name; the message suggests one
+     */
+    Entry find(String bot, String name) {
+        Entry found = renewed.getOrDefault(key(name), entries.get(key(name)));
+        if (found == null) {
+            List<String> names = all().stream().map(Parameter::name).toList();
+            throw new ParameterException(
+                    name, name + ": " + bot + " has no such parameter" + Suggestion.didYouMean(name, names));
+        }
+        return found;
     }
 
     /** Returns all; called often, so the entries are merged only after a change. */

@@ -7,8 +7,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.DoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.DriverCommand;
 import majic.bot.Motion;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
@@ -70,11 +70,11 @@ public final class CalibrateCommand {
      * @param robot moves, and stores its calibration
      * @return a command that moves the robot
      */
-    public static BotCommand of(CalibratedRobot robot) {
+    public static DriverCommand of(CalibratedRobot robot) {
         Parameter measured = Parameter.text("measured", "what the ruler says");
         Parameter direction =
                 Parameter.choice("direction", robot.directions(), "which way").with(measured);
-        return new BotCommand(
+        return new DriverCommand(
                 NAME,
                 List.of(direction),
                 true,

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
+import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotState;
@@ -44,7 +45,7 @@ import majic.hemisson.readings.RobotReadings;
  *
  * <p>Conventions as in {@link MajicBot}; safe from any thread.
  */
-public final class MajicHemisson extends MajicBot {
+public final class MajicHemisson extends BotDriver {
     /** How often overdue answers are checked, and a moving robot is polled, seconds. */
     private static final double TICK_S = 0.05;
 

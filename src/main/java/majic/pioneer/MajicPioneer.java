@@ -8,12 +8,12 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
+import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
-import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.Pose;
 import majic.bot.Value;
@@ -53,7 +53,7 @@ import org.jspecify.annotations.Nullable;
  * <p>When a moving robot sends no SIP for 0.5 s, zero velocities are sent and then nothing more; after 1 s (3 s if it is
  * stationary) the connection is given up. The robot's own watchdog stops it 2 s after the last packet.
  */
-public final class MajicPioneer extends MajicBot {
+public final class MajicPioneer extends BotDriver {
     /** Long enough to brake from the highest speed, seconds. */
     private static final double HALT_S = 3;
 

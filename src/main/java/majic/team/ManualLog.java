@@ -4,7 +4,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
-import majic.bot.MotionGate;
+import majic.bot.BotControl;
 import majic.time.TimeSource;
 
 /**
@@ -71,7 +71,7 @@ final class ManualLog {
     }
 
     private long expiryNanos() {
-        return renewedNanos + (long) (MotionGate.DRIVE_LEASE_S * 1e9);
+        return renewedNanos + (long) (BotControl.DRIVE_LEASE_S * 1e9);
     }
 
     private void addDrive(double seconds) {

@@ -86,7 +86,7 @@ class CalibrateCommandTest {
 
     @Test
     void isWrittenWithItsDirectionAndPerhapsAMeasure() {
-        BotCommand command = Arguments.command(bot.name(), bot.commands(), "calibrate");
+        BotCommand command = bot.commands().get(2);
 
         assertThat(command.usage()).isEqualTo("calibrate DIRECTION [MEASURED]");
         assertThat(command.takes(0)).isFalse();

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * A robot that is made up for tests. It moves at its cruise speed on its own clock, reads every 100 ms, and keeps a
  * list of what was sent to it.
  */
-public final class FakeBot extends MajicBot {
+public final class FakeBot extends BotDriver {
     private static final double READING_S = 0.1;
 
     private final List<String> sent = new CopyOnWriteArrayList<>();
@@ -58,14 +58,14 @@ public final class FakeBot extends MajicBot {
                         () -> told("bumped", Value.yesNo(false)));
         settable(Parameter.choice("posture", List.of("stand", "sit"), "how it stands"), Value.text("stand"));
         settable(Parameter.text("title", "what is written on it"), Value.text(""));
-        add(new BotCommand(
+        add(new DriverCommand(
                 "wag",
                 List.of(Parameter.number("times", Unit.NONE, "how often").within(1, 10)),
                 true,
                 "wags the tail",
                 (arguments, motion) -> "wagged " + arguments.get(0)));
         Parameter time = Parameter.number("time", Unit.MS, "how long").within(0, 1000);
-        add(new BotCommand(
+        add(new DriverCommand(
                 "bark",
                 List.of(Parameter.choice("mood", List.of("gladly", "sadly"), "how"), time),
                 List.of(time),

@@ -6,12 +6,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
-import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.Pose;
 import majic.bot.Range;
@@ -20,7 +20,7 @@ import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /** A robot of the window's tests; records the commands it gets. */
-public final class ToyBot extends MajicBot {
+public final class ToyBot extends BotDriver {
     static final double CRUISE = 200;
     static final double CRUISE_TURN = 40;
 

@@ -9,7 +9,7 @@ import majic.aibo.session.RunningMotion;
 import majic.aibo.urbi.RawText;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiText;
-import majic.bot.BotCommand;
+import majic.bot.DriverCommand;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Parameter;
@@ -30,8 +30,8 @@ public final class RawCommand {
         this.access = access;
     }
 
-    public BotCommand command() {
-        return new BotCommand(
+    public DriverCommand command() {
+        return new DriverCommand(
                         "urbi",
                         List.of(Parameter.text("text", "as the dog's manual has it")),
                         true,

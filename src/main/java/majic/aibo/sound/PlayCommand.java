@@ -3,8 +3,8 @@ package majic.aibo.sound;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
-import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.DriverCommand;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Unit;
@@ -21,8 +21,8 @@ public final class PlayCommand {
         this.speaker = speaker;
     }
 
-    public BotCommand command() {
-        return new BotCommand(
+    public DriverCommand command() {
+        return new DriverCommand(
                 "play",
                 List.of(Parameter.text("file", "a WAV file here, or the name of one on the stick")),
                 false,

@@ -5,8 +5,8 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.aibo.session.Microphone;
-import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.DriverCommand;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Unit;
@@ -35,8 +35,8 @@ public final class RecordCommand {
         this.notices = notices;
     }
 
-    public BotCommand command() {
-        return new BotCommand(
+    public DriverCommand command() {
+        return new DriverCommand(
                 "record",
                 List.of(
                         Parameter.number("seconds", Unit.S, "for how long").within(1, LONGEST_S),

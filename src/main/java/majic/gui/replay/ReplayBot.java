@@ -1,12 +1,12 @@
 package majic.gui.replay;
 
+import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.BotType;
 import majic.bot.LinkLost;
-import majic.bot.MajicBot;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Pose;
@@ -21,7 +21,7 @@ import majic.text.Texts;
  * A recorded robot as its panel uses it: gives the parameters, the states and the connection of the time that is
  * replayed, has no link, and refuses every command.
  */
-final class ReplayBot extends MajicBot {
+final class ReplayBot extends BotDriver {
     private static final Texts TEXTS = Texts.of(ReplayBot.class);
 
     /** Needed by a profile; no motion is ever accepted. */

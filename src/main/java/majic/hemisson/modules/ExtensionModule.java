@@ -1,7 +1,7 @@
 package majic.hemisson.modules;
 
 import java.util.List;
-import majic.bot.BotCommand;
+import majic.bot.DriverCommand;
 import majic.bot.ParameterTable;
 import majic.hemisson.readings.RobotReadings;
 
@@ -11,7 +11,7 @@ interface ExtensionModule {
     void describe(ParameterTable table, RobotReadings access);
 
     /** Its commands. */
-    default List<BotCommand> commands(RobotReadings access) {
+    default List<DriverCommand> commands(RobotReadings access) {
         return List.of();
     }
 }

@@ -2,8 +2,8 @@ package majic.hemisson.modules;
 
 import java.util.List;
 import java.util.stream.Collectors;
-import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.DriverCommand;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Unit;
@@ -26,7 +26,7 @@ public final class I2cCommands {
         this.access = access;
     }
 
-    public List<BotCommand> all() {
+    public List<DriverCommand> all() {
         Parameter address = Parameter.text("address", "the write address of the module, hex: C0");
         Parameter register = Parameter.text("register", "hex");
         Parameter count = Parameter.number("count", Unit.NONE, "how many registers")
@@ -34,14 +34,14 @@ public final class I2cCommands {
                 .inWholes();
         Parameter value = Parameter.text("byte", "hex");
         return List.of(
-                new BotCommand(
+                new DriverCommand(
                                 "i2cRead",
                                 List.of(address, register, count),
                                 false,
                                 "tells registers of a module; 255 where there is none",
                                 (values, motion) -> read(values))
                         .asRaw(),
-                new BotCommand(
+                new DriverCommand(
                                 "i2cWrite",
                                 List.of(address, register, value),
                                 List.of(value),

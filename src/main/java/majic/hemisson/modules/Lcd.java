@@ -3,8 +3,8 @@ package majic.hemisson.modules;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.DriverCommand;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -50,15 +50,16 @@ final class Lcd implements ExtensionModule {
     }
 
     @Override
-    public List<BotCommand> commands(RobotReadings access) {
+    public List<DriverCommand> commands(RobotReadings access) {
         Parameter line = Parameter.choice("line", List.copyOf(LINES.keySet()), "where");
         Parameter text = Parameter.text("text", "at most " + Bus.MOST_BYTES + " letters");
-        BotCommand write = new BotCommand(
+        DriverCommand write = new DriverCommand(
                 "lcd", List.of(line, text), false, "writes on the display", (values, motion) -> write(access, values));
-        BotCommand clear = new BotCommand("lcdClear", List.of(), false, "clears the display", (values, motion) -> {
-            access.send(Bus.write(ADDRESS, CLEAR_ALL, 0));
-            return "cleared";
-        });
+        DriverCommand clear =
+                new DriverCommand("lcdClear", List.of(), false, "clears the display", (values, motion) -> {
+                    access.send(Bus.write(ADDRESS, CLEAR_ALL, 0));
+                    return "cleared";
+                });
         return List.of(write, clear);
     }
 

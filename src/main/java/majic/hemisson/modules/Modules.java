@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.stream.Collectors;
-import majic.bot.BotCommand;
+import majic.bot.DriverCommand;
 import majic.bot.ParameterTable;
 import majic.hemisson.line.Reply;
 import majic.hemisson.readings.RobotReadings;
@@ -64,7 +64,7 @@ public record Modules(List<Found> found, boolean roadNarrows) {
         known().forEach(module -> module.describe(table, access));
     }
 
-    public List<BotCommand> commands(RobotReadings access) {
+    public List<DriverCommand> commands(RobotReadings access) {
         return known().stream()
                 .flatMap(module -> module.commands(access).stream())
                 .toList();

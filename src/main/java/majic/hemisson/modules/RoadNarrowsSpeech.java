@@ -2,8 +2,8 @@ package majic.hemisson.modules;
 
 import java.util.List;
 import java.util.Locale;
-import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.DriverCommand;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Value;
@@ -25,11 +25,11 @@ final class RoadNarrowsSpeech implements ExtensionModule {
     }
 
     @Override
-    public List<BotCommand> commands(RobotReadings access) {
+    public List<DriverCommand> commands(RobotReadings access) {
         Parameter text = Parameter.text("text", "what to say, at most " + LONGEST + " letters");
         return List.of(
                 Speech.phrase(number -> access.send(order("C", String.format(Locale.ROOT, "%02d", number)))),
-                new BotCommand("say", List.of(text), false, "speaks a text", (values, motion) -> {
+                new DriverCommand("say", List.of(text), false, "speaks a text", (values, motion) -> {
                     access.send(order("S", spoken(values.get(0).toString())));
                     return "speaks";
                 }));

@@ -2,7 +2,7 @@ package majic.hemisson.modules;
 
 import java.util.List;
 import java.util.function.IntConsumer;
-import majic.bot.BotCommand;
+import majic.bot.DriverCommand;
 import majic.bot.Parameter;
 import majic.bot.ParameterTable;
 import majic.bot.Unit;
@@ -26,7 +26,7 @@ final class Speech implements ExtensionModule {
     }
 
     @Override
-    public List<BotCommand> commands(RobotReadings access) {
+    public List<DriverCommand> commands(RobotReadings access) {
         return List.of(phrase(number -> access.send(Bus.write(ADDRESS, COMMAND, number))));
     }
 
@@ -36,11 +36,11 @@ final class Speech implements ExtensionModule {
     }
 
     /** The command that speaks a stored phrase, for both firmwares. */
-    static BotCommand phrase(IntConsumer speak) {
+    static DriverCommand phrase(IntConsumer speak) {
         Parameter number = Parameter.number("number", Unit.NONE, "which one")
                 .within(1, PHRASES)
                 .inWholes();
-        return new BotCommand("phrase", List.of(number), false, "speaks a stored phrase", (values, motion) -> {
+        return new DriverCommand("phrase", List.of(number), false, "speaks a stored phrase", (values, motion) -> {
             speak.accept((int) values.get(0).number());
             return "speaks";
         });

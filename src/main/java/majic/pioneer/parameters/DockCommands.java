@@ -1,7 +1,7 @@
 package majic.pioneer.parameters;
 
 import java.util.List;
-import majic.bot.BotCommand;
+import majic.bot.DriverCommand;
 import majic.bot.Motion;
 import majic.pioneer.arcos.ArcosCommand;
 
@@ -16,8 +16,8 @@ final class DockCommands {
         this.access = access;
     }
 
-    BotCommand dock() {
-        return new BotCommand(
+    DriverCommand dock() {
+        return new DriverCommand(
                 "dock",
                 List.of(),
                 true,
@@ -25,8 +25,8 @@ final class DockCommands {
                 (none, motion) -> dock(motion));
     }
 
-    BotCommand undock() {
-        return new BotCommand(
+    DriverCommand undock() {
+        return new DriverCommand(
                 "undock", List.of(), true, "lifts the contacts off the charger", (none, motion) -> undock(motion));
     }
 

@@ -2,7 +2,7 @@ package majic.pioneer.parameters;
 
 import java.util.List;
 import java.util.Optional;
-import majic.bot.BotCommand;
+import majic.bot.DriverCommand;
 import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Parameter;
@@ -32,8 +32,8 @@ final class GripperCommands {
         this.access = access;
     }
 
-    BotCommand gripper() {
-        return new BotCommand(
+    DriverCommand gripper() {
+        return new DriverCommand(
                 "gripper",
                 List.of(Parameter.choice("order", GripperAction.words(), "what to do")),
                 true,
@@ -41,9 +41,9 @@ final class GripperCommands {
                 (arguments, motion) -> run(GripperAction.of(arguments.get(0).toString()), motion));
     }
 
-    BotCommand carry() {
+    DriverCommand carry() {
         Parameter time = Parameter.number("time", Unit.MS, "how long").within(-LONGEST_CARRY_MS, LONGEST_CARRY_MS);
-        return new BotCommand(
+        return new DriverCommand(
                 "carry",
                 List.of(time),
                 true,

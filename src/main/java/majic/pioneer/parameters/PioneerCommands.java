@@ -2,7 +2,7 @@ package majic.pioneer.parameters;
 
 import java.util.ArrayList;
 import java.util.List;
-import majic.bot.BotCommand;
+import majic.bot.DriverCommand;
 import majic.pioneer.state.Equipment;
 
 /** The commands that only a Pioneer has. */
@@ -21,8 +21,8 @@ public final class PioneerCommands {
     }
 
     /** The commands for the equipment of a robot. */
-    public List<BotCommand> with(Equipment equipment) {
-        List<BotCommand> commands = new ArrayList<>();
+    public List<DriverCommand> with(Equipment equipment) {
+        List<DriverCommand> commands = new ArrayList<>();
         if (equipment.gripper()) {
             commands.add(gripper.gripper());
             commands.add(gripper.carry());

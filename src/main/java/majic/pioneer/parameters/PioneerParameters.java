@@ -1,7 +1,7 @@
 package majic.pioneer.parameters;
 
 import java.util.List;
-import majic.bot.MajicBot;
+import majic.bot.BotDriver;
 import majic.bot.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
@@ -23,7 +23,7 @@ public final class PioneerParameters {
     }
 
     /** All themes. */
-    public static List<ParameterTheme<Equipment>> themes(MajicBot bot, PioneerAccess access, RampParameters pace) {
+    public static List<ParameterTheme<Equipment>> themes(BotDriver bot, PioneerAccess access, RampParameters pace) {
         PowerSwitches switches = new PowerSwitches(access, bot::notice);
         return List.of(
                 new PoseParameters(access, () -> bot.state().pose(), bot::place),

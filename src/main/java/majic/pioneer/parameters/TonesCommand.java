@@ -2,8 +2,8 @@ package majic.pioneer.parameters;
 
 import java.io.ByteArrayOutputStream;
 import java.util.List;
-import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.DriverCommand;
 import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Unit;
@@ -22,13 +22,13 @@ final class TonesCommand {
         this.access = access;
     }
 
-    BotCommand command() {
+    DriverCommand command() {
         List<Parameter> tone = List.of(
                 Parameter.number("duration", Unit.MS, "how long").within(STEP_MS, STEP_MS * MOST_STEPS),
                 Parameter.number("note", Unit.NONE, "0 silence, to 127 a MIDI note, above it (note - 127) * 32 Hz")
                         .within(0, 255)
                         .inWholes());
-        return new BotCommand(
+        return new DriverCommand(
                 "tones",
                 tone,
                 tone,

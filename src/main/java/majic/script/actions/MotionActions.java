@@ -60,7 +60,7 @@ final class MotionActions {
         public void check(Check check) {
             checkUntil(check);
             if (!check.limitMayChange()) {
-                distance.at().check(() -> check.bot().limits().checkMove(number(distance)));
+                distance.at().check(() -> check.bot().checkMove(number(distance)));
             }
         }
 
@@ -80,7 +80,7 @@ final class MotionActions {
 
         @Override
         public void check(Check check) {
-            angle.at().check(() -> check.bot().limits().checkTurn(number(angle)));
+            angle.at().check(() -> check.bot().checkTurn(number(angle)));
             checkUntil(check);
         }
 
@@ -109,7 +109,7 @@ final class MotionActions {
             double seconds = drive.seconds().orElse(DRIVE_S);
             drive.speed()
                     .at()
-                    .check(() -> check.bot().limits().checkDrive(number(drive.speed()), number(drive.rate()), seconds));
+                    .check(() -> check.bot().checkDrive(number(drive.speed()), number(drive.rate()), seconds));
             checkUntil(check);
         }
 
