@@ -1,16 +1,16 @@
 import java.util.List;
-import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
-import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.BotDriver;
+import majic.driver.Motion;
 
 /** A complete robot type of one's own: a turtle that exists only in memory. */
 public final class Turtle extends BotDriver {

@@ -30,14 +30,14 @@ import majic.aibo.urbi.UrbiTransport;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.BotAddress;
-import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Motion;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.BotDriver;
 import majic.driver.CalibrateCommand;
+import majic.driver.Motion;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 

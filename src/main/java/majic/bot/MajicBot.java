@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
  * to the listeners. All public methods are thread-safe. Motions of several callers run one after the other;
  * {@link #stop()} overtakes them.
  *
- * <p>The drivers of robots extend {@link BotDriver}, which implements all of this.
+ * <p>The drivers of robots extend {@link majic.driver.BotDriver}, which implements all of this.
  */
 public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoCloseable {
     /** The state of a robot's connection. */

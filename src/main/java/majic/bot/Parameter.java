@@ -173,7 +173,15 @@ public record Parameter(
         return new Parameter(other, kind, unit, range, whole, choices, readable, writable, moves, extras, help);
     }
 
-    Parameter access(boolean read, boolean write, boolean moving) {
+    /**
+     * Returns this parameter with another kind of access.
+     *
+     * @param read whether it can be read
+     * @param write whether it can be set
+     * @param moving whether setting it moves the robot
+     * @return the same otherwise
+     */
+    public Parameter access(boolean read, boolean write, boolean moving) {
         return new Parameter(name, kind, unit, range, whole, choices, read, write, moving, extras, help);
     }
 

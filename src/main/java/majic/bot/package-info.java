@@ -1,9 +1,9 @@
 /**
- * What a robot is to the rest of MAJIC: {@link majic.bot.MajicBot}, the parameters and values it deals in, the
- * team it belongs to and the clock all of them live by.
+ * What programs, behaviours and scripts use of a robot: {@link majic.bot.MajicBot} and {@link majic.bot.BotControl},
+ * parameters and values, exceptions, and {@link majic.bot.BotType}, by which the types of robots are found.
  *
- * <p>Nothing here depends on a particular robot, a protocol, the script language or a window; this package imports no
- * other of MAJIC's.
+ * <p>Nothing here depends on a particular robot, a protocol, the script language or a window. What implements a robot
+ * is in {@link majic.driver}.
  */
 @NullMarked
 package majic.bot;

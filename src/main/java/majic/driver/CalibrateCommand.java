@@ -8,8 +8,6 @@ import java.util.function.DoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
-import majic.bot.DriverCommand;
-import majic.bot.Motion;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.Range;

@@ -1,7 +1,5 @@
 package majic.driver;
 
-import majic.bot.ParameterTable;
-
 /**
  * Parameters of a robot that belong together, such as those of its battery.
  *

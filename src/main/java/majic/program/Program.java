@@ -14,7 +14,7 @@ import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.bot.BotException;
 import majic.bot.Settings;
-import majic.bot.ShutdownHook;
+import majic.driver.ShutdownHook;
 import majic.log.SessionLog;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;

@@ -4,6 +4,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import majic.driver.BotDriver;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 

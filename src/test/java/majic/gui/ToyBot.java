@@ -6,17 +6,17 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
-import majic.bot.Motion;
 import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.BotDriver;
+import majic.driver.Motion;
 import org.jspecify.annotations.Nullable;
 
 /** A robot of the window's tests; records the commands it gets. */

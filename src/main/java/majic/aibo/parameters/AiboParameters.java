@@ -4,7 +4,7 @@ import java.util.List;
 import majic.aibo.body.DogState;
 import majic.aibo.sound.Volume;
 import majic.aibo.urbi.UrbiVersion;
-import majic.bot.ParameterTable;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /**

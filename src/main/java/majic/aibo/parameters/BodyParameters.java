@@ -8,10 +8,10 @@ import majic.aibo.session.AiboSession;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.BotException;
-import majic.bot.Motion;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.driver.Motion;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.time.WaitPolicy;
 

@@ -4,10 +4,10 @@ import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
 import majic.aibo.session.CalibrationRun;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 
 /** The four factors as parameters, for a dog that was calibrated with another computer. */
 public final class CalibrationParameters {

@@ -4,9 +4,9 @@ import java.util.List;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /** How the camera takes its pictures, in words where the dog has numbers (URBI sheet 13). */

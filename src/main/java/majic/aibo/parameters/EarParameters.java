@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
-import majic.bot.Motion;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.Motion;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /** The ears, which have two positions each (URBI sheet 13). */

@@ -6,12 +6,12 @@ import java.util.Map;
 import java.util.OptionalDouble;
 import majic.aibo.body.Joint;
 import majic.aibo.urbi.UrbiVersion;
-import majic.bot.Motion;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.Motion;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /** The joints, alone and by limbs: read as measured, set with an optional time that the motion is to take. */

@@ -6,9 +6,9 @@ import majic.aibo.body.LedNames;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /** The 26 LEDs, alone and in groups (URBI sheet 13). None of it moves the dog. */

@@ -5,11 +5,11 @@ import majic.aibo.body.DogState;
 import majic.aibo.body.Joint;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
-import majic.bot.Motion;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.Motion;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /** How stiff each joint is. A dog whose legs go loose falls over, so setting it is a motion. */

@@ -9,10 +9,10 @@ import majic.aibo.session.RunningMotion;
 import majic.aibo.urbi.RawText;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiText;
-import majic.bot.DriverCommand;
-import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Parameter;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
 
 /**
  * Passes a typed command to the dog unchanged, for functions without a parameter. It may move the dog, so only its owner

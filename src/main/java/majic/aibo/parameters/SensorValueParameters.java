@@ -4,9 +4,9 @@ import majic.aibo.body.Sensor;
 import majic.aibo.body.SensorReadings;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /** The dog's touch and acceleration sensors, as it reports them. */

@@ -4,9 +4,9 @@ import java.util.List;
 import majic.aibo.sound.Volume;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /** The speaker. The dog itself has no volume that could be set (URBI sheet 13). */

@@ -8,11 +8,11 @@ import java.util.function.Supplier;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.Gait;
 import majic.aibo.body.Stride;
-import majic.bot.Motion;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.driver.CalibrateCommand;
 import majic.driver.CalibrateCommand.Trial;
+import majic.driver.Motion;
 
 /** Calibrates one gait: the dog walks or turns for a known time, and the user measures how far it came. */
 public final class CalibrationRun implements CalibrateCommand.CalibratedRobot {

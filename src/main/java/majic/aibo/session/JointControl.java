@@ -8,7 +8,7 @@ import majic.aibo.body.Joint;
 import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiVersion;
-import majic.bot.Motion;
+import majic.driver.Motion;
 
 /** Moves joints, and waits until they reach their targets. Thread-safe; {@code MajicBot} runs one motion at a time. */
 public final class JointControl {

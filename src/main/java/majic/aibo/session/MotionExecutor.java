@@ -13,9 +13,9 @@ import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRequest;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.driver.DeadReckoning;
+import majic.driver.Motion;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 

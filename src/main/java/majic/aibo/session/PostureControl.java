@@ -8,8 +8,8 @@ import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
-import majic.bot.Motion;
 import majic.bot.MotionFailed;
+import majic.driver.Motion;
 import org.jspecify.annotations.Nullable;
 
 /** Gets the dog onto its feet before it walks, with its motors on, and into other postures. */

@@ -5,10 +5,10 @@ import majic.aibo.body.Gait;
 import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Stride;
 import majic.aibo.urbi.DogClock;
-import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.Motion;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 

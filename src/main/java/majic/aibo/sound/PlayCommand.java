@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
-import majic.bot.DriverCommand;
-import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
 
 /** Plays a WAV file of this computer, or where there is none of that name, one on the dog's stick. */
 public final class PlayCommand {

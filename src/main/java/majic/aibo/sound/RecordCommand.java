@@ -6,11 +6,11 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.aibo.session.Microphone;
 import majic.bot.BotException;
-import majic.bot.DriverCommand;
-import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
 
 /** Records the dog's microphone into a WAV file on this computer. */
 public final class RecordCommand {

@@ -11,7 +11,7 @@ import majic.aibo.urbi.UrbiRequest;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Motion;
+import majic.driver.Motion;
 
 /**
  * Plays one sound at a time, to its end. A sound is sent in pieces on the connection for sensors, each after the end of the one before

@@ -1,18 +1,18 @@
 package majic.gui.replay;
 
-import majic.bot.BotDriver;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.BotType;
 import majic.bot.LinkLost;
-import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.BotDriver;
+import majic.driver.Motion;
 import majic.recorder.RecordedRobot;
 import majic.recorder.RobotTracks;
 import majic.text.Texts;

@@ -1,8 +1,8 @@
 package majic.hemisson.modules;
 
 import java.util.List;
-import majic.bot.DriverCommand;
-import majic.bot.ParameterTable;
+import majic.driver.DriverCommand;
+import majic.driver.ParameterTable;
 import majic.hemisson.readings.RobotReadings;
 
 /** A module on the extension connector that the robot has commands for (Hemisson sheet 9). */

@@ -1,8 +1,8 @@
 package majic.hemisson.modules;
 
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
+import majic.driver.ParameterTable;
 import majic.hemisson.readings.RobotReadings;
 
 /** The module with five analogue inputs and twelve digital lines (Hemisson sheet 9). */

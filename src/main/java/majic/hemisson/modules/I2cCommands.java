@@ -3,11 +3,11 @@ package majic.hemisson.modules;
 import java.util.List;
 import java.util.stream.Collectors;
 import majic.bot.BotException;
-import majic.bot.DriverCommand;
-import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
 import majic.hemisson.line.Question;
 import majic.hemisson.readings.RobotReadings;
 

@@ -4,11 +4,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import majic.bot.BotException;
-import majic.bot.DriverCommand;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.DriverCommand;
+import majic.driver.ParameterTable;
 import majic.hemisson.readings.RobotReadings;
 
 /** The display of two lines with its three keys (Hemisson sheet 9). */

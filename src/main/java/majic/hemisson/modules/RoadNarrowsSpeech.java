@@ -3,10 +3,10 @@ package majic.hemisson.modules;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.BotException;
-import majic.bot.DriverCommand;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.driver.DriverCommand;
+import majic.driver.ParameterTable;
 import majic.hemisson.line.Question;
 import majic.hemisson.readings.RobotReadings;
 

@@ -2,11 +2,11 @@ package majic.hemisson.modules;
 
 import java.util.List;
 import java.util.function.IntConsumer;
-import majic.bot.DriverCommand;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.DriverCommand;
+import majic.driver.ParameterTable;
 import majic.hemisson.readings.RobotReadings;
 
 /** The speech module; the stock commands play the phrases stored in it (Hemisson sheet 9). */

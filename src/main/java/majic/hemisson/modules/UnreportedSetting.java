@@ -2,8 +2,8 @@ package majic.hemisson.modules;
 
 import java.util.function.Function;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 import majic.hemisson.line.Question;
 import majic.hemisson.readings.RobotReadings;
 

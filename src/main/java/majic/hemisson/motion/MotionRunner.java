@@ -1,8 +1,8 @@
 package majic.hemisson.motion;
 
-import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Value;
+import majic.driver.Motion;
 import majic.hemisson.line.BlockingConversation;
 import majic.hemisson.line.Conversation;
 import majic.hemisson.line.CurrentSession;

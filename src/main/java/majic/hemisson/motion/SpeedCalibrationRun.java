@@ -2,11 +2,11 @@ package majic.hemisson.motion;
 
 import java.util.List;
 import java.util.Locale;
-import majic.bot.Motion;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.driver.CalibrateCommand;
 import majic.driver.CalibrateCommand.Trial;
+import majic.driver.Motion;
 import majic.hemisson.line.MotorValues;
 
 /** Runs the calibration: the robot drives or spins for a known time, and the user measures how far it came. */

@@ -1,7 +1,7 @@
 package majic.hemisson.parameters;
 
 import java.util.List;
-import majic.bot.ParameterTable;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.hemisson.modules.Modules;
 import majic.hemisson.motion.SpeedCalibration;

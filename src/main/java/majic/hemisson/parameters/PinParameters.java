@@ -2,8 +2,8 @@ package majic.hemisson.parameters;
 
 import majic.bot.BotException;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.hemisson.line.Question;
 import majic.hemisson.modules.Modules;

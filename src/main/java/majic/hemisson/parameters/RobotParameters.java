@@ -2,9 +2,9 @@ package majic.hemisson.parameters;
 
 import java.util.function.Function;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.hemisson.line.Identity;
 import majic.hemisson.line.LinkQuality;

@@ -1,9 +1,9 @@
 package majic.pioneer.parameters;
 
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Value;
 import majic.driver.AssumedSetting;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;

@@ -1,8 +1,8 @@
 package majic.pioneer.parameters;
 
 import java.util.List;
-import majic.bot.DriverCommand;
-import majic.bot.Motion;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
 import majic.pioneer.arcos.ArcosCommand;
 
 /** The commands that move the docking mechanism. Like motions they need permission to move. */

@@ -2,12 +2,12 @@ package majic.pioneer.parameters;
 
 import java.util.List;
 import java.util.Optional;
-import majic.bot.DriverCommand;
-import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Gripper;
 

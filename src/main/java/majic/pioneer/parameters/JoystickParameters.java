@@ -2,10 +2,10 @@ package majic.pioneer.parameters;
 
 import java.util.function.Function;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.AssumedSetting;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Joystick;

@@ -2,7 +2,7 @@ package majic.pioneer.parameters;
 
 import java.util.ArrayList;
 import java.util.List;
-import majic.bot.DriverCommand;
+import majic.driver.DriverCommand;
 import majic.pioneer.state.Equipment;
 
 /** The commands that only a Pioneer has. */

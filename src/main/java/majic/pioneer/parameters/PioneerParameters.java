@@ -1,8 +1,8 @@
 package majic.pioneer.parameters;
 
 import java.util.List;
-import majic.bot.BotDriver;
-import majic.bot.ParameterTable;
+import majic.driver.BotDriver;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 

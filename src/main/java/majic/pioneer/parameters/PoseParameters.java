@@ -5,10 +5,10 @@ import java.util.function.Supplier;
 import java.util.function.ToDoubleFunction;
 import java.util.function.UnaryOperator;
 import majic.bot.Parameter;
-import majic.bot.ParameterTable;
 import majic.bot.Pose;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 

@@ -3,11 +3,11 @@ package majic.pioneer.parameters;
 import java.io.ByteArrayOutputStream;
 import java.util.List;
 import majic.bot.BotException;
-import majic.bot.DriverCommand;
-import majic.bot.Motion;
 import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
 import majic.pioneer.arcos.ArcosCommand;
 
 /** The command {@code tones} of the buzzer (ARCOS sheet 6.1, SAY). */

@@ -1,8 +1,8 @@
 package majic.pioneer.session;
 
-import majic.bot.Motion;
 import majic.bot.MotionFailed;
 import majic.bot.Value;
+import majic.driver.Motion;
 import majic.pioneer.state.PioneerState;
 
 /**

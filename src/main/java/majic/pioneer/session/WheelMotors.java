@@ -2,8 +2,8 @@ package majic.pioneer.session;
 
 import java.util.function.Consumer;
 import majic.bot.BotException;
-import majic.bot.Motion;
 import majic.bot.MotionFailed;
+import majic.driver.Motion;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.time.TimeSource;
 

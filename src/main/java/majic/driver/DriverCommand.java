@@ -1,6 +1,10 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.List;
+import majic.bot.BotCommand;
+import majic.bot.BotException;
+import majic.bot.Parameter;
+import majic.bot.Value;
 
 /**
  * A command that only one type of robot has, with what its driver does for it. Immutable.

@@ -1,8 +1,10 @@
-package majic.bot;
+package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import majic.bot.BotState;
+import majic.bot.Pose;
 import org.junit.jupiter.api.Test;
 
 class PoseOffsetTest {

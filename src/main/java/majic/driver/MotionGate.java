@@ -1,10 +1,19 @@
-package majic.bot;
+package majic.driver;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
+import majic.bot.BotControl;
+import majic.bot.BotException;
+import majic.bot.Guard;
+import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
+import majic.bot.MotionReport;
+import majic.bot.MotionStopped;
+import majic.bot.Permit;
+import majic.bot.Value;
 import majic.time.Signal;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;

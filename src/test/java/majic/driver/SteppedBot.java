@@ -1,6 +1,7 @@
-package majic.bot;
+package majic.driver;
 
 import majic.TestClock;
+import majic.bot.FakeBot;
 
 /** A connected {@link FakeBot} on its own stepped clock, for one test. */
 final class SteppedBot implements AutoCloseable {

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -9,6 +9,7 @@ import java.util.Set;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import majic.bot.BotException;
 import majic.time.TimeSource;
 
 /**

@@ -1,6 +1,8 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.Optional;
+import majic.bot.BotState;
+import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
 
 /**

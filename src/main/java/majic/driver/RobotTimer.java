@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import majic.bot.BotException;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;

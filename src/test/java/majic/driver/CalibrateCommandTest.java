@@ -1,11 +1,17 @@
-package majic.bot;
+package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
-import majic.driver.CalibrateCommand;
+import majic.bot.BotCommand;
+import majic.bot.BotEnvironment;
+import majic.bot.FakeBot;
+import majic.bot.FakeType;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
 import majic.driver.CalibrateCommand.Trial;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;

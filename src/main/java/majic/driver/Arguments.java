@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -6,6 +6,11 @@ import java.util.Objects;
 import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.IntFunction;
+import majic.bot.BotCommand;
+import majic.bot.BotException;
+import majic.bot.Parameter;
+import majic.bot.ParameterException;
+import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /** Checks what is handed to {@code set} and to a robot's own commands, before anything is sent. */

@@ -1,7 +1,9 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.BotCommand;
+import majic.bot.BotException;
 import majic.text.Suggestion;
 
 /** The commands that only one type of robot has. Thread-safe. */

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -6,6 +6,9 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
+import majic.bot.BotListener;
+import majic.bot.FakeBot;
+import majic.bot.MajicBot;
 import majic.bot.MajicBot.Connection;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AutoClose;

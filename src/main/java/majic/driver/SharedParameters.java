@@ -1,8 +1,14 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import majic.bot.BotProfile;
+import majic.bot.BotState;
+import majic.bot.Parameter;
+import majic.bot.Pose;
+import majic.bot.Unit;
+import majic.bot.Value;
 import majic.time.TimeSource;
 
 /** The parameters that every robot has, read from the state that every robot reports (MAJIC Script, "Parameters"). */

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -9,6 +9,11 @@ import static org.mockito.Mockito.when;
 
 import java.util.List;
 import majic.TestClock;
+import majic.bot.BotListener;
+import majic.bot.FakeBot;
+import majic.bot.Guard;
+import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 

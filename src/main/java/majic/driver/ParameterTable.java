@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
@@ -8,6 +8,10 @@ import java.util.Map;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import majic.bot.MajicBot;
+import majic.bot.Parameter;
+import majic.bot.ParameterException;
+import majic.bot.Value;
 import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import static org.mockito.ArgumentMatchers.any;
 import static org.mockito.ArgumentMatchers.eq;
@@ -7,6 +7,9 @@ import static org.mockito.Mockito.mock;
 import static org.mockito.Mockito.verify;
 import static org.mockito.Mockito.verifyNoInteractions;
 
+import majic.bot.BotListener;
+import majic.bot.FakeBot;
+import majic.bot.MajicBot;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.Test;

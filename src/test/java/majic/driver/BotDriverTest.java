@@ -1,15 +1,29 @@
-package majic.bot;
+package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.concurrent.atomic.AtomicReference;
 import majic.TestClock;
+import majic.bot.BotException;
+import majic.bot.BotProfile;
+import majic.bot.FakeBot;
+import majic.bot.Guard;
+import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
+import majic.bot.MotionReport;
+import majic.bot.MotionStopped;
+import majic.bot.Parameter;
+import majic.bot.ParameterException;
+import majic.bot.Permit;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
 import majic.time.Signal;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
-class MajicBotTest {
+class BotDriverTest {
     @AutoClose
     private final SteppedBot stepped = new SteppedBot();
 

@@ -1,10 +1,13 @@
-package majic.bot;
+package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.locks.LockSupport;
+import majic.bot.FakeBot;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;

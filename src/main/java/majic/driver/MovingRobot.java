@@ -1,5 +1,8 @@
-package majic.bot;
+package majic.driver;
 
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.Value;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;

@@ -1,7 +1,9 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.Locale;
 import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
 import majic.bot.MajicBot.Connection;
 import org.jspecify.annotations.Nullable;
 

@@ -1,5 +1,10 @@
-package majic.bot;
+package majic.driver;
 
+import majic.bot.BotProfile;
+import majic.bot.Parameter;
+import majic.bot.ParameterException;
+import majic.bot.Unit;
+import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,6 +1,12 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.function.BooleanSupplier;
+import majic.bot.BotException;
+import majic.bot.Guard;
+import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
+import majic.bot.MotionStopped;
+import majic.bot.Permit;
 import majic.time.WaitPolicy;
 
 /**

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -9,6 +9,9 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.MajicBot;
 import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
