@@ -1,5 +1,5 @@
 @echo off
-rem Starts MAJIC; builds what is missing first. See README.md, or majic --help.
+rem Starts MAJIC; builds what is missing or out of date first. See README.md, or majic --help.
 setlocal
 set "HERE=%~dp0"
 set "JAR=%HERE%target\majic.jar"
@@ -8,19 +8,36 @@ where java <nul >nul 2>nul || (
   echo majic: a JDK 17 or newer is missing; type: winget install EclipseAdoptium.Temurin.21.JDK 1>&2
   exit /b 1
 )
-if not exist "%JAR%" (
-  where mvn <nul >nul 2>nul || (
-    echo majic: Maven is missing; get it from maven.apache.org and put its bin folder on the PATH 1>&2
-    exit /b 1
-  )
-  echo majic: building; the first time this fetches libraries and takes a minute or two 1>&2
-  pushd "%HERE%"
-  call mvn -q -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package <nul || (
-    echo majic: the build failed 1>&2
-    popd
-    exit /b 1
-  )
-  popd
+if not exist "%JAR%" goto build
+
+rem PowerShell ends with 3 if a source is newer than the jar; with any other number the jar is used as it is.
+powershell -NoProfile -NonInteractive -Command "$built = (Get-Item -LiteralPath $env:JAR).LastWriteTime; $sources = 'src\main', 'src\build', 'sims', 'pom.xml' | ForEach-Object { Join-Path $env:HERE $_ }; if (Get-ChildItem -LiteralPath $sources -Recurse | Where-Object { $_.LastWriteTime -gt $built } | Select-Object -First 1) { exit 3 }" <nul >nul 2>nul
+if errorlevel 4 goto built
+if errorlevel 3 goto build
+goto built
+
+:build
+where mvn <nul >nul 2>nul || (
+  echo majic: Maven is missing; get it from maven.apache.org and put its bin folder on the PATH 1>&2
+  exit /b 1
 )
+echo majic: building; the first time this fetches libraries and takes a minute or two 1>&2
+pushd "%HERE%"
+call mvn -q -B -Dmaven.test.skip -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package <nul || (
+  echo majic: the build failed 1>&2
+  popd
+  exit /b 1
+)
+rem A build that changes no class leaves the jar as it is; this gives it the time of now.
+copy /b target\majic.jar+,, target\majic.jar >nul
+popd
+
+:built
+if /i "%~1"=="package" goto package
 java "@%HERE%config\java.options" -jar "%JAR%" %*
+exit /b %ERRORLEVEL%
+
+:package
+rem The dot keeps the backslash in front of it from quoting the quote.
+java -Djava.awt.headless=true -cp "%HERE%target\lib\*" "%HERE%src\build\Packaging.java" "%HERE%."
 exit /b %ERRORLEVEL%

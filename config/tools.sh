@@ -78,18 +78,32 @@ need_java_and_maven() {
     command -v mvn >/dev/null 2>&1 || install_or_name Maven maven
 }
 
+# What the JDK uses to make a package; only Debian's own tools can be installed here.
+need_packaging_tools() {
+    is_debian || return 0
+    for tool in fakeroot objcopy; do
+        command -v $tool >/dev/null 2>&1 || install_or_name "what makes a .deb ($tool)" fakeroot binutils
+    done
+}
+
+# exec_packaging HERE: makes an image and an installer of MAJIC, in place of this process.
+exec_packaging() {
+    say "making an image and an installer in target/package; this takes a minute"
+    exec "$java" -Djava.awt.headless=true -cp "$1/target/lib/*" "$1/src/build/Packaging.java" "$1"
+}
+
 # Builds the jar, saying once that it does and what it is at.
 build_majic() {
     say "building; the first time this fetches libraries and takes a minute or two"
     log=$1/target/build.log
     mkdir -p "$1/target"
     if [ -t 2 ]; then
-        (cd "$1" && mvn -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package 2>&1) | tee "$log" |
+        (cd "$1" && mvn -B -Dmaven.test.skip -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package 2>&1) | tee "$log" |
             awk '/Downloaded from/ { n++; printf "\rmajic: %d files fetched", n > "/dev/stderr" }
                  /^\[INFO\] --- / { sub(/^\[INFO\] --- /, ""); sub(/ @.*/, ""); printf "\rmajic: %-60s", $0 > "/dev/stderr" }
                  END { printf "\r%-70s\r", "" > "/dev/stderr" }'
     else
-        (cd "$1" && mvn -B -DskipTests -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package >"$log" 2>&1) || true
+        (cd "$1" && mvn -B -Dmaven.test.skip -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package >"$log" 2>&1) || true
     fi
     if ! grep -q 'BUILD SUCCESS' "$log"; then
         grep '^\[ERROR\]' "$log" | head -n 5 >&2

@@ -73,6 +73,17 @@ class LauncherTest {
     }
 
     @Test
+    void aPackageIsMadeByTheJdkInUse() throws Exception {
+        java("", "echo \"java $*\"");
+        program("bin/fakeroot", "#!/bin/sh\n");
+        program("bin/objcopy", "#!/bin/sh\n");
+
+        assertThat(start("", "package"))
+                .endsWith("java -Djava.awt.headless=true -cp " + clone + "/target/lib/* " + clone
+                        + "/src/build/Packaging.java " + clone + "\n");
+    }
+
+    @Test
     void eachCloneHasAnArchiveOfItsOwn() throws Exception {
         String first = archiveName();
         assertThat(archiveName()).isEqualTo(first);
