@@ -3,6 +3,7 @@ package majic;
 import java.io.IOException;
 import majic.cli.ActCommand;
 import majic.cli.ClassDataCommand;
+import majic.cli.InheritedOptions;
 import majic.cli.LabCommand;
 import majic.cli.MajicCommand;
 import majic.cli.RunCommand;
@@ -44,11 +45,11 @@ public final class Majic {
 
     /** Returns the command line of a program with this folder, with all commands and options. */
     static CommandLine commandLine(UserFolder folder) {
-        return new CommandLine(new MajicCommand(folder))
-                .addSubcommand(new LabCommand())
-                .addSubcommand(new RunCommand(folder))
-                .addSubcommand(new ActCommand())
-                .addSubcommand(new ClassDataCommand())
+        return InheritedOptions.limit(new CommandLine(new MajicCommand(folder))
+                        .addSubcommand(new LabCommand())
+                        .addSubcommand(new RunCommand(folder))
+                        .addSubcommand(new ActCommand())
+                        .addSubcommand(new ClassDataCommand()))
                 .setExecutionExceptionHandler((problem, command, parsed) -> Failures.explain(command, problem))
                 .setParameterExceptionHandler((problem, parsed) -> Failures.usage(problem))
                 .setCaseInsensitiveEnumValuesAllowed(true);

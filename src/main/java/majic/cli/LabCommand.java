@@ -15,6 +15,7 @@ import picocli.CommandLine.ParentCommand;
         name = "lab",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
+        sortOptions = false,
         description = "Runs the simulated lab alone and prints where its robots listen, until it is ended by Ctrl-C.")
 public final class LabCommand implements Callable<Integer> {
     @ParentCommand

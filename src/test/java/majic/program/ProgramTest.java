@@ -99,7 +99,8 @@ class ProgramTest {
                 "--console --exact, the options of the simulated lab need --lab",
                 "--console --lab --seed many, 'many' is not a whole number",
                 "--console --lab --speed fast, 'fast' is not a number",
-                "lab --add sim:aibo, lab runs the simulators alone"
+                "--add sim:aibo lab, lab runs the simulators alone",
+                "lab --add sim:aibo, Unknown options: '--add'"
             })
     void optionsThatMakeNoSenseAreExplained(String arguments, String why) throws Exception {
         Process majic = start(arguments.split(" "));
