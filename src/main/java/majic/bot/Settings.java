@@ -2,6 +2,8 @@ package majic.bot;
 
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
 
 /** The settings kept from one program start to the next, such as a dog's calibration. Thread-safe. */
@@ -24,6 +26,14 @@ public interface Settings {
     void put(String key, String value);
 
     /**
+     * Lists settings.
+     *
+     * @param prefix the beginning of their names, such as {@code aibo.}
+     * @return the names of all settings that begin so, those with an empty value included; sorted
+     */
+    SortedSet<String> keys(String prefix);
+
+    /**
      * Settings that are forgotten when the program ends.
      *
      * @return new and empty ones
@@ -39,6 +49,13 @@ public interface Settings {
             @Override
             public void put(String key, String value) {
                 kept.put(key, value);
+            }
+
+            @Override
+            public SortedSet<String> keys(String prefix) {
+                SortedSet<String> keys = new TreeSet<>(kept.keySet());
+                keys.removeIf(key -> !key.startsWith(prefix));
+                return keys;
             }
         };
     }

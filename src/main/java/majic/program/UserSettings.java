@@ -16,6 +16,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Properties;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.Settings;
@@ -77,6 +79,19 @@ final class UserSettings implements Settings {
         kept.putAll(unwritten);
         unwritten.clear();
         write();
+    }
+
+    @Override
+    public synchronized SortedSet<String> keys(String prefix) {
+        try {
+            readOnce();
+        } catch (IOException e) {
+            reportUnreadable(e);
+        }
+        SortedSet<String> keys = new TreeSet<>(kept.stringPropertyNames());
+        keys.addAll(unwritten.stringPropertyNames());
+        keys.removeIf(key -> !key.startsWith(prefix));
+        return keys;
     }
 
     /** Reads the file once; throws if it cannot be read, but not if it is damaged. */

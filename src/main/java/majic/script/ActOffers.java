@@ -89,7 +89,7 @@ public final class ActOffers implements Completer.Acts {
         ActFile file = offer.file();
         if (file != null) {
             output.send(Line.Kind.NOTICE, "trust " + offer.called() + ": agreed to its code, SHA-256 " + file.sha256());
-            acts.trust().agree(file);
+            acts.agree(file, offer.called());
         }
     }
 

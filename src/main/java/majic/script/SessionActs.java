@@ -1,6 +1,8 @@
 package majic.script;
 
 import java.nio.file.Path;
+import java.time.ZoneId;
+import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -15,6 +17,7 @@ import majic.act.MajicAct;
 import majic.act.Role;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActFile;
+import majic.act.file.ActTrust;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
@@ -35,6 +38,7 @@ import majic.time.Signal;
 /** Runs behaviours on the robots of a session: finds them, assigns robots to roles, ends them. Thread-safe. */
 final class SessionActs implements ActRunner {
     private static final int SHORTEST_HASH = 8;
+    private static final DateTimeFormatter DAY = DateTimeFormatter.ofPattern("yyyy-MM-dd", Locale.ROOT);
 
     private final SessionState state;
     private final ActCatalog acts;
@@ -210,10 +214,27 @@ final class SessionActs implements ActRunner {
         } else if (hash.length() < SHORTEST_HASH || !file.sha256().startsWith(hash.toLowerCase(Locale.ROOT))) {
             throw new BotException("trust " + name + ": the hash of this file is " + file.sha256());
         } else {
-            acts.trust().agree(file);
+            acts.agree(file, name);
             lines.add("trust " + name + ": done");
         }
         return lines;
+    }
+
+    @Override
+    public List<String> consents() {
+        List<ActTrust.Consent> consents = acts.trust().consents();
+        return consents.isEmpty()
+                ? List.of("trust: there is no consent to the code of an act")
+                : consents.stream().map(SessionActs::described).toList();
+    }
+
+    private static String described(ActTrust.Consent consent) {
+        String since = consent.since()
+                .map(time -> " since " + DAY.format(time.atZone(ZoneId.systemDefault())))
+                .orElse("");
+        String file = consent.file().isEmpty() ? "" : ", file " + consent.file();
+        return "trust: " + consent.act() + since + file + "; to end it: trust off \""
+                + consent.sha256().substring(0, SHORTEST_HASH) + '"';
     }
 
     @Override
@@ -241,11 +262,19 @@ final class SessionActs implements ActRunner {
                 : name.text();
     }
 
-    /** The hash that was typed, or that of the file. */
+    /** The hash that was typed, the one with a consent that begins as was typed, or that of the file. */
     private String hashOf(String nameOrHash) {
-        return nameOrHash.matches("[0-9a-fA-F]{64}")
-                ? nameOrHash.toLowerCase(Locale.ROOT)
-                : acts.find(nameOrHash).sha256();
+        String typed = nameOrHash.toLowerCase(Locale.ROOT);
+        if (typed.matches("[0-9a-f]{64}")) {
+            return typed;
+        }
+        List<String> begun = typed.length() < SHORTEST_HASH
+                ? List.of()
+                : acts.trust().consents().stream()
+                        .map(ActTrust.Consent::sha256)
+                        .filter(hash -> hash.startsWith(typed))
+                        .toList();
+        return begun.size() == 1 ? begun.get(0) : acts.find(nameOrHash).sha256();
     }
 
     private Found find(Literal name) {

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.concurrent.CountDownLatch;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
@@ -60,6 +62,11 @@ public final class SlowActs {
                 Thread.currentThread().interrupt();
             }
             return agreed ? Optional.of("Slow") : Optional.empty();
+        }
+
+        @Override
+        public SortedSet<String> keys(String prefix) {
+            return new TreeSet<>();
         }
 
         @Override

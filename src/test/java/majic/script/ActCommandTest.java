@@ -10,6 +10,8 @@ import java.util.List;
 import majic.act.ActDetails;
 import majic.act.file.ActFile;
 import majic.act.make.ActMaker;
+import majic.team.Member;
+import majic.team.Owner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -189,6 +191,28 @@ class ActCommandTest {
     }
 
     @Test
+    void aConsentIsTakenBackByTheBeginningOfTheHashOfAFileThatIsGone() throws Exception {
+        Path act = nod();
+        String hash = ActFile.read(act).sha256();
+        fixture.runPipe("trust \"" + act + "\" \"" + hash + '"');
+        Files.delete(act);
+        String begin = hash.substring(0, 8);
+        assertThat(fixture.runPipe("trust off \"" + begin + '"')).contains("trust off " + begin + ": done");
+    }
+
+    @Test
+    void theListOfRobotsHasTheLastMessageOfAnAct() throws Exception {
+        Owner act = new Owner(Owner.Kind.ACT, "Guard", () -> {});
+        Member robot = fixture.team.member(1);
+        robot.claim(act);
+        assertThat(fixture.runPipe("bots")).last().asString().startsWith("2: ");
+        assertThat(fixture.answers()).anyMatch(line -> line.startsWith("1: ") && line.endsWith("running Guard"));
+        robot.report(act, "watches");
+        assertThat(fixture.runPipe("bots"))
+                .anyMatch(line -> line.startsWith("1: ") && line.endsWith("running Guard: watches"));
+    }
+
+    @Test
     void anUnknownNameIsRefusedWithWhatWouldBeRight() throws Exception {
         assertThat(fixture.refusal("1 act Wandr"))
                 .get()
@@ -197,21 +221,29 @@ class ActCommandTest {
                 .contains("\"acts\" lists");
     }
 
+    /** Makes an act that brings code of its own. */
+    private Path nod() throws IOException {
+        Path source = Files.writeString(
+                folder.resolve("Nod.java"),
+                "public class Nod extends majic.act.MajicAct { protected void behave() { bot.move(70); } }");
+        return Files.write(folder.resolve("nod.act"), ActMaker.from(source).make("Nod", ActDetails.named("Nod")));
+    }
+
     @Test
     void aLineAgreesToTheCodeAndALineTakesItBack() throws Exception {
-        Path act = Files.write(
-                folder.resolve("nod.act"),
-                ActMaker.from(
-                                Files.writeString(
-                                        folder.resolve("Nod.java"),
-                                        "public class Nod extends majic.act.MajicAct { protected void behave() { bot.move(70); } }"))
-                        .make("Nod", ActDetails.named("Nod")));
+        Path act = nod();
         String hash = ActFile.read(act).sha256();
         String name = "\"" + act + "\"";
         assertThat(fixture.runPipe("trust " + name + " \"" + hash + "\"", "1 act " + name))
                 .anyMatch(line -> line.endsWith("done") && line.startsWith("trust "));
         assertThat(fixture.bot(1).sent()).startsWith("move 70");
+        assertThat(fixture.runPipe("trust"))
+                .last()
+                .asString()
+                .matches("trust: Nod since \\d{4}-\\d\\d-\\d\\d, file \\Q" + act + "\\E; to end it: trust off \""
+                        + hash.substring(0, 8) + '"');
         assertThat(fixture.runPipe("trust off " + name)).contains("trust off " + act + ": done");
+        assertThat(fixture.runPipe("trust")).endsWith("trust: there is no consent to the code of an act");
         assertThat(fixture.refusal("1 act " + name)).get().asString().contains("it brings code of its own");
         assertThat(fixture.runPipe("trust off \"" + hash + "\""))
                 .anyMatch(line -> line.endsWith("there was no consent for that file"));

@@ -116,6 +116,18 @@ public record ActCatalog(Path folder, ActTrust trust) {
     }
 
     /**
+     * Records that the user agrees to the code of a file.
+     *
+     * @param file the file
+     * @param name the name by which it was found, as for {@link #locate}
+     * @throws BotException if the change could not be saved; it is then valid until the program ends
+     */
+    public void agree(ActFile file, String name) {
+        trust.agree(
+                file, locate(name).map(path -> path.toAbsolutePath().toString()).orElse(""));
+    }
+
+    /**
      * Finds a behaviour and reads its description.
      *
      * @param name as for {@link #locate}

@@ -120,6 +120,24 @@ final class ActActions {
         }
     }
 
+    /** Lists the consents. Their files need not exist. */
+    static final class ConsentsAction extends SessionAction {
+        private final ActRunner acts;
+
+        ConsentsAction(ActRunner acts) {
+            super(Scheduling.BESIDE, CommandTrait.LOCAL_ONLY);
+            this.acts = acts;
+        }
+
+        @Override
+        public void check(Check check) {}
+
+        @Override
+        public void run(Execution execution) {
+            acts.consents().forEach(execution::answer);
+        }
+    }
+
     static final class TrustAction extends SessionAction {
         private final SessionCommand.Trust trust;
         private final ActRunner acts;

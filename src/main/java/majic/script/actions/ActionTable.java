@@ -143,6 +143,11 @@ public record ActionTable(
     }
 
     @Override
+    public SessionAction consents(SessionCommand.Consents consents) {
+        return new ActActions.ConsentsAction(acts);
+    }
+
+    @Override
     public SessionAction trust(SessionCommand.Trust trust) {
         return new ActActions.TrustAction(trust, acts);
     }

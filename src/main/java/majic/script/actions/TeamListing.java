@@ -41,7 +41,8 @@ final class TeamListing {
     private static String doing(Member member) {
         Owner owner = member.owner();
         if (owner != null) {
-            return owner.kind() == Owner.Kind.MANUAL ? "driven by hand" : "running " + owner.name();
+            String message = owner.status().isEmpty() ? "" : ": " + owner.status();
+            return owner.kind() == Owner.Kind.MANUAL ? "driven by hand" : "running " + owner.name() + message;
         }
         return member.isIdle() ? "idle" : "busy";
     }

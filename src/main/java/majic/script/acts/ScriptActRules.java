@@ -116,6 +116,11 @@ final class ScriptActRules implements Command.Visitor<Optional<String>>, Session
     }
 
     @Override
+    public Optional<String> consents(SessionCommand.Consents consents) {
+        return FOR_SESSION;
+    }
+
+    @Override
     public Optional<String> trust(SessionCommand.Trust trust) {
         return FOR_SESSION;
     }

@@ -63,7 +63,7 @@ public final class Help {
                     "lab: shows the true poses in the simulated lab, and how often each robot ran into something; lab place 2 X Y HEADING puts robot 2 there"),
             entry(
                     "trust",
-                    "trust FILE [HASH]: shows the code in an act; with its hash it gives consent to run it; trust off FILE takes that back"),
+                    "trust [FILE [HASH]]: shows the code in an act; with its hash it gives consent to run it; trust off FILE takes that back; trust alone lists the consents"),
             entry("quit", "quit: stops and closes all robots and ends MAJIC")));
 
     private static final Map<String, String> BLOCKS = new TreeMap<>(Map.of(

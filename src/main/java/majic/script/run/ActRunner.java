@@ -54,6 +54,9 @@ public interface ActRunner {
      */
     List<String> trust(String name, String hash);
 
+    /** One line for each file to whose code the person has agreed. */
+    List<String> consents();
+
     /** Takes the consent to a file back. */
     String trustOff(String nameOrHash);
 

@@ -19,6 +19,8 @@ public sealed interface SessionCommand {
 
         R acts(Acts acts);
 
+        R consents(Consents consents);
+
         R trust(Trust trust);
 
         R trustOff(TrustOff trustOff);
@@ -83,6 +85,14 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.acts(this);
+        }
+    }
+
+    /** Lists the files to whose code the person has agreed. */
+    record Consents() implements SessionCommand {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.consents(this);
         }
     }
 

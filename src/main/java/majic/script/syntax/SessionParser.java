@@ -73,8 +73,11 @@ public final class SessionParser {
         throw at.unexpected("\"session\", \"log\" or \"team\"");
     }
 
-    /** {@code trust = "trust" ( ACT [ HASH ] | "off" ( ACT | HASH ) ) ;} */
+    /** {@code trust = "trust" [ ACT [ HASH ] | "off" ( ACT | HASH ) ] ;} */
     private SessionCommand trust() {
+        if (at.peek().isEnd()) {
+            return new SessionCommand.Consents();
+        }
         if (at.match("off")) {
             return new SessionCommand.TrustOff(at.value("an act's name, or the hash of its file", false));
         }
