@@ -2,12 +2,12 @@ package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -21,6 +21,7 @@ import picocli.CommandLine;
 /** Tests the page on behaviours: its sources compile, and every command on it works as described. */
 @Tag("jdk")
 class ActsPageTest {
+    private static final Pattern WORD = Pattern.compile("\"[^\"]*\"|[^\" ]+");
     private static final Pattern HASH = Pattern.compile("trust \\S+ (\"[0-9a-f]{8}\")$");
 
     @TempDir
@@ -93,17 +94,45 @@ class ActsPageTest {
         }
     }
 
-    /** Runs {@code ./majic act …}; the file is written beside its source, on the page into the current folder. */
-    private void runInAShell(String line) {
-        String[] words = (line.contains("make") ? line + " -o There.act" : line)
-                .replace("./majic act ", "")
-                .split(" ");
-        String[] inFolder = Arrays.stream(words).map(this::here).toArray(String[]::new);
+    /** On the page, a line of dots stands for further lines. The version and the hash depend on the build. */
+    @Test
+    void theProgrammersGuideShowsWhatMakingAndShowingPrint() throws IOException {
+        write("There.java", block("java", "class There"));
+        StringBuilder printed = new StringBuilder();
+        StringBuilder expected = new StringBuilder();
+        for (String line : Page.of("docs/programmers-guide.md")
+                .block("console", "act make")
+                .lines()) {
+            if (line.startsWith("$ ")) {
+                printed.append(runInAShell(line.substring(2)).replace(folder + File.separator, ""));
+            } else {
+                expected.append(line.equals("...") ? "(.*\\R)*?" : pattern(line) + "\\R");
+            }
+        }
+        assertThat(printed.toString()).matches(expected.toString());
+    }
+
+    private static String pattern(String line) {
+        int colon = line.indexOf(':');
+        boolean varies = line.startsWith("made with:") || line.startsWith("SHA-256:");
+        return varies ? line.substring(0, colon) + ": \\S.*" : Pattern.quote(line);
+    }
+
+    /** Runs {@code ./majic act …}; the file is written beside its source, on the page into the current folder. Returns what
+     * is printed. */
+    private String runInAShell(String line) {
+        String[] words = WORD.matcher(
+                        (line.contains("make") ? line + " -o There.act" : line).replace("./majic act ", ""))
+                .results()
+                .map(word -> here(word.group().replace("\"", "")))
+                .toArray(String[]::new);
+        StringWriter out = new StringWriter();
         StringWriter err = new StringWriter();
         int code = new CommandLine(new ActCommand())
-                .setOut(new PrintWriter(new StringWriter()))
+                .setOut(new PrintWriter(out))
                 .setErr(new PrintWriter(err))
-                .execute(inFolder);
+                .execute(words);
         assertThat(code).as(err.toString()).isZero();
+        return out.toString();
     }
 }

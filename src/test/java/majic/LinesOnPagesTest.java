@@ -3,6 +3,7 @@ package majic;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -29,6 +30,7 @@ class LinesOnPagesTest {
     private static final Pattern SCRIPT = Pattern.compile("(\\d[\\d,-]*|all|me) [a-z].*");
     private static final Pattern CALL = Pattern.compile("(?:^|[ |])\\./majic(?<words> [^|#>]*)?");
     private static final Pattern WORD = Pattern.compile("\"[^\"]*\"|[^\" ]+");
+    private static final Pattern FILE = Pattern.compile("(?<![\\w/.])([\\w/]+\\.(?:java|py|majic|u|cpp|act))\\b");
     private static final Pattern OPTION = Pattern.compile("--\\w[\\w-]*");
 
     static Stream<Page.Code> blocks() {
@@ -44,12 +46,22 @@ class LinesOnPagesTest {
     }
 
     static Stream<Page.Code> lines() {
-        return spans().filter(span -> SCRIPT.matcher(span.text()).matches());
+        return spans().filter(LinesOnPagesTest::isForRobots);
+    }
+
+    /** Returns whether a piece of code is a line of MAJIC Script that begins with robots. */
+    static boolean isForRobots(Page.Code span) {
+        return SCRIPT.matcher(span.text()).matches();
     }
 
     static Stream<Page.Code> calls() {
         return Stream.concat(spans(), blocks().filter(block -> isShell(block.language())))
                 .filter(code -> CALL.matcher(code.text()).find());
+    }
+
+    static Stream<Page.Code> commands() {
+        return Stream.concat(blocks().filter(block -> isShell(block.language())), calls())
+                .distinct();
     }
 
     static Stream<Page.Code> options() {
@@ -84,6 +96,28 @@ class LinesOnPagesTest {
                 assertThatCode(() -> commandLine().parseArgs(words)).as(line).doesNotThrowAnyException();
             }
         }
+    }
+
+    /** A file of an act has the source of the same name. */
+    @ParameterizedTest
+    @MethodSource("commands")
+    void everyFileOfACommandExistsOrIsOnAPage(Page.Code commands) {
+        String typed = commands.language().equals("console")
+                ? String.join(
+                        "\n",
+                        commands.lines().stream()
+                                .filter(line -> line.startsWith("$ "))
+                                .toList())
+                : commands.text();
+        assertThat(FILE.matcher(typed).results())
+                .allSatisfy(file -> assertThat(Files.exists(Path.of(file.group(1)))
+                                || isOnAPage(file.group(1).replaceFirst("act$", "java")))
+                        .as(file.group(1))
+                        .isTrue());
+    }
+
+    private static boolean isOnAPage(String file) {
+        return Page.all().stream().anyMatch(page -> page.text().contains("Write this into `" + file + "`:\n\n```"));
     }
 
     @ParameterizedTest
