@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** The page on the thesis names only classes, methods and tests that exist. */
+/** The page on the thesis names only classes, methods and tests that exist, and the guide follows the thesis. */
 class ThesisMapTest {
     private static final Pattern NAME = Pattern.compile("`([A-Z]\\w*[a-z]\\w*)(?:[.#](\\w+))?`");
     private static final Path TARGET = Path.of(System.getProperty("majic.target", "target"));
@@ -29,6 +29,21 @@ class ThesisMapTest {
         collect(TARGET.resolve("test-classes"));
         String page = Files.readString(Path.of("docs/thesis-map.md"));
         assertThat(NAME.matcher(page).results()).hasSizeGreaterThan(100).allSatisfy(this::assertExists);
+    }
+
+    @Test
+    void theUsersGuideHasTheOrderOfTheThesis() throws IOException {
+        assertThat(Files.readString(Path.of("docs/user-guide.md")))
+                .containsSubsequence(
+                        "## The main screen",
+                        "## Adding a robot",
+                        "## Passing commands",
+                        "## The help screen",
+                        "## Saving a session",
+                        "## Saving a parameter log",
+                        "## Loading acts",
+                        "## Removing a robot",
+                        "## Quitting");
     }
 
     private void collect(Path folder) throws IOException {
