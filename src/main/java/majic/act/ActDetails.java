@@ -23,7 +23,7 @@ public record ActDetails(String name, String version, String author, String desc
     }
 
     /** Returns a text in one line, with a blank in place of characters that a screen does not show. */
-    private static String oneLine(String text) {
+    static String oneLine(String text) {
         return UNSEEN.matcher(text).replaceAll(" ").strip().replaceAll("\\s+", " ");
     }
 

@@ -61,6 +61,15 @@ public final class ActRun {
      *     a stop of one of the robots meanwhile stops the act
      */
     public ActRun(MajicAct act, String name, Map<String, List<Member>> members, Permit permit) {
+        this(act, name, name, members, permit);
+    }
+
+    /**
+     * Creates a run as the other constructor does, of an act that was given arguments.
+     *
+     * @param title the act's name with the arguments
+     */
+    public ActRun(MajicAct act, String name, String title, Map<String, List<Member>> members, Permit permit) {
         this.act = act;
         this.name = name;
         this.permit = permit;
@@ -70,7 +79,7 @@ public final class ActRun {
                 (role, its) -> byRole.put(role, its.stream().map(Member::bot).toList()));
         this.robots = new ActRobots(byRole);
         this.changes = robots.clock().signal();
-        this.owner = new Owner(Owner.Kind.ACT, name, this::end);
+        this.owner = new Owner(Owner.Kind.ACT, name, title, this::end);
     }
 
     /**

@@ -11,6 +11,7 @@ import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
+import majic.bot.Value;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -59,6 +60,29 @@ public abstract class MajicAct extends Thread implements Serializable {
      */
     public List<Role> roles() {
         return List.of(Role.any(Role.ME));
+    }
+
+    /**
+     * Returns the arguments that the act takes, with their present values as defaults. Called when the act's file is
+     * made, which stores the result; without a robot, on any thread.
+     *
+     * @return possibly none; unless overridden, the fields marked with {@link Argument}
+     * @throws ActException if such a field cannot be an argument
+     */
+    public List<ActArgument> arguments() {
+        return ArgumentFields.of(this);
+    }
+
+    /**
+     * Gives an argument a value; to be called before the act is started.
+     *
+     * @param name the argument's name, in any case of its letters
+     * @param value in any unit that the argument takes; a number without unit is in the argument's
+     * @throws ActException if the act has no such argument; the message lists those it has
+     * @throws majic.bot.ParameterException if the value is not permitted; the message contains what would be right
+     */
+    public void setArgument(String name, Value value) {
+        ArgumentFields.set(this, name, value);
     }
 
     /**

@@ -110,6 +110,29 @@ public record Parameter(
     }
 
     /**
+     * A readable word out of some.
+     *
+     * @param name its name
+     * @param words two or more to choose from; or one of {@code on}, {@code off}, {@code yes} and {@code no} alone,
+     *     which stands for both words of its pair
+     * @param help one line
+     * @return the description
+     * @throws IllegalArgumentException if it is any other word alone
+     */
+    public static Parameter words(String name, List<String> words, String help) {
+        if (words.size() > 1) {
+            return choice(name, words, help);
+        }
+        return switch (words.get(0).toLowerCase(Locale.ROOT)) {
+            case "on", "off" -> onOff(name, help);
+            case "yes", "no" -> yesNo(name, help);
+            default ->
+                throw new IllegalArgumentException(
+                        name + ": " + words.get(0) + " alone is no choice; give a second word");
+        };
+    }
+
+    /**
      * A readable text.
      *
      * @param name its name

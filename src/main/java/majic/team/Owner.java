@@ -22,6 +22,7 @@ public final class Owner {
 
     private final Kind kind;
     private final String name;
+    private final String title;
     private final Runnable end;
     private volatile String status = "";
     private volatile boolean dismissed;
@@ -34,8 +35,18 @@ public final class Owner {
      * @param end ends the owner; called on a thread of its own when another source stops one of its robots
      */
     public Owner(Kind kind, String name, Runnable end) {
+        this(kind, name, name, end);
+    }
+
+    /**
+     * Describes an owner that was begun with values of its own.
+     *
+     * @param title the name with these values
+     */
+    public Owner(Kind kind, String name, String title, Runnable end) {
         this.kind = kind;
         this.name = name;
+        this.title = title;
         this.end = end;
     }
 
@@ -55,6 +66,15 @@ public final class Owner {
      */
     public String name() {
         return name;
+    }
+
+    /**
+     * Returns the name with the values that the owner was begun with.
+     *
+     * @return for instance {@code WanderDog turn=90deg}; the name alone without values
+     */
+    public String title() {
+        return title;
     }
 
     /**

@@ -64,7 +64,7 @@ public record ActContents(
     private static ActContents ofStream(byte[] file, ClassLoader majic) throws IOException {
         String actClass = classOf(file);
         ActManifest manifest = new ActManifest(
-                actClass, ActDetails.named(ClassNames.simple(actClass)), "", List.of(Role.any(Role.ME)));
+                actClass, ActDetails.named(ClassNames.simple(actClass)), "", List.of(Role.any(Role.ME)), List.of());
         return new ActContents(manifest, List.of(), Map.of(), Map.of(), file, ActClasses.of(actClass, Map.of(), majic));
     }
 

@@ -3,6 +3,7 @@ package majic.act.file;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import majic.act.ActArgument;
 import majic.act.ActDetails;
 import majic.act.Role;
 import majic.text.VisibleText;
@@ -18,6 +19,7 @@ final class ActDescription {
                         "author: " + orElse(details.author(), "not said"),
                         "description: " + orElse(details.description(), "none"),
                         "robots: " + file.roles().stream().map(Role::toString).collect(Collectors.joining("; ")),
+                        "arguments: " + orElse(arguments(file), "none"),
                         "class: " + file.actClass(),
                         "made with: MAJIC " + orElse(file.majicVersion(), "of an unknown version"),
                         "signed by: " + signers(file.signers()),
@@ -27,6 +29,10 @@ final class ActDescription {
                         "packages they use: " + orElse(String.join(", ", file.packages()), "none"))
                 .map(VisibleText::of)
                 .toList();
+    }
+
+    private static String arguments(ActFile file) {
+        return file.arguments().stream().map(ActArgument::toString).collect(Collectors.joining("; "));
     }
 
     private static String signers(List<Signer> signers) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import majic.act.ActArgument;
 import majic.act.ActDetails;
 import majic.act.ActException;
 import majic.act.MajicAct;
@@ -29,6 +30,7 @@ public final class ActFile {
     private final boolean shipped;
     private final ActContents contents;
     private final List<Role> roles;
+    private final List<ActArgument> arguments;
 
     private ActFile(String label, byte[] bytes, boolean shipped) {
         this.label = label;
@@ -42,7 +44,14 @@ public final class ActFile {
             // The JDK's readers of manifests and certificates do not promise more than that.
             throw new ActException(VisibleText.of(label + " is damaged: its contents make no sense"), e);
         }
-        this.roles = carriesCode() ? contents.manifest().roles() : loadAgreed().roles();
+        if (carriesCode()) {
+            this.roles = contents.manifest().roles();
+            this.arguments = contents.manifest().arguments();
+        } else {
+            MajicAct act = loadAgreed();
+            this.roles = act.roles();
+            this.arguments = act.arguments();
+        }
     }
 
     /**
@@ -153,6 +162,15 @@ public final class ActFile {
      */
     public List<Role> roles() {
         return roles;
+    }
+
+    /**
+     * Returns the arguments that the act takes: as the file states, or without code in it as the act itself does.
+     *
+     * @return possibly none
+     */
+    public List<ActArgument> arguments() {
+        return arguments;
     }
 
     /**

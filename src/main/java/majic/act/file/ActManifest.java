@@ -3,12 +3,15 @@ package majic.act.file;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.jar.Attributes;
 import java.util.jar.Attributes.Name;
 import java.util.jar.Manifest;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import majic.act.ActArgument;
 import majic.act.ActDetails;
 import majic.act.Role;
 
@@ -19,8 +22,10 @@ import majic.act.Role;
  * @param details name, version, author and description of the act
  * @param majicVersion the version of the MAJIC that made the file
  * @param roles the robots that the act needs
+ * @param arguments the values that may be given when the act is run
  */
-public record ActManifest(String actClass, ActDetails details, String majicVersion, List<Role> roles) {
+public record ActManifest(
+        String actClass, ActDetails details, String majicVersion, List<Role> roles, List<ActArgument> arguments) {
     public static final String PATH = "META-INF/MANIFEST.MF";
 
     /** The version of the file format that this MAJIC writes and reads. */
@@ -35,8 +40,12 @@ public record ActManifest(String actClass, ActDetails details, String majicVersi
     private static final Name ACT_ROLES = new Name("Act-Roles");
     private static final Name MAJIC_VERSION = new Name("Majic-Version");
 
+    /** The beginning of the names under which the arguments are listed, counted from 1. */
+    private static final String ACT_ARGUMENT = "Act-Argument-";
+
     public ActManifest {
         roles = List.copyOf(roles);
+        arguments = List.copyOf(arguments);
     }
 
     /** Parses a manifest, to check signatures with. */
@@ -60,7 +69,8 @@ public record ActManifest(String actClass, ActDetails details, String majicVersi
                 text(said, ACT_VERSION),
                 text(said, ACT_AUTHOR),
                 text(said, ACT_DESCRIPTION));
-        return new ActManifest(actClass, details, text(said, MAJIC_VERSION), roles(text(said, ACT_ROLES)));
+        return new ActManifest(
+                actClass, details, text(said, MAJIC_VERSION), roles(text(said, ACT_ROLES)), arguments(said));
     }
 
     private static void checkFormat(Attributes said) throws InvalidActException {
@@ -96,6 +106,38 @@ public record ActManifest(String actClass, ActDetails details, String majicVersi
         }
     }
 
+    private static List<ActArgument> arguments(Attributes said) throws InvalidActException {
+        List<ActArgument> arguments = new ArrayList<>();
+        for (String text = text(said, argument(1));
+                !text.isEmpty();
+                text = text(said, argument(arguments.size() + 1))) {
+            arguments.add(argument(text));
+            if (arguments.size() > ActArgument.MOST) {
+                throw new InvalidActException("has more than " + ActArgument.MOST + " arguments in its manifest");
+            }
+        }
+        long names = arguments.stream()
+                .map(one -> one.name().toLowerCase(Locale.ROOT))
+                .distinct()
+                .count();
+        if (names < arguments.size()) {
+            throw new InvalidActException("has two arguments of the same name in its manifest");
+        }
+        return arguments;
+    }
+
+    private static Name argument(int number) {
+        return new Name(ACT_ARGUMENT + number);
+    }
+
+    private static ActArgument argument(String text) throws InvalidActException {
+        try {
+            return ActArgument.parse(text);
+        } catch (IllegalArgumentException e) {
+            throw new InvalidActException("has an argument in its manifest that cannot be (" + e.getMessage() + ")", e);
+        }
+    }
+
     /** Returns the manifest as it is written into the file. */
     public byte[] bytes() throws IOException {
         Manifest manifest = new Manifest();
@@ -108,6 +150,9 @@ public record ActManifest(String actClass, ActDetails details, String majicVersi
         said.put(ACT_AUTHOR, details.author());
         said.put(ACT_DESCRIPTION, details.description());
         said.put(ACT_ROLES, roles.stream().map(Role::toString).collect(Collectors.joining("; ")));
+        for (int index = 0; index < arguments.size(); index++) {
+            said.put(argument(index + 1), arguments.get(index).toString());
+        }
         said.put(MAJIC_VERSION, majicVersion);
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         manifest.write(bytes);

@@ -143,7 +143,8 @@ public final class ActMaker {
 
     private static byte[] pack(MajicAct act, ActClasses own, ActDetails details, Map<String, byte[]> files)
             throws IOException {
-        ActManifest manifest = new ActManifest(act.getClass().getName(), details, majicVersion(), FreshAct.roles(act));
+        ActManifest manifest = new ActManifest(
+                act.getClass().getName(), details, majicVersion(), FreshAct.roles(act), FreshAct.arguments(act));
         return ActWriter.pack(manifest, files, SavedAct.of(act, own));
     }
 

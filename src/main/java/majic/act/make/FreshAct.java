@@ -6,6 +6,8 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
+import majic.act.ActArgument;
+import majic.act.ActException;
 import majic.act.FailureText;
 import majic.act.MajicAct;
 import majic.act.Role;
@@ -49,6 +51,17 @@ final class FreshAct {
             }
         }
         return roles;
+    }
+
+    /** Returns the arguments that the act takes, checked. */
+    static List<ActArgument> arguments(MajicAct act) throws IOException {
+        try {
+            return List.copyOf(act.arguments());
+        } catch (ActException e) {
+            throw new InvalidActException("has a wrong argument: " + e.getMessage(), e);
+        } catch (RuntimeException | Error e) {
+            throw new InvalidActException("failed in its arguments(): " + FailureText.named(e), e);
+        }
     }
 
     private static List<Role> rolesAsSaid(MajicAct act) throws IOException {
