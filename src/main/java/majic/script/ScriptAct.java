@@ -4,14 +4,20 @@ import java.io.IOException;
 import java.io.InvalidObjectException;
 import java.io.ObjectInputStream;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
+import majic.act.ActArgument;
+import majic.act.ActException;
 import majic.act.MajicAct;
 import majic.act.Role;
 import majic.act.file.ActCatalog;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
+import majic.bot.Value;
 import majic.log.Line;
 import majic.script.acts.ScriptActProgram;
 import majic.script.run.ActionLookup;
@@ -41,6 +47,9 @@ public final class ScriptAct extends MajicAct {
     private final String text;
     private transient volatile @Nullable Stage stage;
 
+    /** The values that arguments were given, by name in lower case; null if none was. */
+    private transient volatile @Nullable Map<String, Value> given;
+
     /** Where it runs. */
     private record Stage(Execution line, ActionLookup actions, Owner act, Map<String, Member> robots) {}
 
@@ -54,7 +63,7 @@ public final class ScriptAct extends MajicAct {
     public ScriptAct(String title, String text) {
         this.title = title;
         this.text = text;
-        ScriptActProgram.of(title, text);
+        program();
     }
 
     /**
@@ -86,13 +95,27 @@ public final class ScriptAct extends MajicAct {
         return text;
     }
 
+    /**
+     * Returns the comment at the head of the script, which describes it.
+     *
+     * @return its lines in one; empty if the script begins otherwise
+     */
+    public String description() {
+        return text.lines()
+                .map(String::strip)
+                .takeWhile(line -> line.startsWith("#"))
+                .map(line -> line.substring(1).strip())
+                .filter(line -> !line.isEmpty())
+                .collect(Collectors.joining(" "));
+    }
+
     private void readObject(ObjectInputStream in) throws IOException, ClassNotFoundException {
         in.defaultReadObject();
         if (title == null || text == null) {
             throw new InvalidObjectException("its script is missing");
         }
         try {
-            ScriptActProgram.of(title, text);
+            program();
         } catch (BotException e) {
             String first = String.valueOf(e.getMessage()).lines().findFirst().orElse("");
             throw (IOException) new InvalidObjectException(first).initCause(e);
@@ -101,7 +124,33 @@ public final class ScriptAct extends MajicAct {
 
     @Override
     public List<Role> roles() {
-        return ScriptActProgram.of(title, text).roles();
+        return program().roles();
+    }
+
+    @Override
+    public List<ActArgument> arguments() {
+        return ScriptActProgram.of(title, text, Map.of()).arguments();
+    }
+
+    @Override
+    public void setArgument(String name, Value value) {
+        List<ActArgument> arguments = arguments();
+        ActArgument argument = arguments.stream()
+                .filter(one -> one.isNamed(name))
+                .findFirst()
+                .orElseThrow(() -> new ActException(ActArgument.unknown(name, arguments)));
+        Map<String, Value> values = new HashMap<>(values());
+        values.put(name.toLowerCase(Locale.ROOT), argument.parameter().fit(value));
+        given = values;
+    }
+
+    private Map<String, Value> values() {
+        Map<String, Value> values = given;
+        return values == null ? Map.of() : values;
+    }
+
+    private ScriptActProgram program() {
+        return ScriptActProgram.of(title, text, values());
     }
 
     /** Sets where it runs, before it is started; a robot for each role. */
@@ -121,7 +170,7 @@ public final class ScriptAct extends MajicAct {
      * @throws BotException if not, one line for each mistake, with its place
      */
     void check(ActionLookup actions, Map<String, List<Member>> cast) {
-        ScriptActProgram behaviour = ScriptActProgram.of(title, text);
+        ScriptActProgram behaviour = program();
         ScriptActProgram.refuse(title, behaviour.check(actions, first(cast)));
     }
 
@@ -131,7 +180,7 @@ public final class ScriptAct extends MajicAct {
         if (here == null) {
             throw new BotException("an act in MAJIC Script runs in a session: 1 act FILE");
         }
-        ScriptActProgram behaviour = ScriptActProgram.of(title, text);
+        ScriptActProgram behaviour = program();
         refuse(behaviour.check(here.actions, here.robots), here);
         try {
             run(behaviour, here.actions, here.line.asAct(here.act, behaviour.among(here.robots)));

@@ -111,6 +111,7 @@ final class ScriptTokens extends TokenMakerBase {
                 case NUMBER, SPAN -> isFirst || namesRobots ? robot() : NUMBER;
                 case WORD -> word(token);
                 case QUOTED -> TEXT;
+                case VARIABLE -> NAME;
                 case OPEN_QUOTE -> OPEN_TEXT;
                 case COMMA -> comma();
                 case OPERATOR, DOT, LEFT, RIGHT, OTHER -> SIGN;

@@ -73,7 +73,7 @@ final class ActActions {
         public String replayText(boolean typed) {
             Literal name = act.name();
             Literal found = new Literal(name.at(), name.value(), acts.replayName(name));
-            return new Command.Act(act.at(), found, act.others()).text();
+            return new Command.Act(act.at(), found, act.arguments(), act.others()).text();
         }
     }
 

@@ -4,8 +4,10 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import majic.act.ActArgument;
 import majic.act.Role;
 import majic.bot.BotException;
+import majic.bot.Value;
 import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
 import majic.script.run.Checker;
@@ -35,12 +37,13 @@ public final class ScriptActProgram {
      *
      * @param title the name in messages about its mistakes
      * @param text the script
+     * @param given the values of its arguments by name in lower case; an argument without one has its default
      * @return the behaviour
      * @throws BotException if it has mistakes, all of them in one message, each with its place
      */
-    public static ScriptActProgram of(String title, String text) {
+    public static ScriptActProgram of(String title, String text, Map<String, Value> given) {
         List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = ScriptParser.parse(text, List.of(), mistakes);
+        List<Statement> script = ScriptParser.parse(text, List.of(), given, mistakes);
         ScriptActInspection found = new ScriptActInspection();
         found.walk(script);
         mistakes.addAll(found.mistakes());
@@ -86,6 +89,15 @@ public final class ScriptActProgram {
     /** What is run, without the lines that add and name robots. */
     public List<Statement> statements() {
         return statements;
+    }
+
+    /** Returns the arguments it begins with, with their defaults. */
+    public List<ActArgument> arguments() {
+        return statements.stream()
+                .filter(Statement.Argument.class::isInstance)
+                .map(Statement.Argument.class::cast)
+                .map(argument -> new ActArgument(argument.parameter(), argument.initial()))
+                .toList();
     }
 
     /** Without {@code me} in the script, it runs on the robot named first. */

@@ -59,7 +59,7 @@ public record WordPlace(int start, int end) {
     static boolean separates(Token token) {
         return switch (token.kind()) {
             case COMMA, DOT, LEFT, RIGHT, OPERATOR, NEWLINE, END -> true;
-            case NUMBER, SPAN, WORD, QUOTED, OPEN_QUOTE, OTHER -> false;
+            case NUMBER, SPAN, WORD, VARIABLE, QUOTED, OPEN_QUOTE, OTHER -> false;
         };
     }
 }

@@ -81,6 +81,11 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
         return null;
     }
 
+    @Override
+    public @Nullable Void argument(Statement.Argument argument) {
+        return null;
+    }
+
     private void round(List<Statement> body) {
         long motionsBefore = execution.motions();
         long began = time.nanos();

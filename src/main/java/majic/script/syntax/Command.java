@@ -207,8 +207,20 @@ public sealed interface Command {
         }
     }
 
-    /** Runs a behaviour, with the robots for its further roles in their order. */
-    record Act(Token at, Literal name, @Nullable Robots others) implements Command {
+    /** A value given to a behaviour: {@code speed=200}. */
+    record Argument(Token name, Literal value) {
+        @Override
+        public String toString() {
+            return name.text() + "=" + value.text();
+        }
+    }
+
+    /** Runs a behaviour, with values for its arguments and the robots for its further roles in their order. */
+    record Act(
+            Token at,
+            Literal name,
+            List<Argument> arguments,
+            @Nullable Robots others) implements Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.act(this);
@@ -216,7 +228,8 @@ public sealed interface Command {
 
         @Override
         public String text() {
-            return "act " + name.text() + (others == null ? "" : " with " + others.text());
+            String given = arguments.stream().map(one -> " " + one).collect(Collectors.joining());
+            return "act " + name.text() + given + (others == null ? "" : " with " + others.text());
         }
     }
 

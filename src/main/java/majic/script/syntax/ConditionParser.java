@@ -83,6 +83,7 @@ final class ConditionParser {
 
     /** {@code literal = NUMBER | WORD | QUOTED ;} */
     private Literal literal() {
+        at.fillIn();
         if (!at.check(Kind.NUMBER) && !at.check(Kind.WORD) && !at.check(Kind.QUOTED)) {
             throw at.unexpected("a value");
         }

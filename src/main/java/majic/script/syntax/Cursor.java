@@ -1,6 +1,8 @@
 package majic.script.syntax;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import majic.bot.Value;
 import majic.script.syntax.Literal.Quantity;
 import majic.script.syntax.Token.Kind;
@@ -8,11 +10,28 @@ import majic.script.syntax.Token.Kind;
 /** A place in a list of tokens that moves forward: the four helpers that every grammar rule is written with. */
 public final class Cursor {
     private final List<Token> tokens;
+    private Map<String, Value> variables = Map.of();
     private int next;
 
     /** The last token is an END. */
     public Cursor(List<Token> tokens) {
         this.tokens = tokens;
+    }
+
+    /**
+     * Lets a name stand for a value from now on: {@code $name}.
+     *
+     * @param name in lower case
+     */
+    void define(String name, Value value) {
+        if (variables.isEmpty()) {
+            variables = new HashMap<>();
+        }
+        variables.put(name, value);
+    }
+
+    boolean isDefined(String name) {
+        return variables.containsKey(name);
     }
 
     Token peek() {
@@ -67,13 +86,43 @@ public final class Cursor {
         return advance();
     }
 
+    /** Takes an equals sign, or complains that something else was expected. */
+    void equalsSign(String expected) {
+        if (!check(Kind.OPERATOR) || !peek().text().equals("=")) {
+            throw unexpected(expected);
+        }
+        advance();
+    }
+
     /** A number of some quantity. */
     Literal number(Quantity quantity) {
-        return quantity.read(consume(Kind.NUMBER, quantity.what() + " (" + quantity.symbols() + ")"));
+        Token written = peek();
+        String expected = quantity.what() + " (" + quantity.symbols() + ")";
+        if (written.kind() != Kind.VARIABLE) {
+            return quantity.read(consume(Kind.NUMBER, expected));
+        }
+        fillIn();
+        if (!check(Kind.NUMBER)) {
+            throw new ScriptException(
+                    written, written.text() + " is " + peek().text() + ": " + expected + " is expected here");
+        }
+        try {
+            return quantity.read(advance());
+        } catch (ScriptException e) {
+            throw new ScriptException(written, written.text() + " is " + e.getMessage());
+        }
+    }
+
+    /** Puts the value of a variable in its place; leaves any other token as it is. */
+    void fillIn() {
+        if (check(Kind.VARIABLE)) {
+            tokens.set(next, Variables.fillIn(peek(), variables));
+        }
     }
 
     /** A whole number without unit. */
     int count(String expected) {
+        fillIn();
         Token token = consume(Kind.NUMBER, expected);
         try {
             return Integer.parseInt(token.text());
@@ -87,12 +136,17 @@ public final class Cursor {
         if (peek().isEnd() || check(Kind.OPEN_QUOTE) || endsValue(peek(), inCall)) {
             throw unexpected(expected);
         }
+        int start = next;
         Token first = advance();
         StringBuilder all = new StringBuilder(first.written());
-        boolean alone = true;
         while (previous().touches(peek()) && !endsValue(peek(), inCall) && !check(Kind.OPEN_QUOTE)) {
             all.append(advance().written());
-            alone = false;
+        }
+        boolean alone = next == start + 1;
+        if (alone && first.kind() == Kind.VARIABLE) {
+            next = start;
+            fillIn();
+            return value(expected, inCall);
         }
         if (alone && first.kind() == Kind.NUMBER) {
             return Quantity.readAny(first);
@@ -147,6 +201,10 @@ public final class Cursor {
         Token found = peek();
         if (found.kind() == Kind.OPEN_QUOTE) {
             return new ScriptException(found, found.text() + ": the quote is not closed");
+        }
+        if (found.kind() == Kind.VARIABLE) {
+            return new ScriptException(
+                    found, found.text() + ": an argument stands for a value, and " + expected + " is expected here");
         }
         if (!found.isEnd()) {
             return new ScriptException(found, found.written() + ": " + expected + " is expected here", expected);

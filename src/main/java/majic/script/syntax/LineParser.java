@@ -31,8 +31,24 @@ public final class LineParser {
 
     /** Further words that mean something in a line. */
     private static final List<String> OTHER_WORDS = List.of(
-            "all", "and", "any", "as", "clear", "every", "for", "me", "no", "not", "now", "off", "on", "or", "until",
-            "with", "yes");
+            "all",
+            "and",
+            "any",
+            "argument",
+            "as",
+            "clear",
+            "every",
+            "for",
+            "me",
+            "no",
+            "not",
+            "now",
+            "off",
+            "on",
+            "or",
+            "until",
+            "with",
+            "yes");
 
     private final Cursor at;
     private final Collection<String> robotWords;
@@ -78,6 +94,10 @@ public final class LineParser {
     /** Parses the line: {@code line = sessionCommand | place | robots ( command | call ) ;}. */
     public Statement line() {
         Token first = at.peek();
+        if (first.is("argument")) {
+            throw new ScriptException(
+                    first, first.text() + ": only a script file has arguments, in front of all its other lines");
+        }
         Statement statement = statement(first);
         at.endOfLine();
         return statement;
@@ -257,13 +277,34 @@ public final class LineParser {
         }
     }
 
-    /** {@code act = "act" ( "off" | NAME [ "with" robots ] ) ;} */
+    /** {@code act = "act" ( "off" | NAME { argument } [ "with" robots ] ) ;} */
     private Command act(Token word) {
         if (at.match("off")) {
             return new Command.ActOff(word);
         }
         Literal name = at.value("an act's name", inCall);
-        return new Command.Act(word, name, at.match("with") ? Robots.parse(at) : null);
+        List<Command.Argument> given = new ArrayList<>();
+        separator();
+        while (isArgument()) {
+            given.add(argument());
+            separator();
+        }
+        Robots others = at.match("with") ? Robots.parse(at) : null;
+        if (others != null && isArgument()) {
+            throw new ScriptException(at.peek(), at.peek().text() + ": write arguments in front of \"with\"");
+        }
+        return new Command.Act(word, name, given, others);
+    }
+
+    private boolean isArgument() {
+        return at.check(Kind.WORD) && at.peekSecond().kind() == Kind.OPERATOR;
+    }
+
+    /** {@code argument = WORD "=" value ;} */
+    private Command.Argument argument() {
+        Token name = at.advance();
+        at.equalsSign("=");
+        return new Command.Argument(name, at.value("a value for " + name.text(), inCall));
     }
 
     /** {@code help = "help" [ PARAMETER ] ;} */

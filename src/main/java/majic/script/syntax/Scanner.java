@@ -13,6 +13,7 @@ public final class Scanner {
     private static final Pattern SPAN = Pattern.compile("\\d+-\\d+(?![\\p{L}\\d]|\\.\\d)");
     private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?([\\p{L}%°][\\p{L}\\d%/²]*)?");
     private static final Pattern WORD = Pattern.compile("\\p{L}[\\p{L}\\d_]*");
+    private static final Pattern VARIABLE = Pattern.compile("-?\\$\\p{L}[\\p{L}\\d_]*");
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
     private static final Pattern OPERATOR = Pattern.compile("[<>=!]=|[<>=]");
 
@@ -58,6 +59,7 @@ public final class Scanner {
         } else if (!take(Kind.SPAN, SPAN)
                 && !take(Kind.NUMBER, NUMBER)
                 && !take(Kind.WORD, WORD)
+                && !take(Kind.VARIABLE, VARIABLE)
                 && !take(Kind.OPERATOR, OPERATOR)) {
             takeSign();
         }

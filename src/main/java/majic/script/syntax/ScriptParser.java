@@ -3,10 +3,12 @@ package majic.script.syntax;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
+import majic.bot.Value;
 import majic.script.syntax.Token.Kind;
 
 /**
@@ -32,12 +34,22 @@ public final class ScriptParser {
     }
 
     /**
-     * Parses a script; checks nothing that depends on robots.
+     * Parses a script whose arguments have their defaults; checks nothing that depends on robots.
      *
      * @param robotWords the words that stand for robots: types, names
      * @param mistakes receives what is wrong, in the order of the text
      */
     public static List<Statement> parse(String text, Collection<String> robotWords, List<Mistake> mistakes) {
+        return parse(text, robotWords, Map.of(), mistakes);
+    }
+
+    /**
+     * Parses a script as the other method does.
+     *
+     * @param given the values of arguments by name in lower case; an argument without one has its default
+     */
+    public static List<Statement> parse(
+            String text, Collection<String> robotWords, Map<String, Value> given, List<Mistake> mistakes) {
         String[] lines = LINE_BREAK.split(text, -1);
         for (int index = 0; index < lines.length; index++) {
             if (lines[index].length() > LineParser.LONGEST_LINE) {
@@ -45,12 +57,13 @@ public final class ScriptParser {
                 return List.of();
             }
         }
-        return new ScriptParser(text, robotWords, mistakes).script();
+        return new ScriptParser(text, robotWords, mistakes).script(given);
     }
 
-    /** {@code script = lines ;} */
-    private List<Statement> script() {
-        List<Statement> statements = new ArrayList<>(lines());
+    /** {@code script = { argument } lines ;} */
+    private List<Statement> script(Map<String, Value> given) {
+        List<Statement> statements = new ArrayList<>(arguments(new ArgumentParser(at, given)));
+        statements.addAll(lines());
         while (!at.check(Kind.END)) {
             Token stray = at.peek();
             mistakes.add(new ScriptException(stray, stray.text() + ": no block is open here").mistake());
@@ -58,6 +71,21 @@ public final class ScriptParser {
             statements.addAll(lines());
         }
         return statements;
+    }
+
+    private List<Statement> arguments(ArgumentParser parser) {
+        List<Statement> arguments = new ArrayList<>();
+        while (at.check(Kind.NEWLINE) || at.check("argument")) {
+            try {
+                if (!at.match(Kind.NEWLINE)) {
+                    arguments.add(parser.argument());
+                }
+            } catch (ScriptException e) {
+                mistakes.add(e.mistake());
+                at.toNextLine();
+            }
+        }
+        return arguments;
     }
 
     /** {@code lines = { [ statement ] NEWLINE } ;} up to the end of the block or the script. */

@@ -98,6 +98,7 @@ public final class SessionParser {
 
     /** {@code wait = "wait" [ TIME ] ;} where the unit is required. */
     private SessionCommand await() {
+        at.fillIn();
         if (!at.check(Kind.NUMBER)) {
             return new SessionCommand.Await();
         }

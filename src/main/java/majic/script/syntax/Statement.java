@@ -2,6 +2,8 @@ package majic.script.syntax;
 
 import java.util.List;
 import java.util.OptionalInt;
+import majic.bot.Parameter;
+import majic.bot.Value;
 
 /** One command, or a block of them. */
 public sealed interface Statement {
@@ -21,6 +23,21 @@ public sealed interface Statement {
         R forRobots(ForRobots command);
 
         R forSession(ForSession command);
+
+        R argument(Argument argument);
+    }
+
+    /**
+     * Describes an argument of the script, and its value if none is given; does nothing.
+     *
+     * @param parameter its name, unit, range and explanation
+     * @param initial in the form that the parameter takes
+     */
+    record Argument(Token at, Parameter parameter, Value initial) implements Statement {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.argument(this);
+        }
     }
 
     /** Repeats its body; for ever without a number of times. */

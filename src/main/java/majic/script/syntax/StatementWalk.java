@@ -38,4 +38,9 @@ public abstract class StatementWalk implements Statement.Visitor<@Nullable Void>
         walk(choice.otherwise());
         return null;
     }
+
+    @Override
+    public @Nullable Void argument(Statement.Argument argument) {
+        return null;
+    }
 }

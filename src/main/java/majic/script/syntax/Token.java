@@ -23,6 +23,8 @@ public record Token(Kind kind, String text, int line, int column, int end) {
         SPAN,
         /** A letter, then letters and digits. */
         WORD,
+        /** The name of an argument, which stands for its value: {@code $speed}, {@code -$speed}. */
+        VARIABLE,
         /** Text in quotes. */
         QUOTED,
         /** A quote that is never closed, to the end of its line. */
