@@ -62,10 +62,11 @@ public final class ActOffers implements Completer.Acts {
         if (script.isPresent()) {
             ScriptAct act = ScriptAct.read(script.get());
             String name = act.title().substring(0, act.title().length() - ScriptAct.ENDING.length());
-            return new ActOffer(called, new ActDetails(name, "", "", "A script."), act.roles(), null);
+            String description = act.description().isEmpty() ? "A script." : act.description();
+            return new ActOffer(called, new ActDetails(name, "", "", description), act.roles(), act.arguments(), null);
         }
         ActFile file = acts.find(called);
-        return new ActOffer(called, file.details(), file.roles(), file);
+        return new ActOffer(called, file.details(), file.roles(), file.arguments(), file);
     }
 
     /**

@@ -7,11 +7,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Function;
 import java.util.function.Supplier;
+import majic.act.ActArgument;
 import majic.act.ActRun;
 import majic.act.MajicAct;
 import majic.act.Role;
@@ -21,7 +21,9 @@ import majic.act.file.ActTrust;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
+import majic.bot.Value;
 import majic.log.Line;
+import majic.script.acts.ActArguments;
 import majic.script.acts.RoleAssignment;
 import majic.script.record.SessionRecord;
 import majic.script.run.ActRunner;
@@ -32,8 +34,10 @@ import majic.script.run.SessionState;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.team.Member;
+import majic.team.Owner;
 import majic.team.QueuedCommand;
 import majic.time.Signal;
+import org.jspecify.annotations.Nullable;
 
 /** Runs behaviours on the robots of a session: finds them, assigns robots to roles, ends them. Thread-safe. */
 final class SessionActs implements ActRunner {
@@ -59,16 +63,31 @@ final class SessionActs implements ActRunner {
      *
      * @param name what messages call it
      * @param roles the robots it needs
-     * @param script a script, to check its commands with
+     * @param arguments the values it may be given
      * @param fresh makes one to run; reads no file
+     * @param isScript whether it is a script, whose commands can be checked
      */
-    private record Found(String name, List<Role> roles, Optional<ScriptAct> script, Supplier<MajicAct> fresh) {
+    private record Found(
+            String name, List<Role> roles, List<ActArgument> arguments, Supplier<MajicAct> fresh, boolean isScript) {
         /** For an act of one of MAJIC's own classes. */
         static Found of(String name, Supplier<MajicAct> fresh) {
             MajicAct act = fresh.get();
-            Optional<ScriptAct> script =
-                    Optional.of(act).filter(ScriptAct.class::isInstance).map(ScriptAct.class::cast);
-            return new Found(name, act.roles(), script, fresh);
+            return new Found(name, act.roles(), act.arguments(), fresh, act instanceof ScriptAct);
+        }
+
+        /** Makes one with values for its arguments. */
+        MajicAct fresh(Map<String, Value> values) {
+            MajicAct act = fresh.get();
+            values.forEach(act::setArgument);
+            return act;
+        }
+
+        /** Its name with values: {@code Wander speed=200mm/s}. */
+        String titled(Map<String, Value> values) {
+            StringBuilder text = new StringBuilder(name);
+            values.forEach((argument, value) ->
+                    text.append(' ').append(argument).append('=').append(ActArgument.typed(value)));
+            return text.toString();
         }
     }
 
@@ -94,8 +113,15 @@ final class SessionActs implements ActRunner {
             act.name().at().check(() -> {
                 Map<String, List<Member>> robots =
                         assign(check.robot(), check.selection().members(act.others()));
-                found.script().ifPresent(script -> script.check(actions, robots));
+                Map<String, Value> values = values();
+                if (found.isScript() && found.fresh(values) instanceof ScriptAct script) {
+                    script.check(actions, robots);
+                }
             });
+        }
+
+        private Map<String, Value> values() {
+            return ActArguments.fit(found.arguments(), act.arguments());
         }
 
         @Override
@@ -110,13 +136,24 @@ final class SessionActs implements ActRunner {
                 Map<String, List<Member>> robots = assign(me, others);
                 noticeIfOwn(act.name().unquoted(), me);
                 long began = me.time().nanos();
-                ActRun run = run(found, robots, permit, execution, actions);
+                ActRun run = run(robots, permit, execution);
                 String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
                 return List.of(act.text()
                         + String.format(
                                 Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
             });
             return command.checkedBy(permit::check);
+        }
+
+        private ActRun run(Map<String, List<Member>> robots, Permit permit, Execution execution) {
+            Map<String, Value> values = values();
+            MajicAct fresh = found.fresh(values);
+            ActRun run = new ActRun(fresh, found.name(), found.titled(values), robots, permit);
+            if (fresh instanceof ScriptAct script) {
+                script.enter(execution, actions, run.owner(), robots);
+            }
+            SessionActs.this.run(run, execution.owner());
+            return run;
         }
 
         private Map<String, List<Member>> assign(Member me, List<Member> others) {
@@ -138,21 +175,14 @@ final class SessionActs implements ActRunner {
         return member.currentPermit().and(ordered.computeIfAbsent(member, its -> new Permit()));
     }
 
-    private ActRun run(
-            Found found, Map<String, List<Member>> robots, Permit permit, Execution execution, ActionLookup actions) {
-        MajicAct act = found.fresh().get();
-        ActRun run = new ActRun(act, found.name(), robots, permit);
-        if (act instanceof ScriptAct script) {
-            script.enter(execution, actions, run.owner(), robots);
-        }
+    private void run(ActRun run, @Nullable Owner by) {
         running.add(run);
         try {
-            run.run(execution.owner());
+            run.run(by);
         } finally {
             running.remove(run);
             state.team().changes().raise();
         }
-        return run;
     }
 
     @Override
@@ -193,10 +223,15 @@ final class SessionActs implements ActRunner {
             String roles =
                     String.join(", ", offer.roles().stream().map(Role::toString).toList());
             String own = acts.replacesShipped(name) ? " (your own, in place of the one that comes with MAJIC)" : "";
-            return "acts: " + name + " (" + roles + "): " + offer.details().description() + own;
+            return "acts: " + name + " (" + roles + "): " + offer.details().description() + arguments(offer) + own;
         } catch (BotException e) {
             return "acts: " + name + ": " + e.getMessage();
         }
+    }
+
+    private static String arguments(ActOffer offer) {
+        List<String> names = offer.arguments().stream().map(ActArgument::name).toList();
+        return names.isEmpty() ? "" : " Arguments: " + String.join(", ", names) + ".";
     }
 
     @Override
@@ -295,7 +330,7 @@ final class SessionActs implements ActRunner {
                     + "\" shows whose and lets you agree");
         }
         return file.carriesCode()
-                ? new Found(file.details().name(), file.roles(), Optional.empty(), () -> file.load(acts.trust()))
+                ? new Found(file.details().name(), file.roles(), file.arguments(), () -> file.load(acts.trust()), false)
                 : Found.of(file.details().name(), () -> file.load(acts.trust()));
     }
 }

@@ -31,7 +31,7 @@ public final class BotStatus {
         }
         return switch (owner.kind()) {
             case MANUAL -> TEXTS.get("byHand");
-            case ACT, SCRIPT -> TEXTS.get("running", owner.name());
+            case ACT, SCRIPT -> TEXTS.get("running", owner.title());
         };
     }
 

@@ -42,7 +42,7 @@ final class TeamListing {
         Owner owner = member.owner();
         if (owner != null) {
             String message = owner.status().isEmpty() ? "" : ": " + owner.status();
-            return owner.kind() == Owner.Kind.MANUAL ? "driven by hand" : "running " + owner.name() + message;
+            return owner.kind() == Owner.Kind.MANUAL ? "driven by hand" : "running " + owner.title() + message;
         }
         return member.isIdle() ? "idle" : "busy";
     }
