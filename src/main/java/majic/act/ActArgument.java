@@ -112,12 +112,15 @@ public record ActArgument(Parameter parameter, Value initial) {
      * Returns a value as it is typed, with all its digits.
      *
      * @param value a value of an argument
-     * @return for instance {@code 200mm/s}, {@code on}, {@code left}; a text without quotation marks
+     * @return for instance {@code 200mm/s}, {@code on}, {@code left}; a text that is more than a word in quotation
+     *     marks, since it could be read as a number
      */
     public static String typed(Value value) {
-        return value instanceof Value.Number number
-                ? plain(number.amount()) + number.unit().symbol()
-                : value.toString();
+        if (value instanceof Value.Number number) {
+            return plain(number.amount()) + number.unit().symbol();
+        }
+        String text = value.toString();
+        return NAME.matcher(text).matches() ? text : '"' + text + '"';
     }
 
     private static String plain(double number) {
@@ -179,7 +182,7 @@ public record ActArgument(Parameter parameter, Value initial) {
             case NUMBER, LIST -> typed() + (parameter.whole() ? " whole" : "") + bounds();
             case YES_NO, ON_OFF -> typed();
             case CHOICE -> String.join(" or ", initialFirst());
-            case TEXT -> '"' + typed() + '"';
+            case TEXT -> '"' + initial.toString() + '"';
         };
         return name() + " = " + value + " \"" + parameter.help() + '"';
     }

@@ -70,16 +70,10 @@ public record ActOffer(
         for (ActArgument argument : arguments) {
             Value value = values.getOrDefault(argument.name(), argument.initial());
             if (!value.equals(argument.initial())) {
-                line.append(' ').append(argument.name()).append('=').append(typed(value));
+                line.append(' ').append(argument.name()).append('=').append(ActArgument.typed(value));
             }
         }
         String with = numbers(others);
         return line + (with.isEmpty() ? "" : " with " + with);
-    }
-
-    /** A text that is more than a word is put in quotes, since it could be read as a number. */
-    private static String typed(Value value) {
-        String typed = ActArgument.typed(value);
-        return value instanceof Value.Text && !typed.matches("\\p{L}[\\p{L}\\d_]*") ? '"' + typed + '"' : typed;
     }
 }

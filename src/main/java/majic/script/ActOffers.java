@@ -3,6 +3,7 @@ package majic.script;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import majic.act.ActArgument;
 import majic.act.ActDetails;
 import majic.act.Role;
 import majic.act.file.ActCatalog;
@@ -119,6 +120,15 @@ public final class ActOffers implements Completer.Acts {
         return acts.names().stream()
                 .flatMap(name -> completion(name, members).stream())
                 .toList();
+    }
+
+    @Override
+    public List<ActArgument> argumentsOf(String act) {
+        try {
+            return find(act).arguments();
+        } catch (BotException e) {
+            return List.of();
+        }
     }
 
     /** Empty if the act cannot be read, or does not fit one of the robots. */

@@ -229,6 +229,17 @@ final class SessionActs implements ActRunner {
         }
     }
 
+    @Override
+    public List<String> describe(String name) {
+        ActOffer offer = offers.find(name);
+        String start = "acts: " + offer.details().name() + ": ";
+        List<String> lines = new ArrayList<>();
+        lines.add(start + offer.details().description());
+        offer.roles().forEach(role -> lines.add(start + "needs " + role));
+        offer.arguments().forEach(argument -> lines.add(start + "takes " + argument));
+        return lines;
+    }
+
     private static String arguments(ActOffer offer) {
         List<String> names = offer.arguments().stream().map(ActArgument::name).toList();
         return names.isEmpty() ? "" : " Arguments: " + String.join(", ", names) + ".";

@@ -168,4 +168,48 @@ class ActArgumentsInSessionTest {
                 .isEqualTo("1 act Steps length=200mm");
         assertThat(offer.line(1, Map.of(), List.of(2, 3))).isEqualTo("1 act Steps with 2,3");
     }
+
+    @Test
+    void theDescriptionOfAnActListsThemAll() throws InterruptedException {
+        assertThat(fixture.runPipe("acts patrol", "acts Steps"))
+                .containsSubsequence(
+                        "acts: patrol: Goes there and turns.",
+                        "acts: patrol: needs me",
+                        "acts: patrol: takes far = 500mm from 100 to 2000 \"how far it goes\"",
+                        "acts: patrol: takes sit = yes \"\"",
+                        "acts: Steps: takes length = 100mm from 10 to 500 \"how far a step goes\"",
+                        "acts: Steps: takes count = 2 whole from 1 \"how many steps\"");
+        assertThat(fixture.refusal("acts Stops")).get().asString().contains("there is no act Stops");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 act Steps | count= length= with",
+                "1 act Steps length=200 | count= with",
+                "1 act Steps length= | 100mm",
+                "1 act patrol sit= | no yes",
+                "1 act Nothing  | with"
+            })
+    void aLineIsCompletedWithThem(String line, String words) {
+        String typed = line.endsWith("=") ? line : line + " ";
+        assertThat(fixture.prompt.complete(typed, typed.length()).words()).containsExactly(words.split(" "));
+    }
+
+    @Test
+    void aCompletionNamesUnitRangeDefaultAndPurpose() {
+        assertThat(fixture.prompt
+                        .complete("1 act Steps le", 14)
+                        .entries()
+                        .get(0)
+                        .inWords())
+                .isEqualTo("length= 10 … 500 mm, 100mm: how far a step goes");
+        assertThat(fixture.prompt
+                        .complete("1 act Steps length=", 19)
+                        .entries()
+                        .get(1)
+                        .inWords())
+                .isEqualTo("length: how far a step goes (10 … 500 mm)");
+    }
 }

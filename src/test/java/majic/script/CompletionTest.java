@@ -45,7 +45,13 @@ class CompletionTest {
                 "save s | session",
                 "add s | sim:aibo sim:pioneer",
                 "1 log o | off",
-                "help rep | repeat"
+                "help rep | repeat",
+                "1 act AiboSquare s | side=",
+                "1 act AiboSquare side= | 500mm",
+                "1.act(AiboSquare, s | side=",
+                "1 act AiboSquare wi | with",
+                "2 act Convoy d | distance=",
+                "acts Aibo | AiboSquare"
             })
     void fitsThePlace(String text, String words) {
         assertThat(fixture.prompt.complete(text, text.length()).words()).containsExactly(words.split(" "));
@@ -134,7 +140,7 @@ class CompletionTest {
                 "1 get distanceFront_ | distanceFront mm: what is ahead",
                 "1 set headPan 3_0 | headPan: where the head looks, left positive (-91 … 91 deg)",
                 "_repeat 3 | repeat [N] ... end: N times, or for ever",
-                "1 _act race | act NAME [with ROBOTS]: runs an act, a script or an .act file; \"1 act off\" ends it",
+                "1 _act race | act NAME [ARGUMENT=VALUE...] [with ROBOTS]: runs an act, a script or an .act file; \"1 act off\" ends it",
                 "1 act ra_ce | ''",
                 "1 move 3 # move_ it | ''"
             })

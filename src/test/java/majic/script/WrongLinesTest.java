@@ -64,7 +64,7 @@ class WrongLinesTest {
                 "add aibo://x as 2 | 2: there is a robot 2 already",
                 "run nowhere.majic | nowhere.majic: there is no such file",
                 "save nothing | nothing: \"session\", \"log\" or \"team\" is expected here",
-                "help towels | towels: no help on that",
+                "help towels | towels: no help on that; \"acts towels\" describes an act",
                 "end | end: no block is open here",
                 "else | else: there is no if in front of it",
                 "repeat often | often: how often, a whole number, is expected here",

@@ -102,21 +102,28 @@ final class ActActions {
         }
     }
 
-    /** Lists the behaviours. */
+    /** Lists the behaviours, or describes one. */
     static final class ActsAction extends SessionAction {
+        private final @Nullable Literal act;
         private final ActRunner acts;
 
-        ActsAction(ActRunner acts) {
-            super(Scheduling.BESIDE);
+        ActsAction(SessionCommand.Acts command, ActRunner acts) {
+            super(Scheduling.BESIDE, CommandTrait.READS_FILES);
+            this.act = command.act();
             this.acts = acts;
         }
 
         @Override
-        public void check(Check check) {}
+        public void check(Check check) {
+            if (act != null) {
+                act.at().check(() -> acts.describe(act.unquoted()));
+            }
+        }
 
         @Override
         public void run(Execution execution) {
-            acts.list().forEach(execution::answer);
+            List<String> lines = act == null ? acts.list() : acts.describe(act.unquoted());
+            lines.forEach(execution::answer);
         }
     }
 

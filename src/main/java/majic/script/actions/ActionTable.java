@@ -138,8 +138,8 @@ public record ActionTable(
     }
 
     @Override
-    public SessionAction acts(SessionCommand.Acts list) {
-        return new ActActions.ActsAction(acts);
+    public SessionAction acts(SessionCommand.Acts command) {
+        return new ActActions.ActsAction(command, acts);
     }
 
     @Override

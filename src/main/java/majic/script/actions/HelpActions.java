@@ -64,8 +64,11 @@ final class HelpActions {
         @Override
         public void check(Check check) {
             if (topic != null && !Help.topics().contains(topic.text().toLowerCase(Locale.ROOT))) {
+                String meant = Suggestion.didYouMean(topic.text(), Help.topics());
                 throw new ScriptException(
-                        topic, topic.text() + ": no help on that" + Suggestion.didYouMean(topic.text(), Help.topics()));
+                        topic,
+                        topic.text() + ": no help on that"
+                                + (meant.isEmpty() ? "; \"acts " + topic.text() + "\" describes an act" : meant));
             }
         }
 

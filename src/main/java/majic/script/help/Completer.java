@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import majic.act.ActArgument;
 import majic.bot.BotType;
 import majic.script.syntax.Cursor;
 import majic.script.syntax.LineParser;
@@ -36,13 +37,16 @@ public final class Completer {
     private final Function<Robots, List<Member>> selection;
     private final Acts acts;
 
-    /** The behaviours that could be named on a line. The first two methods read files. */
+    /** The behaviours that could be named on a line. All methods but the last read files. */
     public interface Acts {
         /** Returns all of them, as a line would name them. */
         List<Completion> completions();
 
         /** Returns those that can be loaded onto each of some robots. */
         List<Completion> completionsFor(List<Member> robots);
+
+        /** Returns the arguments that one takes; none if it cannot be read. */
+        List<ActArgument> argumentsOf(String act);
 
         /** Returns whether a file with this name may be one of them. */
         boolean isFile(String name);
@@ -79,7 +83,7 @@ public final class Completer {
         return switch (first) {
             case "run" -> BegunFile.of(typed, tokens, 1).map(BegunFile::completions);
             case "save" -> BegunFile.of(typed, tokens, 2).map(BegunFile::completions);
-            case "trust" -> actFiles(typed, tokens, 1);
+            case "acts", "trust" -> actFiles(typed, tokens, 1);
             default -> {
                 int command = commandAt(tokens);
                 boolean act = command < tokens.size() && tokens.get(command).is("act");
@@ -162,6 +166,7 @@ public final class Completer {
                 next
                         ? List.of(new Completion("place", "ROBOT X Y HEADING", "puts a robot of the lab down there"))
                         : tokens.size() == 2 ? Explained.robots(team.members()) : List.of();
+            case "acts" -> next ? acts.completions() : List.of();
             case "trust" -> next ? joined(acts.completions(), List.of(OFF)) : List.of();
             case "help" -> next ? Help.topics().stream().map(Help::completion).toList() : List.of();
             case "while", "if" -> conditions(List.of()).after(tokens.subList(1, tokens.size()));
@@ -212,15 +217,19 @@ public final class Completer {
             case "name" -> values.isEmpty() ? List.of(OFF, NAME) : List.of();
             case "set" -> values.isEmpty() ? parameters(members, true) : toSet(values, members);
             case "act" ->
-                values.isEmpty()
-                        ? joined(acts.completionsFor(members), List.of(OFF))
-                        : last.is("with")
-                                ? Explained.robots(team.members())
-                                : List.of(new Completion("with", "ROBOTS", "further robots of the act"));
+                values.isEmpty() ? joined(acts.completionsFor(members), List.of(OFF)) : behindAct(behind, last);
             case "move", "turn" -> afterMotion(behind, 1, members);
             case "drive" -> afterMotion(behind, 2, members);
             default -> argument(tokens.get(command), values.size(), members);
         };
+    }
+
+    /** What may follow the name of an act: its arguments and their values, then robots. */
+    private List<Completion> behindAct(List<Token> behind, Token last) {
+        if (behind.stream().anyMatch(token -> token.is("with"))) {
+            return last.is("with") ? Explained.robots(team.members()) : List.of();
+        }
+        return new ActCompletion(behind, acts::argumentsOf).entries();
     }
 
     /** What may follow the numbers of a motion. */

@@ -15,9 +15,12 @@ public record Completion(String text, String values, String explanation) {
         return new Completion(text, "", explanation);
     }
 
-    /** Returns whether more follows a word without a blank: an address behind its colon, a file behind its folder. */
+    /**
+     * Returns whether more follows a word without a blank: an address behind its colon, a file behind its folder, a
+     * value behind its equals sign.
+     */
     public static boolean goesOn(String word) {
-        return word.endsWith(":") || word.endsWith("/");
+        return word.endsWith(":") || word.endsWith("/") || word.endsWith("=");
     }
 
     /** Returns whether it only states what is expected. */

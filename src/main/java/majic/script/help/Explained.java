@@ -2,6 +2,7 @@ package majic.script.help;
 
 import java.util.ArrayList;
 import java.util.List;
+import majic.act.ActArgument;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
 import majic.bot.BotType;
@@ -88,6 +89,23 @@ final class Explained {
         return words.isEmpty()
                 ? List.of(new Completion("", Help.values(parameter), explanation))
                 : words.stream().map(word -> Completion.word(word, explanation)).toList();
+    }
+
+    /** The name of an act's argument, ready for a value. */
+    static Completion argument(ActArgument argument) {
+        String values = Help.values(argument.parameter()) + ", " + argument.typed();
+        return new Completion(
+                argument.name() + "=", values, argument.parameter().help());
+    }
+
+    /** The words that the value of an act's argument may be, the default among them; and what it is for. */
+    static List<Completion> values(ActArgument argument) {
+        Parameter parameter = argument.parameter();
+        List<Completion> values = new ArrayList<>(values(parameter));
+        if (values.get(0).isHint()) {
+            values.add(Completion.word(argument.typed(), "the default"));
+        }
+        return values;
     }
 
     /** What the parser expects, as in "a distance (mm, cm, m)". */

@@ -41,14 +41,16 @@ public final class Help {
             entry(
                     "name",
                     "1 name NAME: NAME may be used for 1 from then on; \"1 name\" shows it, \"1 name off\" removes it"),
-            entry("act", "1 act NAME [with ROBOTS]: runs an act, a script or an .act file; \"1 act off\" ends it"),
+            entry(
+                    "act",
+                    "1 act NAME [ARGUMENT=VALUE...] [with ROBOTS]: runs an act, a script or an .act file; \"1 act off\" ends it"),
             entry(
                     "wait",
                     "1 wait: holds what follows until robot 1 has finished; \"wait\" for all, \"wait 2s\" for a time"),
             entry("help", "1 help [P]: commands and parameters of robot 1; \"help\" alone: the language")));
 
     private static final Map<String, String> SESSION_COMMANDS = new TreeMap<>(Map.ofEntries(
-            entry("acts", "acts: lists the acts"),
+            entry("acts", "acts [NAME]: lists the acts, or describes one and its arguments"),
             entry("add", "add URI [as N]: add aibo://192.168.1.20, add pioneer://10.0.0.5:8101, add sim:pioneer"),
             entry("remove", "remove ROBOTS: stops and closes them"),
             entry("bots", "bots: lists the robots and their states"),

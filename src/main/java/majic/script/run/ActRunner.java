@@ -48,6 +48,13 @@ public interface ActRunner {
     List<String> list();
 
     /**
+     * Describes a behaviour, the robots it needs and its arguments.
+     *
+     * @throws majic.bot.BotException if there is none of that name, or it cannot be one
+     */
+    List<String> describe(String name);
+
+    /**
      * Describes what code a behaviour brings; with the beginning of its hash, agrees to that file.
      *
      * @param hash empty to be shown only

@@ -80,8 +80,8 @@ public sealed interface SessionCommand {
         }
     }
 
-    /** Lists the behaviours there are. */
-    record Acts() implements SessionCommand {
+    /** Lists the behaviours there are, or describes one. */
+    record Acts(@Nullable Literal act) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.acts(this);

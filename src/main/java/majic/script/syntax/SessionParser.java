@@ -20,8 +20,8 @@ public final class SessionParser {
     }
 
     /**
-     * {@code sessionCommand = add | remove | probe | run | save | trust | help | stop | wait | "acts" | "bots" |
-     * "release" | "lab" | "quit" ;}
+     * {@code sessionCommand = add | remove | probe | run | save | acts | trust | help | stop | wait | "bots" | "release" |
+     * "lab" | "quit" ;}
      */
     SessionCommand sessionCommand() {
         Token word = at.advance();
@@ -32,7 +32,7 @@ public final class SessionParser {
             case "run" -> new SessionCommand.Run(file());
             case "save" -> save();
             case "trust" -> trust();
-            case "acts" -> new SessionCommand.Acts();
+            case "acts" -> acts();
             case "help" -> help();
             case "stop" -> stop();
             case "wait" -> await();
@@ -71,6 +71,11 @@ public final class SessionParser {
             return new SessionCommand.SaveTeam(file());
         }
         throw at.unexpected("\"session\", \"log\" or \"team\"");
+    }
+
+    /** {@code acts = "acts" [ ACT ] ;} */
+    private SessionCommand acts() {
+        return new SessionCommand.Acts(at.peek().isEnd() ? null : at.value("an act's name", false));
     }
 
     /** {@code trust = "trust" [ ACT [ HASH ] | "off" ( ACT | HASH ) ] ;} */
