@@ -40,19 +40,27 @@ class ActPictures {
     private static final LabOptions OPTIONS =
             LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7);
     private static final ActDetails PATROL =
-            new ActDetails("Patrol", "1.2", "Ada Lovelace", "Goes round and round a square of thirty centimetres.");
+            new ActDetails("Patrol", "1.2", "Ada Lovelace", "Goes round and round a square.");
     private static final ActDetails RELAY =
             new ActDetails("Relay", "1.0", "Ada Lovelace", "One robot sets off when the other has arrived.");
     private static final String SOURCE = """
+            import majic.act.Argument;
             import majic.act.MajicAct;
+            import majic.bot.Unit;
 
             public class Patrol extends MajicAct {
+                @Argument(value = "how long a side is", unit = Unit.MM, from = 100, to = 2000)
+                private double side = 300;
+
+                @Argument("whether it goes round to the left")
+                private boolean left = true;
+
                 @Override
                 protected void behave() {
-                    for (int side = 1; ; side++) {
-                        say("on side " + side);
-                        bot.move(300);
-                        bot.turn(90);
+                    for (int number = 1; ; number++) {
+                        say("on side " + number);
+                        bot.move(side);
+                        bot.turn(left ? 90 : -90);
                     }
                 }
             }
@@ -69,12 +77,12 @@ class ActPictures {
             MajicFrame frame = PictureWindow.open(program, parser);
             PictureWindow.add(program, parser, List.of("aibo", "pioneer", "hemisson"));
             choose(frame, 2, "Relay");
-            save(frame, "choose-act.png");
             click(awaitDialog(frame, "Choose Act"), "loadChosen");
             awaitDialog(frame, "Assign Roles");
             save(frame, "roles.png");
             click(awaitDialog(frame, "Assign Roles"), "Cancel");
             choose(frame, 2, "Patrol");
+            save(frame, "choose-act.png");
             click(awaitDialog(frame, "Choose Act"), "loadChosen");
             Container trust = awaitDialog(frame, "Trust this code?");
             save(frame, "trust.png");

@@ -6,6 +6,7 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import javax.swing.JComboBox;
 import majic.team.Owner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -235,5 +236,37 @@ class LoadActWindowTest {
         choose("Dogs");
         assertThat(window.text("actNote")).isEqualTo("Robot 1 is of type toy, not aibo.");
         assertThat(window.isEnabled("loadChosen")).isFalse();
+    }
+
+    @Test
+    void theLineNamesOnlyTheArgumentsThatDifferFromTheirDefaults() throws IOException {
+        own.script(
+                "Far",
+                "argument distance = 300mm from 100 to 900 \"how far\"",
+                "argument times = 1",
+                "argument side = left or right",
+                "repeat $times",
+                "me move $distance",
+                "end");
+        ToyBot bot = window.add("one");
+        choose("Far");
+        assertThat(window.text("argument distance")).isEqualTo("300");
+        window.write("argument distance", "4000");
+        assertThat(window.isEnabled("loadChosen")).isFalse();
+        assertThat(window.text("purpose distance")).isEqualTo("Enter a number from 100 to 900.");
+        window.write("argument distance", "400");
+        assertThat(window.text("purpose distance")).isEqualTo("how far");
+        window.run(() -> window.find("argument side", JComboBox.class).setSelectedItem("right"));
+        window.click("loadChosen");
+        window.await("its motion", () -> bot.told.contains("move 400"));
+        assertThat(window.parser.commands()).containsExactly("1 act Far distance=400mm side=right");
+    }
+
+    @Test
+    void anActWithoutArgumentsShowsNoForm() {
+        window.add("one");
+        choose("Ahead");
+        assertThat(window.isShowing("argumentsTitle")).isFalse();
+        window.click("Cancel");
     }
 }

@@ -6,7 +6,6 @@ import majic.bot.BotException;
 import majic.bot.Settings;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
-import majic.script.ActOffer;
 import majic.script.ActOffers;
 import majic.script.Session;
 
@@ -29,47 +28,47 @@ public final class ActLoader {
 
     /** Starts with the choice of the act. */
     public void load(LoadTargets targets) {
-        new ChooseActDialog(owner, session.offers(), settings, targets, offer -> askConsent(targets, offer))
+        new ChooseActDialog(owner, session.offers(), settings, targets, act -> askConsent(targets, act))
                 .setVisible(true);
     }
 
-    private void askConsent(LoadTargets targets, ActOffer offer) {
+    private void askConsent(LoadTargets targets, ChosenAct act) {
         ActOffers offers = session.offers();
-        ActFile file = offer.file();
-        if (file == null || !offers.needsConsent(offer)) {
-            askRoles(targets, offer);
+        ActFile file = act.offer().file();
+        if (file == null || !offers.needsConsent(act.offer())) {
+            askRoles(targets, act);
             return;
         }
-        new TrustDialog(owner, file, () -> agree(targets, offer)).setVisible(true);
+        new TrustDialog(owner, file, () -> agree(targets, act)).setVisible(true);
     }
 
     /** Stores the consent, which may block; if it cannot be stored, it is valid until the program ends. */
-    private void agree(LoadTargets targets, ActOffer offer) {
+    private void agree(LoadTargets targets, ChosenAct act) {
         EventThread.background(
-                "agreement-" + offer.called(),
+                "agreement-" + act.offer().called(),
                 () -> {
                     try {
-                        session.offers().agree(offer);
+                        session.offers().agree(act.offer());
                     } catch (BotException e) {
                         channel.showError(String.valueOf(e.getMessage()));
                     }
-                    EventThread.later(() -> askRoles(targets, offer));
+                    EventThread.later(() -> askRoles(targets, act));
                 },
                 channel::showError);
     }
 
-    private void askRoles(LoadTargets targets, ActOffer offer) {
-        if (offer.roles().size() == 1) {
-            channel.submit(targets.lines(offer));
+    private void askRoles(LoadTargets targets, ChosenAct act) {
+        if (act.offer().roles().size() == 1) {
+            channel.submit(targets.lines(act));
             return;
         }
         LoadTarget target = targets.first();
         new RolesDialog(
                         owner,
-                        offer,
+                        act.offer(),
                         target,
                         session.team().members(),
-                        others -> channel.submit(target.lines(offer, others)))
+                        others -> channel.submit(target.lines(act, others)))
                 .setVisible(true);
     }
 }

@@ -5,7 +5,6 @@ import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
@@ -36,13 +35,15 @@ final class ChooseActDialog extends MajicDialog {
     private final transient ActOffers offers;
     private final transient Settings settings;
     private final transient LoadTargets targets;
-    private final transient Consumer<ActOffer> chosen;
+    private final transient Consumer<ChosenAct> chosen;
     private final DefaultListModel<ActEntry> entries = new DefaultListModel<>();
     private final JList<ActEntry> list = new JList<>(entries);
     private final ActSummary summary = new ActSummary();
+    private final ArgumentsForm arguments = new ArgumentsForm(this::enableLoad);
     private final JButton load = button(TEXTS.get("load"), this::load);
 
-    ChooseActDialog(Window owner, ActOffers offers, Settings settings, LoadTargets targets, Consumer<ActOffer> chosen) {
+    ChooseActDialog(
+            Window owner, ActOffers offers, Settings settings, LoadTargets targets, Consumer<ChosenAct> chosen) {
         super(owner, TEXTS.get("chooseAct"));
         HelpTopic.set(getRootPane(), "loading-acts");
         this.offers = offers;
@@ -69,10 +70,14 @@ final class ChooseActDialog extends MajicDialog {
             }
         });
         JPanel panel = new JPanel(new MigLayout(
-                "insets 0, gap 14 8", "[200:230:, fill][320:360:, grow, fill]", "[][240::, grow, fill][]"));
+                "insets 0, gap 14 8", "[200:230:, fill][320:380:, grow, fill]", "[][400::, grow, fill][]"));
         panel.add(new JLabel(targets.heading()), "spanx 2, wrap");
         panel.add(new JScrollPane(list));
-        panel.add(summary, "wmin 0, wrap");
+        JPanel described =
+                new JPanel(new MigLayout("insets 0, gap 0 8, wrap 1, hidemode 3", "[grow, fill]", "[grow, fill][]"));
+        described.add(summary, "wmin 0");
+        described.add(arguments, "wmin 0");
+        panel.add(described, "wmin 0, wrap");
         panel.add(button(TEXTS.get("fromFile"), this::chooseFile));
         return panel;
     }
@@ -122,18 +127,24 @@ final class ChooseActDialog extends MajicDialog {
     }
 
     private void show(@Nullable ActEntry entry) {
-        Optional<String> unfit = entry == null ? Optional.empty() : targets.unfit(entry);
-        load.setEnabled(entry != null && unfit.isEmpty());
+        ActOffer offer = entry == null ? null : entry.offer();
+        arguments.show(offer == null ? List.of() : offer.arguments());
         if (entry != null) {
-            summary.show(entry, unfit);
+            summary.show(entry, targets.unfit(entry));
         }
+        enableLoad();
+    }
+
+    private void enableLoad() {
+        ActEntry entry = list.getSelectedValue();
+        load.setEnabled(entry != null && targets.unfit(entry).isEmpty() && arguments.isComplete());
     }
 
     private void load() {
         ActEntry entry = list.getSelectedValue();
         if (entry != null && entry.offer() != null) {
             dispose();
-            chosen.accept(entry.offer());
+            chosen.accept(new ChosenAct(entry.offer(), arguments.values()));
         }
     }
 }

@@ -27,9 +27,9 @@ public record LoadTarget(Member member, @Nullable Owner ends) {
      *
      * @param others the numbers of the further robots, in the order of the roles
      */
-    String lines(ActOffer offer, List<Integer> others) {
+    String lines(ChosenAct act, List<Integer> others) {
         int number = member.number();
-        String start = offer.line(number, others);
+        String start = act.line(number, others);
         Owner now = member.owner();
         if (now == null || now != ends) {
             return start;

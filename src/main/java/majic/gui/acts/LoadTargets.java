@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import majic.gui.kit.Html;
-import majic.script.ActOffer;
 import majic.team.Member;
 import majic.text.Texts;
 
@@ -49,8 +48,8 @@ public record LoadTargets(List<LoadTarget> all) {
     }
 
     /** Returns the command lines that load an act with a single role onto each robot. */
-    String lines(ActOffer offer) {
-        return all.stream().map(target -> target.lines(offer, List.of())).collect(Collectors.joining("\n"));
+    String lines(ChosenAct act) {
+        return all.stream().map(target -> target.lines(act, List.of())).collect(Collectors.joining("\n"));
     }
 
     /** Returns the heading above acts for the robots: {@code An act for robot 2, the Pioneer}. */
