@@ -1,23 +1,20 @@
-import java.util.List;
+import majic.act.Argument;
 import majic.act.MajicAct;
-import majic.act.Role;
+import majic.bot.Unit;
 
-/** An Aibo walks a square with sides of half a metre and returns to its start. */
+/** A robot goes along a square, with sides of half a metre unless another length is given, and returns to its start. */
 public final class AiboSquare extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final int SIDES = 4;
-    private static final double SIDE_MM = 500;
 
-    @Override
-    public List<Role> roles() {
-        return List.of(Role.any(Role.ME).types("aibo"));
-    }
+    @Argument(value = "how long a side is", unit = Unit.MM, from = 50, to = 3000)
+    private double side = 500;
 
     @Override
     protected void behave() {
-        for (int side = 1; side <= SIDES; side++) {
-            say("side " + side);
-            bot.move(SIDE_MM);
+        for (int number = 1; number <= SIDES; number++) {
+            say("side " + number);
+            bot.move(side);
             bot.turn(360.0 / SIDES);
         }
     }

@@ -1,14 +1,16 @@
 import java.util.ArrayList;
 import java.util.List;
+import majic.act.Argument;
 import majic.act.MajicAct;
 import majic.act.Role;
 import majic.bot.BotControl;
 import majic.bot.BotException;
+import majic.bot.Unit;
 import majic.bot.Value;
 
 /**
- * One robot leads, others follow in a row straight behind it, each at its own {@code near} distance, measured by its
- * own sensors. All move at the speed of the slowest. The leader stops while an obstacle is near ahead of it, or while a
+ * One robot leads, others follow in a row straight behind it, each at its own {@code near} distance unless another is
+ * given, measured by its own sensors. All move at the speed of the slowest. The leader stops while an obstacle is near ahead of it, or while a
  * follower does not detect the robot ahead of it.
  */
 public final class Convoy extends MajicAct {
@@ -18,6 +20,16 @@ public final class Convoy extends MajicAct {
 
     /** The smallest {@code near} of a follower, mm; with less it hits the robot ahead of it before it has stopped. */
     private static final double SHORTEST_SIGHT_MM = 100;
+
+    @Argument(
+            value = "the distance between two robots; 0 for each follower's near",
+            unit = Unit.MM,
+            from = 0,
+            to = 3000)
+    private double distance = 0;
+
+    @Argument(value = "the highest speed; 0 for the slowest cruise", unit = Unit.MM_PER_S, from = 0, to = 1000)
+    private double speed = 0;
 
     private transient List<BotControl> lost = List.of();
 
@@ -33,11 +45,12 @@ public final class Convoy extends MajicAct {
     @Override
     protected void behave() {
         List<BotControl> followers = robots("follower");
-        followers.forEach(Convoy::checkSight);
+        followers.forEach(this::checkSight);
         double pace = number(bot, "cruise");
         for (BotControl follower : followers) {
             pace = Math.min(pace, number(follower, "cruise"));
         }
+        pace = speed > 0 ? Math.min(speed, pace) : pace;
         while (followers.stream().anyMatch(Convoy::isBlind)) {
             pause(STEP_S);
         }
@@ -48,16 +61,16 @@ public final class Convoy extends MajicAct {
         say("something is in the way");
     }
 
-    private static void checkSight(BotControl follower) {
-        double sight = number(follower, "near");
+    private void checkSight(BotControl follower) {
+        double sight = apart(follower);
         if (sight < SHORTEST_SIGHT_MM) {
-            throw new BotException(follower.name() + " sees too little: its near is " + Math.round(sight)
+            throw new BotException(follower.name() + " sees too little: its distance is " + Math.round(sight)
                     + " mm, and a follower needs " + Math.round(SHORTEST_SIGHT_MM) + " mm");
         }
     }
 
     /** Drives the followers and returns those that detect no robot ahead. */
-    private static List<BotControl> follow(List<BotControl> followers, double pace) {
+    private List<BotControl> follow(List<BotControl> followers, double pace) {
         List<BotControl> blind = new ArrayList<>();
         for (BotControl follower : followers) {
             if (!follow(follower, pace)) {
@@ -71,12 +84,16 @@ public final class Convoy extends MajicAct {
      * Drives at the leader's speed at the right distance, faster beyond it, and at zero speed at half of it. Without a
      * reading stops and returns false.
      */
-    private static boolean follow(BotControl robot, double pace) {
+    private boolean follow(BotControl robot, double pace) {
         boolean sees = robot.get("distanceFront") instanceof Value.Number;
-        double half = number(robot, "near") / 2;
+        double half = apart(robot) / 2;
         double share = sees ? (number(robot, "distanceFront") - half) / half : 0;
         robot.drive(pace * Math.max(0, Math.min(share, CATCHING_UP)), 0);
         return sees;
+    }
+
+    private double apart(BotControl follower) {
+        return distance > 0 ? distance : number(follower, "near");
     }
 
     private void tell(List<BotControl> blind) {

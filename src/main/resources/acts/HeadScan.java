@@ -1,24 +1,28 @@
 import java.util.List;
+import majic.act.Argument;
 import majic.act.MajicAct;
 import majic.act.Role;
+import majic.bot.Unit;
 import majic.bot.Value;
 
-/** An Aibo turns its head without walking, shows where the nearest obstacle is, and keeps its head turned to it. */
+/** A robot turns its head without moving, shows where the nearest obstacle is, and keeps its head turned to it. */
 public final class HeadScan extends MajicAct {
     private static final long serialVersionUID = 1;
-    private static final int WIDEST_DEG = 90;
     private static final int STEP_DEG = 10;
+
+    @Argument(value = "how far the head turns to each side", unit = Unit.DEG, from = 10, to = 90)
+    private int widest = 90;
 
     @Override
     public List<Role> roles() {
-        return List.of(Role.any(Role.ME).types("aibo"));
+        return List.of(Role.any(Role.ME).with("headPan", "distance"));
     }
 
     @Override
     protected void behave() {
         double nearest = Double.POSITIVE_INFINITY;
         int where = 0;
-        for (int degrees = WIDEST_DEG; degrees >= -WIDEST_DEG; degrees -= STEP_DEG) {
+        for (int degrees = widest; degrees >= -widest; degrees -= STEP_DEG) {
             double distance = distanceAt(degrees);
             if (distance < nearest) {
                 nearest = distance;

@@ -1,9 +1,12 @@
 import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import majic.act.Argument;
 import majic.act.MajicAct;
 import majic.act.Role;
 
 /**
- * A Hemisson drives to a lamp: every sensor that detects light turns it to that sensor's direction. Without light it
+ * A robot drives to a lamp: every sensor that detects light turns it to that sensor's direction. Without light it
  * wanders.
  */
 public final class LightSeek extends MajicAct {
@@ -12,20 +15,25 @@ public final class LightSeek extends MajicAct {
     /** The directions of the sensors light0 to light5. */
     private static final double[] LOOKS_DEG = {0, -45, 45, -90, 90, 180};
 
-    private static final double BRIGHT = 40;
     private static final double PULL_OF_A_LAMP = 12;
     private static final double STRIDE_MM = 120;
     private static final int LOOKS = 4;
 
+    @Argument(value = "the reading at which it has arrived, 0 bright to 255 dark", from = 0, to = 255)
+    private double bright = 40;
+
     @Override
     public List<Role> roles() {
-        return List.of(Role.any(Role.ME).types("hemisson"));
+        Stream<String> sensors = IntStream.range(0, LOOKS_DEG.length).mapToObj(sensor -> "light" + sensor);
+        String[] wanted =
+                Stream.concat(sensors, Stream.of("distanceFront", "near")).toArray(String[]::new);
+        return List.of(Role.any(Role.ME).with(wanted));
     }
 
     @Override
     protected void behave() {
         double[] light = look();
-        while (brightest(light) > BRIGHT) {
+        while (brightest(light) > bright) {
             double pull = pull(light);
             if (!Double.isNaN(pull)) {
                 bot.turn(pull);

@@ -1,21 +1,25 @@
 import java.util.List;
+import majic.act.Argument;
 import majic.act.MajicAct;
 import majic.act.Role;
+import majic.bot.Unit;
 
-/** A Hemisson finds a line of black tape ahead of it and follows it; it stops while an obstacle is in its way. */
+/** A robot finds a line of black tape ahead of it and follows it; it stops while an obstacle is in its way. */
 public final class LineFollow extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final double DARK = 90;
     private static final double SENSORS_AHEAD_MM = 57;
-    private static final double AHEAD_MM_PER_SEC = 56;
     private static final double BEND_DEG_PER_SEC = 35;
     private static final double STEP_S = 0.05;
+
+    @Argument(value = "how fast it follows the line", unit = Unit.MM_PER_S, from = 10, to = 100)
+    private double speed = 56;
 
     private transient boolean met;
 
     @Override
     public List<Role> roles() {
-        return List.of(Role.any(Role.ME).types("hemisson"));
+        return List.of(Role.any(Role.ME).with("groundLeft", "groundRight", "distanceFront", "near"));
     }
 
     @Override
@@ -41,7 +45,7 @@ public final class LineFollow extends MajicAct {
         if (isSomethingNear()) {
             bot.drive(0, 0);
         } else if (left || right) {
-            bot.drive(AHEAD_MM_PER_SEC, left && right ? 0 : bend);
+            bot.drive(speed, left && right ? 0 : bend);
         } else {
             bot.drive(0, bend);
         }

@@ -1,41 +1,50 @@
 import java.util.ArrayList;
 import java.util.List;
+import majic.act.Argument;
 import majic.act.MajicAct;
 import majic.act.Role;
 import majic.bot.BotControl;
+import majic.bot.Unit;
 import majic.bot.Value;
 
-/** Three different robots race side by side over a metre. A robot stops at the finish or at an obstacle on the way. */
+/**
+ * Different robots race side by side, over a metre unless another length is given. A robot stops at the finish or at an
+ * obstacle on the way.
+ */
 public final class MajicRace extends MajicAct {
     private static final long serialVersionUID = 1;
-    private static final double COURSE_MM = 1000;
     private static final double STEP_S = 0.1;
     private static final int MOST_SLIPS = 3;
 
+    @Argument(value = "how long the race is", unit = Unit.MM, from = 100, to = 20_000)
+    private double course = 1000;
+
     @Override
     public List<Role> roles() {
-        return List.of(
-                Role.any(Role.ME).types("aibo"),
-                Role.any("pioneer").types("pioneer"),
-                Role.any("hemisson").types("hemisson"));
+        return List.of(racing(Role.ME), racing("rival").orMore());
+    }
+
+    private static Role racing(String name) {
+        return Role.any(name).with("distanceFront", "near", "cruise");
     }
 
     @Override
     protected void behave() {
         List<Racer> racing = new ArrayList<>();
-        roles().forEach(role -> racing.add(new Racer(role.types().get(0), robot(role.name()))));
+        racing.add(new Racer(bot));
+        robots("rival").forEach(rival -> racing.add(new Racer(rival)));
         while (racing.stream().anyMatch(Racer::isBlind)) {
             pause(STEP_S);
         }
         say("go");
         for (int place = 1; !racing.isEmpty(); pause(STEP_S)) {
             for (Racer racer : List.copyOf(racing)) {
-                if (racer.goneMm() >= COURSE_MM) {
-                    say("number " + place + " is the " + racer.name);
+                if (racer.goneMm() >= course) {
+                    say("number " + place + " is " + racer.robot.name());
                     place++;
                     racing.remove(racer);
                 } else if (racer.staysBlocked()) {
-                    say("the " + racer.name + " is out: something is in its way");
+                    say(racer.robot.name() + " is out: something is in its way");
                     racing.remove(racer);
                 }
                 racer.robot.drive(racing.contains(racer) && !racer.isBlocked() ? racer.number("cruise") : 0, 0);
@@ -45,14 +54,12 @@ public final class MajicRace extends MajicAct {
 
     /** Holds a robot in the race and where it started. */
     private static final class Racer {
-        private final String name;
         private final BotControl robot;
         private final double startX;
         private final double startY;
         private int blockedSteps;
 
-        Racer(String name, BotControl robot) {
-            this.name = name;
+        Racer(BotControl robot) {
             this.robot = robot;
             this.startX = number("x");
             this.startY = number("y");

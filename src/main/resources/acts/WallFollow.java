@@ -1,11 +1,15 @@
 import java.util.List;
+import majic.act.Argument;
 import majic.act.MajicAct;
 import majic.act.Role;
+import majic.bot.Unit;
 
-/** A Pioneer follows the wall on its right at half a metre, into corners and around them. */
+/**
+ * A robot follows the wall on its right, into corners and around them, half a metre away unless another distance is
+ * given.
+ */
 public final class WallFollow extends MajicAct {
     private static final long serialVersionUID = 1;
-    private static final double AWAY_MM = 500;
     private static final double STEP_S = 0.4;
 
     /** The distance ahead at which the robot is steered to reach the right distance from the wall. */
@@ -13,9 +17,12 @@ public final class WallFollow extends MajicAct {
 
     private static final double SHARPEST_DEG_PER_SEC = 25;
 
+    @Argument(value = "how far it stays away from the wall", unit = Unit.MM, from = 200, to = 1500)
+    private double away = 500;
+
     @Override
     public List<Role> roles() {
-        return List.of(Role.any(Role.ME).types("pioneer"));
+        return List.of(Role.any(Role.ME).with("distanceFront", "distanceRight", "cruise"));
     }
 
     @Override
@@ -30,7 +37,7 @@ public final class WallFollow extends MajicAct {
             double now = toTheWall();
             double speed = number("cruise") / 2;
             double drift = Math.atan2(now - before, speed * STEP_S);
-            double aim = Math.atan2(AWAY_MM - now, AIM_MM);
+            double aim = Math.atan2(away - now, AIM_MM);
             double bend = Math.toDegrees(aim - drift) / STEP_S / 2;
             bot.drive(speed, Math.max(-SHARPEST_DEG_PER_SEC, Math.min(bend, SHARPEST_DEG_PER_SEC)));
             before = now;
@@ -39,12 +46,12 @@ public final class WallFollow extends MajicAct {
     }
 
     private boolean isBlocked() {
-        return number("distanceFront") < AWAY_MM;
+        return number("distanceFront") < away;
     }
 
     /** Returns a reading, limited to twice the intended distance; no reading counts as that limit. */
     private double toTheWall() {
-        return Math.min(number("distanceRight"), 2 * AWAY_MM);
+        return Math.min(number("distanceRight"), 2 * away);
     }
 
     private double number(String parameter) {

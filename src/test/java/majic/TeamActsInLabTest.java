@@ -65,9 +65,9 @@ class TeamActsInLabTest {
             rig.withAllRobots();
             assertThat(rig.run("1 act MajicRace with 2,3"))
                     .containsSubsequence(
-                            "1: MajicRace: number 1 is the pioneer",
-                            "1: MajicRace: number 2 is the aibo",
-                            "1: MajicRace: number 3 is the hemisson");
+                            "1: MajicRace: number 1 is robot 2 (Pioneer)",
+                            "1: MajicRace: number 2 is robot 1 (Aibo)",
+                            "1: MajicRace: number 3 is robot 3 (Hemisson)");
             assertThat(rig.lab().truePoses().values()).allMatch(pose -> pose.xMm() > -200 && pose.xMm() < 200);
         }
     }
@@ -123,7 +123,7 @@ class TeamActsInLabTest {
             Map<String, Pose> before = rig.lab().truePoses();
             assertThat(rig.run("2 act Convoy with 1,3"))
                     .containsExactly(
-                            "2 act Convoy with 1,3: failed: robot 3 (Hemisson) sees too little: its near is 40 mm, and"
+                            "2 act Convoy with 1,3: failed: robot 3 (Hemisson) sees too little: its distance is 40 mm, and"
                                     + " a follower needs 100 mm");
             assertThat(rig.lab().truePoses()).isEqualTo(before);
         }

@@ -113,8 +113,9 @@ class ActCommandTest {
                 .contains("AiboSquare", "off")
                 .doesNotContain("PioneerWander", "WallFollow");
         assertThat(fixture.runPipe("acts"))
-                .anyMatch(line -> line.startsWith(
-                        "acts: PioneerWander (me (distanceFront,distanceLeft,distanceRight,near)): A Pioneer drives"));
+                .anyMatch(
+                        line -> line.startsWith(
+                                "acts: PioneerWander (me (distanceFront,distanceLeft,distanceRight,near,cruise)): A robot drives"));
     }
 
     @Test
