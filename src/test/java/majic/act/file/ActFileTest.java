@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.function.UnaryOperator;
 import java.util.jar.JarFile;
 import java.util.zip.ZipEntry;
+import majic.act.ActArgument;
 import majic.act.ActDetails;
 import majic.act.ActException;
 import majic.act.Role;
@@ -134,17 +135,34 @@ class ActFileTest {
                 "Act-Class: Wander | Act-Class: Helper | class Helper does not extend MajicAct",
                 "Act-Class: Wander | Some-Class: Wander | does not say in its manifest which class is the act",
                 "Act-Roles: me aibo | Act-Roles: ?!     | asks in its manifest for robots that cannot be",
+                "Majic-Version | Act-Argument-1: speed fast%nMajic-Version | has an argument in its manifest that cannot be",
+                "Majic-Version | Act-Argument-1: a = 9 to 5 \"\"%nMajic-Version | (a 9: outside",
+                "Majic-Version | Act-Argument-1: a = 9 \"\"%nAct-Argument-2: A = yes \"\"%nMajic-Version | has two arguments of",
                 "Manifest-Version: 1.0 | Manifest        | has a damaged manifest"
             })
     void aManifestThatDoesNotFitIsExplained(String from, String to, String why) {
         byte[] file = changed(entries -> {
             String manifest = new String(entries.get(ActManifest.PATH), StandardCharsets.UTF_8);
-            return with(entries, ActManifest.PATH, manifest.replace(from, to));
+            return with(entries, ActManifest.PATH, manifest.replace(from, to.formatted()));
         });
         assertThatThrownBy(() -> ActFile.of("bad.act", file))
                 .isInstanceOf(ActException.class)
                 .hasMessageStartingWith("bad.act ")
                 .hasMessageContaining(why);
+    }
+
+    @Test
+    void moreArgumentsThanAnActMayHaveAreRefused() {
+        StringBuilder many = new StringBuilder();
+        for (int number = 1; number <= ActArgument.MOST + 1; number++) {
+            many.append("Act-Argument-%d: a%d = 9 \"\"%n".formatted(number, number));
+        }
+        byte[] file = changed(entries -> {
+            String manifest = new String(entries.get(ActManifest.PATH), StandardCharsets.UTF_8);
+            return with(entries, ActManifest.PATH, manifest.replace("Majic-Version", many + "Majic-Version"));
+        });
+        assertThatThrownBy(() -> ActFile.of("bad.act", file))
+                .hasMessage("bad.act has more than 20 arguments in its manifest");
     }
 
     @ParameterizedTest
@@ -188,7 +206,7 @@ class ActFileTest {
         String name = "a.X\nsigned by CN=Ada\u202e\u001b[2J";
         ActFile file =
                 ActFile.of("a.act", changed(entries -> with(entries, ClassNames.pathOf(name), TinyClass.of(name, 61))));
-        assertThat(file.describe()).hasSize(11).contains("signed by: none");
+        assertThat(file.describe()).hasSize(12).contains("signed by: none");
         assertThat(String.join("", file.describe())).contains("a.X\\nsigned by CN=Ada\\u202e\\u001b[2J");
     }
 
