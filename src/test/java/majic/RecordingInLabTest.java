@@ -133,6 +133,15 @@ class RecordingInLabTest {
     }
 
     @Test
+    void twoEqualCommandsHaveAMarkEach() throws Exception {
+        rig.run("2 move 100", "2 move 100");
+        assertThat(closed().marks(0))
+                .filteredOn(mark -> mark.kind() == Mark.Kind.BEGUN)
+                .extracting(Mark::text)
+                .containsExactly("2 move 100", "2 move 100");
+    }
+
+    @Test
     void aLostConnectionIsRecorded() throws Exception {
         rig.lab().simulators().faults("pioneer").cut();
         rig.await(() -> !rig.team().member(2).bot().isConnected());

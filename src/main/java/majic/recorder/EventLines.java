@@ -3,12 +3,13 @@ package majic.recorder;
 import java.util.Collection;
 import java.util.function.Consumer;
 import majic.team.Answer;
+import majic.team.CommandListener;
 import majic.team.Member;
 import majic.team.Team;
 import majic.team.TeamListener;
 
 /** Turns what happens in a team into lines of a recording. */
-final class EventLines implements TeamListener {
+final class EventLines implements TeamListener, CommandListener {
     private final Team team;
     private final Consumer<String> lines;
 
@@ -32,6 +33,11 @@ final class EventLines implements TeamListener {
     @Override
     public void removed(Member member) {
         event(member.number(), Mark.Kind.REMOVED, member.bot().type().label());
+    }
+
+    @Override
+    public void begun(int robot, String command) {
+        event(robot, Mark.Kind.BEGUN, robot + " " + command);
     }
 
     @Override

@@ -42,7 +42,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private final Instant begin = Instant.now();
     private final RecordingWriter writer;
     private final Signal due;
-    private final TeamListener events;
+    private final EventLines events;
     private final TeamListener robotsOfTeam = new Joining();
     private final BotListener reports = new Reports();
     private final Map<MajicBot, RobotSampler> robots = new ConcurrentHashMap<>();
@@ -76,6 +76,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     public void start() {
         team.addListener(robotsOfTeam);
         team.addListener(events);
+        team.addCommandListener(events);
         team.members().forEach(this::join);
         Thread started = time.thread("recorder", () -> WaitPolicy.observing(this::run));
         sampling = started;
@@ -130,6 +131,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     public void close() {
         team.removeListener(robotsOfTeam);
         team.removeListener(events);
+        team.removeCommandListener(events);
         robots.keySet().forEach(bot -> bot.removeListener(reports));
         closed = true;
         due.raise();

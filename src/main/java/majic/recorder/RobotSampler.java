@@ -30,7 +30,6 @@ final class RobotSampler {
     private final RecordedRobot robot;
     private final Map<String, Value> values = new HashMap<>();
     private final Map<Kind, Map<String, String>> texts = new EnumMap<>(Kind.class);
-    private String running = "";
     private volatile boolean forgotten = true;
     private volatile boolean reported = true;
     private double sampledS = Double.NEGATIVE_INFINITY;
@@ -66,7 +65,6 @@ final class RobotSampler {
             texts.clear();
             lines.append(RecordingFormat.robot(robot));
         }
-        sampleCommand(lines);
         MajicBot bot = member.bot();
         for (Parameter parameter : bot.parameters()) {
             if (parameter.readable() && !parameter.name().equals(AGE)) {
@@ -115,14 +113,6 @@ final class RobotSampler {
         if (!text.equals(before)) {
             lines.append(RecordingFormat.change(kind, robot.number(), name, text));
         }
-    }
-
-    private void sampleCommand(StringBuilder lines) {
-        String now = member.running();
-        if (!now.equals(running) && !now.isEmpty()) {
-            lines.append(RecordingFormat.event(robot.number(), Mark.Kind.BEGUN, robot.number() + " " + now));
-        }
-        running = now;
     }
 
     static String owner(@Nullable Owner owner) {

@@ -23,6 +23,7 @@ final class CommandQueue {
     private final int robot;
     private final TimeSource time;
     private final TeamEvents events;
+    private final List<CommandListener> listeners;
     private final Object lock;
     private final BooleanSupplier mayWork;
     private final Signal work;
@@ -44,6 +45,7 @@ final class CommandQueue {
         this.robot = robot;
         this.time = time;
         this.events = events;
+        this.listeners = events.commandListeners();
         this.lock = lock;
         this.mayWork = mayWork;
         this.work = time.signal();
@@ -64,11 +66,6 @@ final class CommandQueue {
     /** Whether no command is running, or only the one that calls this. */
     synchronized boolean isAtRest() {
         return current == null || Thread.currentThread() == worker;
-    }
-
-    /** The text of the command that is running; empty if none is. */
-    synchronized String running() {
-        return current == null ? "" : current.text();
     }
 
     synchronized boolean hasRoom() {
@@ -110,7 +107,7 @@ final class CommandQueue {
                 work.await(() -> isClosed() || (mayWork.getAsBoolean() && hasCommands()), Signal.FOR_EVER);
                 QueuedCommand next = next();
                 if (next != null) {
-                    settle(next, attempt(next));
+                    settle(next, attempt(next, listeners));
                 }
             }
         } catch (InterruptedException e) {
@@ -140,7 +137,7 @@ final class CommandQueue {
 
     /** Runs a command beside the queue: its failure drops no queued command. */
     void runBeside(QueuedCommand command) {
-        end(command, attempt(command));
+        end(command, attempt(command, List.of()));
     }
 
     /** A failed command drops what is queued behind it by then; commands submitted in response to the failure run. */
@@ -160,11 +157,14 @@ final class CommandQueue {
         events.changes().raise();
     }
 
-    private Ending attempt(QueuedCommand command) {
+    private Ending attempt(QueuedCommand command, List<CommandListener> told) {
         boolean begun = false;
         try {
             command.check();
             begun = true;
+            for (CommandListener listener : told) {
+                tellBegun(listener, command);
+            }
             return new Ending(Answer.Outcome.DONE, command.run());
         } catch (MotionStopped e) {
             return Ending.of(Answer.Outcome.STOPPED, command, begun ? "stopped" : "not run: stopped");
@@ -173,6 +173,15 @@ final class CommandQueue {
         } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, "a command to robot " + robot + " failed", e);
             return Ending.of(Answer.Outcome.FAILED, command, "failed: an error in MAJIC, see its log");
+        }
+    }
+
+    /** A listener that fails does not keep the command from being run. */
+    private void tellBegun(CommandListener listener, QueuedCommand command) {
+        try {
+            listener.begun(robot, command.text());
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.WARNING, "a listener to the commands of robot " + robot + " failed", e);
         }
     }
 

@@ -153,15 +153,6 @@ public final class Member implements TeamMembership {
     }
 
     /**
-     * Returns the command that the robot is executing.
-     *
-     * @return its text without the robot's number; empty if none is running
-     */
-    public String running() {
-        return ownership.running();
-    }
-
-    /**
      * Returns whether a stop of the robot is pending.
      *
      * @return true until the stop was sent to the robot and confirmed by it

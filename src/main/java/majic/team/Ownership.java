@@ -91,11 +91,6 @@ final class Ownership {
         return queueOf(by).hasRoom();
     }
 
-    /** The text of the command that is running from the queue of the holder; empty if none is. */
-    synchronized String running() {
-        return loan != null ? loan.queue.running() : queue.running();
-    }
-
     private boolean isBorrower(@Nullable Owner by) {
         return by != null && loan != null && loan.borrower == by;
     }

@@ -354,6 +354,24 @@ public final class Team implements AutoCloseable {
         events.remove(listener);
     }
 
+    /**
+     * Adds a listener to the beginning of commands.
+     *
+     * @param listener called on the workers of the robots
+     */
+    public void addCommandListener(CommandListener listener) {
+        events.commandListeners().add(listener);
+    }
+
+    /**
+     * Removes a listener to the beginning of commands.
+     *
+     * @param listener the listener to remove
+     */
+    public void removeCommandListener(CommandListener listener) {
+        events.commandListeners().remove(listener);
+    }
+
     /** Stops and closes all robots in parallel; takes at most 3 s, whatever the state of the connections. */
     @Override
     public void close() {

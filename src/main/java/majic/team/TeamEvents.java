@@ -15,6 +15,7 @@ final class TeamEvents {
     private final TimeSource time;
     private final Signal changes;
     private final List<TeamListener> listeners = new CopyOnWriteArrayList<>();
+    private final List<CommandListener> commandListeners = new CopyOnWriteArrayList<>();
 
     /**
      * @param time the clock of the team
@@ -41,6 +42,11 @@ final class TeamEvents {
 
     void remove(TeamListener listener) {
         listeners.remove(listener);
+    }
+
+    /** The listeners to the beginning of commands; changes when listeners are added and removed. */
+    List<CommandListener> commandListeners() {
+        return commandListeners;
     }
 
     /** Calls all listeners on this thread; one that fails does not keep the others from being called. */

@@ -3,9 +3,11 @@ package majic.team;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.TestClock;
 import majic.bot.FakeBot;
+import majic.bot.MotionStopped;
 import majic.bot.Permit;
 import majic.bot.PermittedControl;
 import org.junit.jupiter.api.Test;
@@ -28,6 +30,50 @@ class CommandQueueTest {
 
             assertThat(checks).hasValueGreaterThan(1);
             assertThat(command.outcome()).isNull();
+        }
+    }
+
+    @Test
+    void eachCommandIsReportedBeforeItHasAnEffect() throws InterruptedException {
+        List<String> events = new CopyOnWriteArrayList<>();
+        run((robot, command) -> events.add(robot + " " + command), events);
+
+        assertThat(events).containsExactly("1 move 100", "moved", "1 move 100", "moved");
+    }
+
+    @Test
+    void aListenerThatFailsKeepsNoCommandFromBeingRun() throws InterruptedException {
+        List<String> events = new CopyOnWriteArrayList<>();
+        run(
+                (robot, command) -> {
+                    throw new IllegalStateException("a listener that fails");
+                },
+                events);
+
+        assertThat(events).containsExactly("moved", "moved");
+    }
+
+    /** Runs two equal commands and one that must not begin. */
+    private static void run(CommandListener listener, List<String> events) throws InterruptedException {
+        try (TestClock clock = new TestClock()) {
+            TeamEvents team = new TeamEvents(clock.time(), clock.time().signal());
+            team.commandListeners().add(listener);
+            CommandQueue queue = new CommandQueue(1, clock.time(), team, new Object(), () -> true);
+            QueuedCommand.Work work = robot -> {
+                events.add("moved");
+                return List.of();
+            };
+            QueuedCommand refused = new QueuedCommand("turn 90", true, work).checkedBy(() -> {
+                throw new MotionStopped("stopped");
+            });
+            for (QueuedCommand command : List.of(
+                    new QueuedCommand("move 100", true, work), new QueuedCommand("move 100", true, work), refused)) {
+                command.accept(new PermittedControl(FakeBot.on(clock.time()), new Permit()));
+                queue.add(command);
+            }
+            queue.start("worker");
+            clock.time().sleep(1);
+            queue.close();
         }
     }
 }

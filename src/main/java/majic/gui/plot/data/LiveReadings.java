@@ -20,9 +20,7 @@ import majic.time.WaitPolicy;
 final class LiveReadings implements BotListener {
     private static final double ASKING_PERIOD_S = 1;
 
-    private final Member member;
     private final MajicBot bot;
-    private final MarkRecord marks;
     private final LongToDoubleFunction seconds;
     private final List<Series> series = new CopyOnWriteArrayList<>();
     private boolean asking;
@@ -42,13 +40,10 @@ final class LiveReadings implements BotListener {
     /**
      * Creates readings without feeds.
      *
-     * @param marks receives the command that the robot runs
      * @param seconds converts a time of the robot's clock, in nanoseconds, to that of the plots
      */
-    LiveReadings(Member member, MarkRecord marks, LongToDoubleFunction seconds) {
-        this.member = member;
+    LiveReadings(Member member, LongToDoubleFunction seconds) {
         this.bot = member.bot();
-        this.marks = marks;
         this.seconds = seconds;
     }
 
@@ -73,7 +68,6 @@ final class LiveReadings implements BotListener {
 
     @Override
     public void stateChanged(MajicBot source, BotState state) {
-        marks.running(member.number(), member.running());
         sample(state.atNanos(), series);
     }
 

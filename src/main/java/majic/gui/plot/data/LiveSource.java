@@ -38,6 +38,7 @@ public final class LiveSource implements PlotSource {
         this.marks = new MarkRecord(this::now);
         this.past = history == null ? null : new Past(history, this::now);
         team.addListener(marks);
+        team.addCommandListener(marks);
     }
 
     private static double recordedS(@Nullable RecordedHistory history) {
@@ -107,7 +108,7 @@ public final class LiveSource implements PlotSource {
     }
 
     private LiveReadings readingsOf(Member member) {
-        return new LiveReadings(member, marks, nanos -> seconds(member, nanos));
+        return new LiveReadings(member, nanos -> seconds(member, nanos));
     }
 
     /** Returns the time of a report; a robot with a clock of its own reports now. */

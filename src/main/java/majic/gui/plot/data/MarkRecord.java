@@ -2,24 +2,22 @@ package majic.gui.plot.data;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.DoubleSupplier;
 import majic.team.Answer;
+import majic.team.CommandListener;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.TeamListener;
 import majic.text.Texts;
 
 /** Records when commands, acts and scripts on robots begin and end, the newest {@value #MOST} moments. Thread-safe. */
-final class MarkRecord implements TeamListener {
+final class MarkRecord implements TeamListener, CommandListener {
     private static final Texts TEXTS = Texts.of(MarkRecord.class);
     private static final int MOST = 2000;
 
     private final DoubleSupplier now;
     private final Deque<PlotMark> marks = new ArrayDeque<>();
-    private final Map<Integer, String> running = new HashMap<>();
 
     /**
      * Creates an empty record.
@@ -28,6 +26,11 @@ final class MarkRecord implements TeamListener {
      */
     MarkRecord(DoubleSupplier now) {
         this.now = now;
+    }
+
+    @Override
+    public void begun(int robot, String command) {
+        add(robot, robot + " " + command, false);
     }
 
     @Override
@@ -48,14 +51,6 @@ final class MarkRecord implements TeamListener {
     @Override
     public void latchChanged(boolean latched) {
         add(0, TEXTS.get(latched ? "stop" : "released"), latched);
-    }
-
-    /** Marks the begin of a command; to be called when the robot reports something. */
-    synchronized void running(int robot, String command) {
-        String before = running.put(robot, command);
-        if (!command.isEmpty() && !command.equals(before)) {
-            add(robot, robot + " " + command, false);
-        }
     }
 
     /** Replaces the marks up to a time by those that were recorded. */
