@@ -131,7 +131,7 @@ final class Packaging {
                         "--no-header-files",
                         "--no-man-pages",
                         "--compress",
-                        "2",
+                        Runtime.version().feature() < 21 ? "2" : "zip-6",
                         "--output",
                         runtime.toString()));
         shareClassData(runtime);

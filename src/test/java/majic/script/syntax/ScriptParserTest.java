@@ -37,6 +37,8 @@ class ScriptParserTest {
                 "all.drive(0.1m/s, 20deg/s, until bumped == yes) | all / drive 0.1m/s 20deg/s until bumped == yes",
                 "me move 2m until distanceFront < near | me / move 2m until distanceFront < near",
                 "2.set(headPan, 30, 500ms) | 2 / set headPan 30 500ms",
+                "1 scanLine 2 | 1 / scanLine 2",
+                "lab place 1 1m -200 90 | 1 / lab place 1m -200 90",
                 "1 set pose 1,-2.5 x=3 | 1 / set pose 1,-2.5 x=3",
                 "1 get now x, y,heading | 1 / get now x,y,heading",
                 "1 log x,y every 100ms | 1 / log x,y every 100ms",
