@@ -38,8 +38,13 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * <p>Until it is closed, a robot that was connected is also stopped and closed when the Java program ends by
      * {@code System.exit}, Ctrl-C or a signal.
      *
-     * @throws BotException if the robot is not found, refuses, or does not answer within the driver's timeout, or if
-     *     the program is ending; the message contains what to try, and the robot is in state {@link Connection#LOST}
+     * <p>It returns when the robot has sent its first readings, so that {@link #get} of them can be used at once.
+     *
+     * @throws ConnectFailed if the robot is not found, refuses, or does not answer within the driver's timeout; the
+     *     message contains what to try, {@link ConnectFailed#reason()} tells the cases apart, and the robot is in state
+     *     {@link Connection#LOST}
+     * @throws LinkLost if the connection broke before it was ready; the robot is in state {@link Connection#LOST}
+     * @throws BotException if it is connected, being connected or closed already, or if the program is ending
      */
     public abstract void connect();
 

@@ -1,6 +1,7 @@
 package majic.driver;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
@@ -13,6 +14,7 @@ import majic.bot.BotListener;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.BotType;
+import majic.bot.ConnectFailed;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
@@ -64,10 +66,10 @@ public abstract class BotDriver extends MajicBot {
      * @param environment its clock and settings
      */
     protected BotDriver(BotType type, BotProfile profile, BotEnvironment environment) {
-        this.type = type;
-        this.profile = profile;
+        this.type = Objects.requireNonNull(type, "type");
+        this.profile = Objects.requireNonNull(profile, "profile");
         this.limits = new MotionLimits(profile);
-        this.time = environment.time();
+        this.time = Objects.requireNonNull(environment, "environment").time();
         this.settings = environment.settings();
         this.listeners = new Listeners(this, time);
         this.life = new ConnectionLife(listeners::connectionChanged);
@@ -92,7 +94,7 @@ public abstract class BotDriver extends MajicBot {
             }
             offset.reconnecting();
             listeners.deliver();
-            open();
+            openOrExplain();
         } catch (RuntimeException | Error e) {
             life.end(Connection.LOST);
             listeners.deliver();
@@ -104,6 +106,16 @@ public abstract class BotDriver extends MajicBot {
         news();
         listeners.deliver();
         requireConnected();
+    }
+
+    private void openOrExplain() {
+        try {
+            open();
+        } catch (ConnectFailed | LinkLost e) {
+            throw e;
+        } catch (BotException e) {
+            throw new ConnectFailed(ConnectFailed.Reason.OTHER, String.valueOf(e.getMessage()), e);
+        }
     }
 
     @Override
@@ -343,6 +355,7 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final void place(Pose pose) {
+        Objects.requireNonNull(pose, "pose");
         synchronized (offset) {
             state = offset.place(pose);
         }
@@ -357,7 +370,7 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final void addListener(BotListener listener) {
-        listeners.add(listener);
+        listeners.add(Objects.requireNonNull(listener, "listener"));
     }
 
     @Override
@@ -370,7 +383,8 @@ public abstract class BotDriver extends MajicBot {
      * thread, in state {@link Connection#CONNECTING}. Must not move the robot nor switch motors on, must end within the
      * driver's timeout, and must close everything it opened when it throws.
      *
-     * @throws BotException with what went wrong and what to try
+     * @throws ConnectFailed with the reason, what went wrong and what to try; another {@link BotException} becomes a
+     *     {@code ConnectFailed} for another reason
      */
     protected abstract void open();
 
@@ -637,7 +651,7 @@ public abstract class BotDriver extends MajicBot {
     private void requireConnected() {
         refuseLost();
         if (!isConnected()) {
-            throw new BotException(name + " is not connected");
+            throw new BotException(name + (life.now() == Connection.CLOSED ? " is closed" : " is not connected"));
         }
     }
 
@@ -650,7 +664,7 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final void addWatcher(Runnable watcher) {
-        watchers.add(watcher);
+        watchers.add(Objects.requireNonNull(watcher, "watcher"));
     }
 
     @Override
@@ -659,7 +673,7 @@ public abstract class BotDriver extends MajicBot {
     }
 
     private ParameterTable.Entry entry(String parameter) {
-        return parameters.find(name, parameter);
+        return parameters.find(name, Objects.requireNonNull(parameter, "parameter"));
     }
 
     /** This robot as its motions use it. */

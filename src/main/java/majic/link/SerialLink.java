@@ -4,6 +4,7 @@ import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.NoSuchFileException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
@@ -42,7 +43,7 @@ final class SerialLink implements Link {
         opening.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         opening.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
         if (!open(opening, timeoutMs)) {
-            throw new IOException(SerialOpenError.of(name, new File(opening.getSystemPortPath())));
+            throw SerialOpenError.of(name, new File(opening.getSystemPortPath()));
         }
         counter.opened();
         Links.register(this);
@@ -79,7 +80,8 @@ final class SerialLink implements Link {
         try {
             return SerialPort.getCommPort(name);
         } catch (SerialPortInvalidPortException e) {
-            throw new IOException("there is no serial port " + name + "; is the adapter plugged in?", e);
+            Throwable missing = new NoSuchFileException(name).initCause(e);
+            throw new IOException("there is no serial port " + name + "; is the adapter plugged in?", missing);
         }
     }
 

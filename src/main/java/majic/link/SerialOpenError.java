@@ -2,11 +2,14 @@ package majic.link;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
 import java.nio.file.attribute.PosixFileAttributes;
 import java.util.Set;
 
-/** The message for a serial port that could not be opened. */
+/** Explains why a serial port could not be opened, by a message and by the type of the cause. */
 final class SerialOpenError {
     private static final String USUAL = "dialout";
     private static final Set<String> ADMINISTRATORS = Set.of("root", "wheel");
@@ -19,17 +22,22 @@ final class SerialOpenError {
      * @param name as the user gave it
      * @param device its name in the system; on Windows not the name of a file
      */
-    static String of(String name, File device) {
+    static IOException of(String name, File device) {
         if (device.isDirectory() || device.isFile()) {
-            return name + " is no serial port; which one is the adapter's?";
+            return new IOException(
+                    name + " is no serial port; which one is the adapter's?", new NoSuchFileException(name));
         }
         if (device.exists() && !(device.canRead() && device.canWrite())) {
             String group = group(device);
-            return "you are not allowed to use the serial port " + name + "; are you in the group " + group
-                    + " (\"sudo usermod -aG " + group + " " + System.getProperty("user.name")
-                    + "\", then log in again)?";
+            return new IOException(
+                    "you are not allowed to use the serial port " + name + "; are you in the group " + group
+                            + " (\"sudo usermod -aG " + group + " " + System.getProperty("user.name")
+                            + "\", then log in again)?",
+                    new AccessDeniedException(name));
         }
-        return "cannot open the serial port " + name + "; does another program use it?";
+        return new IOException(
+                "cannot open the serial port " + name + "; does another program use it?",
+                new FileSystemException(name));
     }
 
     /** Joining the administrators' group is not advised. */

@@ -5,6 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.File;
 import java.io.IOException;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -36,12 +38,15 @@ class SerialOpenErrorTest {
     @Test
     void aPortOfAnotherGroupNamesTheGroup() {
         assertThat(SerialOpenError.of("ttyUSB0", SHUT))
-                .startsWith("you are not allowed to use the serial port ttyUSB0; are you in the group dialout");
+                .hasCauseInstanceOf(AccessDeniedException.class)
+                .hasMessageStartingWith(
+                        "you are not allowed to use the serial port ttyUSB0; are you in the group dialout");
     }
 
     @Test
     void anyOtherPortIsTakenToBeInUse() {
         assertThat(SerialOpenError.of("COM3", new File("\\\\.\\COM3")))
-                .isEqualTo("cannot open the serial port COM3; does another program use it?");
+                .hasCauseInstanceOf(FileSystemException.class)
+                .hasMessage("cannot open the serial port COM3; does another program use it?");
     }
 }

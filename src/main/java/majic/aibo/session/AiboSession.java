@@ -11,6 +11,8 @@ import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiTransport;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
@@ -97,8 +99,10 @@ public final class AiboSession {
         }
         boolean all = waiting.awaitConnecting(() -> router.answered() == Sensor.values().length, FIRST_READINGS_S);
         if (!all && router.answered() == 0) {
-            throw new BotException("the dog lets itself be connected but tells no reading within "
-                    + (int) FIRST_READINGS_S + " s; restart the dog");
+            throw new ConnectFailed(
+                    Reason.NO_ANSWER,
+                    "the dog lets itself be connected but tells no reading within " + (int) FIRST_READINGS_S
+                            + " s; restart the dog");
         }
         router.restartSilence();
     }

@@ -9,6 +9,8 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
@@ -76,16 +78,19 @@ public final class AiboConnections implements UrbiConnection.Owner {
             connection.open(OPEN_TIMEOUT_MS);
             waiting.awaitConnecting(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
         } catch (IOException e) {
-            throw new BotException(
-                    refusal(e.getMessage() + "; is the dog on, in the network, and URBI on its stick?"), e);
+            throw ConnectFailed.of(
+                    e, refusal(e.getMessage() + "; is the dog on, in the network, and URBI on its stick?"));
         }
         if (connection.isEnded()) {
-            throw new BotException(
+            throw new ConnectFailed(
+                    Reason.BUSY,
                     refusal("the dog closed the connection at once; are there too many clients connected to it?"));
         }
         if (!connection.isIdentified()) {
-            throw new BotException(refusal("something answers there, but not as an URBI server within "
-                    + (int) IDENT_TIMEOUT_S + " s; is this the dog, and is 54000 the right port?"));
+            throw new ConnectFailed(
+                    Reason.WRONG_DEVICE,
+                    refusal("something answers there, but not as an URBI server within " + (int) IDENT_TIMEOUT_S
+                            + " s; is this the dog, and is 54000 the right port?"));
         }
     }
 

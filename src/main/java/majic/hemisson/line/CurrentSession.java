@@ -2,6 +2,7 @@ package majic.hemisson.line;
 
 import java.io.IOException;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
 import majic.link.Link;
 import majic.link.Links;
@@ -43,7 +44,7 @@ public final class CurrentSession {
         try {
             link.open(OPEN_TIMEOUT_MS);
         } catch (IOException e) {
-            throw new BotException(e.getMessage(), e);
+            throw ConnectFailed.of(e);
         }
         HemissonSession opened = new HemissonSession(link, time, listener);
         session = opened;

@@ -4,6 +4,8 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
@@ -35,7 +37,8 @@ public final class Handshake {
         Reply version = ask(Question.VERSION);
         refuseDeadLine();
         if (version == null) {
-            throw new BotException(
+            throw new ConnectFailed(
+                    Reason.NO_ANSWER,
                     "no Hemisson answered, though asked twice; one that has gone deaf hears again when it was off: switch it off, wait 5 s, switch it on. "
                             + "Or is it another port, or the robot off, or in the Pgm position?");
         }
@@ -87,8 +90,10 @@ public final class Handshake {
     private void stopAndConfirm() {
         session.conversation().stop();
         if (!await(() -> session.conversation().isStopped())) {
-            throw new BotException("it answers, but does not confirm a stop within " + timeoutSeconds()
-                    + " s; lift it, switch it off, wait 5 s and switch it on again");
+            throw new ConnectFailed(
+                    Reason.NO_ANSWER,
+                    "it answers, but does not confirm a stop within " + timeoutSeconds()
+                            + " s; lift it, switch it off, wait 5 s and switch it on again");
         }
     }
 
@@ -107,7 +112,8 @@ public final class Handshake {
             throw new BotException(end == null ? "closed while connecting" : "the connection was lost at once: " + end);
         }
         if (session.isTelnet()) {
-            throw new BotException(
+            throw new ConnectFailed(
+                    Reason.WRONG_DEVICE,
                     "what answers there speaks telnet (RFC 2217), not a raw serial line; can the serial server be set to "
                             + "raw TCP?");
         }

@@ -8,6 +8,8 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
@@ -73,20 +75,21 @@ final class AriaConnection implements PioneerConnection, RobotLine {
 
     private void openOnce(Listener listener) {
         if (!wait.await(() -> !robot.isInUse(), DISCONNECT_S) || !robot.reserve()) {
-            throw new BotException("ARIA has not ended the connection before; try again");
+            throw new ConnectFailed(Reason.BUSY, "ARIA has not ended the connection before; try again");
         }
         CompletableFuture<Void> attempt = new CompletableFuture<>();
         connecting = attempt;
         time.runAsync("pioneer aria connect", () -> connect(attempt));
         if (!wait.await(attempt::isDone, CONNECT_S)) {
-            throw new BotException("ARIA has not connected to " + address() + " within " + (int) CONNECT_S + " s");
+            throw new ConnectFailed(
+                    Reason.NO_ANSWER, "ARIA has not connected to " + address() + " within " + (int) CONNECT_S + " s");
         }
         failIfRefused(attempt);
         listener.identified(robot.locked(aria -> reports.identity()));
         listener.configured(robot.locked(aria -> reports.config()));
         time.runAsync("pioneer aria reports", () -> WaitPolicy.without(() -> pollUntilTheEnd(listener)));
         if (!wait.await(() -> reported || hasEnded(), FIRST_SIP_S)) {
-            throw new BotException(address() + " answered ARIA, but sends no data within 2 s");
+            throw new ConnectFailed(Reason.NO_ANSWER, address() + " answered ARIA, but sends no data within 2 s");
         }
         LinkLost ended = end;
         if (ended != null) {

@@ -7,6 +7,8 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Function;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
 
@@ -83,7 +85,8 @@ final class AriaRobot {
         robot.setDeviceConnection(opened.connection());
         device = opened.connection();
         if (!robot.blockingConnect()) {
-            throw new BotException(
+            throw new ConnectFailed(
+                    Reason.WRONG_DEVICE,
                     "ARIA finds no Pioneer at " + opening.address()
                             + ": the line is open, but nothing answers as a robot that ARIA knows; see its messages in the terminal");
         }

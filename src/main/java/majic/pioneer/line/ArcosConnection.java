@@ -1,7 +1,8 @@
 package majic.pioneer.line;
 
 import java.util.function.BooleanSupplier;
-import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import majic.link.Link;
 import majic.pioneer.arcos.ArcosCommand;
@@ -71,7 +72,8 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
     private void startSips() {
         line.send(ArcosCommand.OPEN.packet(1), ArcosCommand.CONFIG.packet(1));
         if (!await(() -> sips.count() > 0, FIRST_SIP_S)) {
-            throw new BotException(address() + " answered the handshake, but sends no data within 2 s");
+            throw new ConnectFailed(
+                    Reason.NO_ANSWER, address() + " answered the handshake, but sends no data within 2 s");
         }
     }
 

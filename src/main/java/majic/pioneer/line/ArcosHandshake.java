@@ -1,6 +1,8 @@
 package majic.pioneer.line;
 
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Packet;
@@ -67,7 +69,7 @@ public final class ArcosHandshake {
         if (closedASession) {
             return new SessionClosed(line.address() + " closed the connection with the session left open on it", cause);
         }
-        return new BotException(ConnectErrors.hungUp(line.address(), line.firstBytes()), cause);
+        return new ConnectFailed(Reason.BUSY, ConnectErrors.hungUp(line.address(), line.firstBytes()), cause);
     }
 
     /**
@@ -89,7 +91,7 @@ public final class ArcosHandshake {
 
     private void refuseTelnet() {
         if (line.firstBytes().isTelnet()) {
-            throw new BotException(ConnectErrors.telnet(line.address()));
+            throw new ConnectFailed(Reason.WRONG_DEVICE, ConnectErrors.telnet(line.address()));
         }
     }
 
@@ -104,7 +106,10 @@ public final class ArcosHandshake {
             }
             step = answer != null && answer.type() == step ? step + 1 : startOver(answer);
         }
-        throw new BotException(ConnectErrors.nothingCameOfIt(line.address(), line.firstBytes(), (int) limitS));
+        FirstBytes received = line.firstBytes();
+        throw new ConnectFailed(
+                received.isEmpty() ? Reason.NO_ANSWER : Reason.WRONG_DEVICE,
+                ConnectErrors.nothingCameOfIt(line.address(), received, (int) limitS));
     }
 
     private int startOver(@Nullable Packet answer) {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.function.Consumer;
-import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
@@ -54,13 +54,13 @@ final class ArcosLine implements RobotLine {
     /**
      * Opens the link and starts reading.
      *
-     * @throws BotException if it cannot be opened; the message says why
+     * @throws ConnectFailed if it cannot be opened; the message says why
      */
     void open(Listener listener) {
         try {
             link.open(OPEN_TIMEOUT_MS);
         } catch (IOException e) {
-            throw new BotException(String.valueOf(e.getMessage()), e);
+            throw ConnectFailed.of(e);
         }
         new LinkReader<>(link, "the robot closed it", new Packets(listener)).start("pioneer reader " + link.address());
     }

@@ -3,6 +3,8 @@ package majic.pioneer.line;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Config;
 import org.jspecify.annotations.Nullable;
@@ -107,8 +109,10 @@ final class Autobaud {
         LOG.log(Level.DEBUG, () -> line.address() + " does not follow to " + BaudRates.FAST + " baud");
         line.setBaud(BaudRates.POWER_UP);
         if (!sips.awaitMoreThan(sips.count(), FALL_BACK_S)) {
-            throw new BotException(line.address() + " is not heard any more since its speed was to change from "
-                    + BaudRates.POWER_UP + " to " + BaudRates.FAST + " baud; try again");
+            throw new ConnectFailed(
+                    Reason.NO_ANSWER,
+                    line.address() + " is not heard any more since its speed was to change from " + BaudRates.POWER_UP
+                            + " to " + BaudRates.FAST + " baud; try again");
         }
     }
 }

@@ -3,6 +3,8 @@ package majic.pioneer.session;
 import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import majic.bot.Pose;
 import majic.pioneer.arcos.ArcosCommand;
@@ -108,7 +110,8 @@ public final class PioneerSession implements PioneerConnection.Listener {
         line.send(ArcosCommand.SONAR.packet(1));
         wait.await(() -> line.hasEnded() || hasReadingsOnAllSides(), SONAR_CYCLE_S);
         if (line.hasEnded()) {
-            throw new BotException(connection.address() + " closed the connection right after the handshake");
+            throw new ConnectFailed(
+                    Reason.BUSY, connection.address() + " closed the connection right after the handshake");
         }
     }
 
