@@ -2,6 +2,7 @@ package majic.bot;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
@@ -25,7 +26,7 @@ public record BotAddress(String scheme, String rest) {
      * @throws BotException if there is no scheme in it; the message shows what an address looks like
      */
     public static BotAddress parse(String text) {
-        int colon = text.indexOf(':');
+        int colon = Objects.requireNonNull(text, "address").indexOf(':');
         if (colon <= 0 || colon == text.length() - 1) {
             throw new BotException(
                     text + ": not a robot's address; it looks like pioneer://10.0.0.5:8101, hemisson:COM3 or sim:aibo");

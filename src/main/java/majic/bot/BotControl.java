@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.util.List;
+import java.util.Objects;
 
 /**
  * The operations of a robot. Distances are millimetres, ahead positive; angles degrees, counterclockwise
@@ -139,6 +140,6 @@ public interface BotControl {
      * @param word the value
      */
     default void set(String parameter, String word) {
-        set(parameter, List.of(Value.text(word)));
+        set(parameter, List.of(Value.text(Objects.requireNonNull(word, "word"))));
     }
 }

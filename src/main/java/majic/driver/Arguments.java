@@ -30,6 +30,7 @@ final class Arguments {
     }
 
     static List<Value> forSet(Parameter parameter, List<Value> given) {
+        Objects.requireNonNull(given, "values");
         if (given.isEmpty()) {
             throw new ParameterException(parameter.name(), parameter.name() + ": a value is missing");
         }
@@ -43,6 +44,7 @@ final class Arguments {
     }
 
     static List<Value> forCommand(BotCommand command, List<Value> given) {
+        Objects.requireNonNull(given, "arguments");
         if (!command.takes(given.size())) {
             String names = command.argumentNames();
             throw new BotException(command.name() + ": takes " + (names.isEmpty() ? "nothing behind it" : names)
@@ -61,7 +63,8 @@ final class Arguments {
     private static List<Value> fit(IntFunction<@Nullable Parameter> wanted, List<Value> given) {
         List<Value> fitted = new ArrayList<>();
         for (int index = 0; index < given.size(); index++) {
-            fitted.add(Objects.requireNonNull(wanted.apply(index)).fit(given.get(index)));
+            fitted.add(
+                    Objects.requireNonNull(wanted.apply(index)).fit(Objects.requireNonNull(given.get(index), "value")));
         }
         return List.copyOf(fitted);
     }

@@ -1,6 +1,7 @@
 package majic.driver;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
@@ -32,6 +33,7 @@ final class CommandTable {
      * @throws BotException if there is none of that name; the message suggests one
      */
     DriverCommand find(String bot, String name) {
+        Objects.requireNonNull(name, "command");
         return commands.stream()
                 .filter(known -> known.command().name().equalsIgnoreCase(name))
                 .findFirst()

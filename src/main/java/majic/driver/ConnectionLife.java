@@ -44,7 +44,10 @@ final class ConnectionLife {
      */
     synchronized boolean begin(String name) {
         if (now != Connection.NEW && now != Connection.LOST) {
-            throw new BotException(name + " is " + now.name().toLowerCase(Locale.ROOT));
+            throw new BotException(name
+                    + (now == Connection.CLOSED
+                            ? " is closed"
+                            : " is already " + now.name().toLowerCase(Locale.ROOT)));
         }
         boolean first = now == Connection.NEW;
         lostBecause = null;

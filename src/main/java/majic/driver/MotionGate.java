@@ -3,6 +3,7 @@ package majic.driver;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import majic.bot.BotControl;
@@ -109,6 +110,7 @@ final class MotionGate {
      * that receives {@link LinkLost} may connect again at once, though the reader may not have detected the end yet.
      */
     MotionReport perform(Guard until, Permit permit, Maneuver maneuver) {
+        Objects.requireNonNull(until, "until");
         bot.requireConnected();
         Permit own = permit();
         begin(permit);
