@@ -8,6 +8,7 @@ import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.BotType;
+import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
@@ -91,9 +92,11 @@ public final class Cart extends BotDriver {
         try {
             opening.open(CONNECT_TIMEOUT_MS);
         } catch (IOException e) {
-            throw new BotException(e.getMessage(), e);
+            throw ConnectFailed.of(e);
         }
         new LinkReader<>(opening, "the cart closed it", new Reports(opening)).start("cart reader");
+        // A cart reports where it is when it moves; its position counts from where it was connected.
+        publish(new BotState(pose, 0, 0, false, time().nanos()));
     }
 
     @Override
