@@ -1,10 +1,19 @@
 package majic.text;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.text.Format;
 import java.text.MessageFormat;
-import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.MissingResourceException;
+import java.util.PropertyResourceBundle;
 import java.util.ResourceBundle;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BiFunction;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
@@ -14,8 +23,10 @@ import org.jspecify.annotations.Nullable;
  * used on any thread.
  */
 public final class Texts {
-    /** Finds the bundles; tests use another one for a while. */
-    static volatile ResourceBundle.Control control = new ExistingFiles();
+    /** Finds the bundle of the package of a class; tests use another function for a while. */
+    static volatile BiFunction<Class<?>, Locale, ResourceBundle> bundles = Texts::bundle;
+
+    private static final Map<Key, ResourceBundle> READ = new ConcurrentHashMap<>();
 
     private final Class<?> user;
 
@@ -34,11 +45,11 @@ public final class Texts {
      * @param key its key in the bundle
      * @param values put in place of {@code {0}}, {@code {1}}, as {@link String#valueOf(Object)} writes them; the patterns are
      *     those of {@link MessageFormat}, so an apostrophe is doubled in the file
-     * @throws java.util.MissingResourceException if the bundle has no such text
+     * @throws MissingResourceException if the bundle has no such text
      */
     public String get(String key, Object... values) {
         Locale language = Locale.getDefault();
-        String text = bundle(language).getString(key);
+        String text = bundles.apply(user, language).getString(key);
         return values.length == 0 && text.indexOf('\'') < 0 ? text : format(text, language, values);
     }
 
@@ -56,26 +67,39 @@ public final class Texts {
         return index >= formats.length || formats[index] == null;
     }
 
-    private ResourceBundle bundle(Locale language) {
-        return ResourceBundle.getBundle(user.getPackageName() + ".Texts", language, user.getClassLoader(), control);
+    /** Returns the bundle of a package in a language, which is read once. */
+    private static ResourceBundle bundle(Class<?> user, Locale language) {
+        boolean german = language.getLanguage().equals(Locale.GERMAN.getLanguage());
+        Key key = new Key(user.getClassLoader(), user.getPackageName(), german);
+        ResourceBundle known = READ.get(key);
+        return known == null ? READ.computeIfAbsent(key, made -> made.read(user)) : known;
     }
 
-    /** Looks only for files that exist, since a search for a missing one opens every library and delays the window. */
-    private static final class ExistingFiles extends ResourceBundle.Control {
-        @Override
-        public List<String> getFormats(String name) {
-            return FORMAT_PROPERTIES;
+    /** Tells the bundles apart; plug-ins have class loaders and packages of their own. */
+    private record Key(ClassLoader loader, String in, boolean german) {
+        ResourceBundle read(Class<?> user) {
+            ResourceBundle english = read(user, "Texts.properties", null);
+            if (english == null) {
+                throw new MissingResourceException("there are no texts in " + in, in, "");
+            }
+            ResourceBundle own = german ? read(user, "Texts_de.properties", english) : null;
+            return own == null ? english : own;
         }
 
-        @Override
-        public List<Locale> getCandidateLocales(String name, Locale locale) {
-            boolean german = locale.getLanguage().equals(Locale.GERMAN.getLanguage());
-            return german ? List.of(Locale.GERMAN, Locale.ROOT) : List.of(Locale.ROOT);
+        private static @Nullable ResourceBundle read(Class<?> user, String file, @Nullable ResourceBundle otherwise) {
+            try (InputStream bytes = user.getResourceAsStream(file)) {
+                return bytes == null ? null : new Bundle(bytes, otherwise);
+            } catch (IOException e) {
+                throw new UncheckedIOException(file + " of " + user, e);
+            }
         }
+    }
 
-        @Override
-        public @Nullable Locale getFallbackLocale(String name, Locale locale) {
-            return null;
+    /** The texts of a file, and those of another bundle that it does not have. */
+    private static final class Bundle extends PropertyResourceBundle {
+        Bundle(InputStream bytes, @Nullable ResourceBundle otherwise) throws IOException {
+            super(new InputStreamReader(bytes, StandardCharsets.UTF_8));
+            setParent(otherwise);
         }
     }
 }

@@ -1,12 +1,10 @@
 package majic.text;
 
-import java.io.IOException;
 import java.util.Enumeration;
-import java.util.List;
 import java.util.Locale;
 import java.util.ResourceBundle;
-import java.util.ResourceBundle.Control;
 import java.util.Set;
+import java.util.function.BiFunction;
 import java.util.regex.Pattern;
 
 /**
@@ -22,16 +20,16 @@ public final class MarkedTexts implements AutoCloseable {
 
     private static final Pattern MARKED = Pattern.compile("(?s)⟦[^⟦⟧]*⟧");
 
-    private final Control before = Texts.control;
+    private final BiFunction<Class<?>, Locale, ResourceBundle> before = Texts.bundles;
 
     /** Makes windows whose language is {@link #LANGUAGE} read marked texts. */
     public MarkedTexts() {
-        Texts.control = new Marking();
+        Texts.bundles = (user, language) -> new Marked(before.apply(user, Locale.ENGLISH));
     }
 
     @Override
     public void close() {
-        Texts.control = before;
+        Texts.bundles = before;
     }
 
     /** Returns an English text as it is shown in the invented language. */
@@ -52,24 +50,6 @@ public final class MarkedTexts implements AutoCloseable {
     public static String unmarked(String shown) {
         String rest = MARKED.matcher(shown).replaceAll("");
         return rest.equals(shown) ? rest : unmarked(rest);
-    }
-
-    private static final class Marking extends Control {
-        @Override
-        public List<String> getFormats(String name) {
-            return FORMAT_PROPERTIES;
-        }
-
-        @Override
-        public List<Locale> getCandidateLocales(String name, Locale locale) {
-            return List.of(LANGUAGE);
-        }
-
-        @Override
-        public ResourceBundle newBundle(String name, Locale locale, String format, ClassLoader loader, boolean reload)
-                throws IllegalAccessException, InstantiationException, IOException {
-            return new Marked(super.newBundle(name, Locale.ROOT, format, loader, reload));
-        }
     }
 
     private static final class Marked extends ResourceBundle {
