@@ -16,7 +16,6 @@ import majic.program.WindowPicture;
 /** Makes a picture of one robot's panel for the documents, light or dark, of any size. */
 final class PanelPicture {
     private static final Path IMAGES = Path.of("docs", "images");
-    private static final int PATIENCE_S = 30;
 
     private PanelPicture() {}
 
@@ -49,7 +48,7 @@ final class PanelPicture {
     /** Waits until the panel shows the newest readings, paints and saves it, and closes its window. */
     static void save(JFrame frame, boolean dark, String name) throws Exception {
         long start = System.nanoTime();
-        WindowWait.await("a refresh", () -> System.nanoTime() - start > 500_000_000L, PATIENCE_S);
+        WindowWait.await("a refresh", () -> System.nanoTime() - start > 500_000_000L);
         SwingUtilities.invokeAndWait(() -> {
             look(dark);
             SwingUtilities.updateComponentTreeUI(frame);

@@ -25,7 +25,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Controls the window of which pictures are taken. Used outside the event thread. */
 final class PictureWindow {
-    private static final int PATIENCE_S = 60;
 
     private PictureWindow() {}
 
@@ -69,7 +68,7 @@ final class PictureWindow {
     }
 
     static void awaitWindow(BooleanSupplier condition) {
-        WindowWait.await("the next picture", condition, PATIENCE_S);
+        WindowWait.await("the next picture", condition);
     }
 
     static void click(Container parent, String button) throws Exception {

@@ -14,7 +14,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import majic.bot.Pose;
 import majic.simulation.SimulatedLab;
@@ -83,7 +82,7 @@ class ShutdownTest {
 
                 end(program, end);
 
-                assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
+                program.waitFor();
                 line.await(robot.stop, before);
                 awaitStationary(lab, robot.type);
             } finally {
@@ -130,7 +129,7 @@ class ShutdownTest {
 
                 end(program, End.HUP);
 
-                assertThat(program.waitFor(20, TimeUnit.SECONDS)).isTrue();
+                program.waitFor();
                 line.await("D,0,0\r", before);
                 awaitStationary(lab, "hemisson");
             } finally {

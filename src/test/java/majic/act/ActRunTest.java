@@ -357,7 +357,7 @@ class ActRunTest implements TeamListener {
                     null);
             deaf.begun.await();
             others.stop(List.of(member), null);
-            assertThat(others.changes().await(member::isIdle, 10)).isTrue();
+            assertThat(others.changes().await(member::isIdle, 100)).isTrue();
             assertThat(said).contains("1: Deaf: does not end; it is left behind without a robot", "1 act: stopped");
             deaf.over.countDown();
         }

@@ -31,7 +31,6 @@ import org.junit.jupiter.api.Test;
 /** The panel on a tab of a real window, before a scripted dog. */
 class AiboPanelWindowTest {
     private static final String ASKED = "camera.val";
-    private static final int PATIENCE_S = 20;
 
     private final Team team = new Team(TimeSource.system());
     private final BlockingQueue<String> notices = new LinkedBlockingQueue<>();
@@ -167,6 +166,6 @@ class AiboPanelWindowTest {
     }
 
     private static void await(String what, BooleanSupplier condition) {
-        WindowWait.await(what, condition, PATIENCE_S);
+        WindowWait.await(what, condition);
     }
 }

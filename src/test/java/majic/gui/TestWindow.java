@@ -56,7 +56,6 @@ import org.jspecify.annotations.Nullable;
  * fail the test too.
  */
 public final class TestWindow implements AutoCloseable {
-    private static final int PATIENCE_S = 30;
     private static final String MARKED = "test.marked";
 
     final ToyType type = new ToyType(BotType.Reach.TCP);
@@ -414,7 +413,7 @@ public final class TestWindow implements AutoCloseable {
 
     /** Waits for something to become true, and fails if it does not. */
     public void await(String what, BooleanSupplier condition) {
-        WindowWait.await(what, condition, PATIENCE_S);
+        WindowWait.await(what, condition);
     }
 
     @Override

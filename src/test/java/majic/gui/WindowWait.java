@@ -7,6 +7,9 @@ import org.assertj.swing.timing.Timeout;
 
 /** Waits for the content of a window. */
 public final class WindowWait {
+    /** Long, since a busy computer is slow; a wait that is over ends at once. */
+    private static final long PATIENCE_MS = 60_000;
+
     private WindowWait() {}
 
     /**
@@ -14,9 +17,8 @@ public final class WindowWait {
      *
      * @param what names it in the failure
      * @param condition evaluated repeatedly, on the calling thread
-     * @param seconds how long to wait
      */
-    public static void await(String what, BooleanSupplier condition, int seconds) {
+    public static void await(String what, BooleanSupplier condition) {
         Pause.pause(
                 new Condition(what) {
                     @Override
@@ -24,6 +26,6 @@ public final class WindowWait {
                         return condition.getAsBoolean();
                     }
                 },
-                Timeout.timeout(seconds * 1000L));
+                Timeout.timeout(PATIENCE_MS));
     }
 }

@@ -20,7 +20,6 @@ import org.junit.jupiter.api.Test;
 
 /** The Hemisson's tab in a real window, clicked with a real mouse, before a peer with scripted answers. */
 class HemissonPanelWindowTest {
-    private static final int PATIENCE_S = 15;
 
     private final Robot mouse = BasicRobot.robotWithNewAwtHierarchyWithoutScreenLock();
     private ScriptedHemisson peer;
@@ -178,6 +177,6 @@ class HemissonPanelWindowTest {
     }
 
     private static void await(String what, BooleanSupplier condition) {
-        WindowWait.await(what, condition, PATIENCE_S);
+        WindowWait.await(what, condition);
     }
 }

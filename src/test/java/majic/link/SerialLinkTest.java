@@ -62,7 +62,7 @@ class SerialLinkTest {
 
         link.close();
 
-        assertThat(reader.get(3, TimeUnit.SECONDS)).isEqualTo(-1);
+        assertThat(reader.get()).isEqualTo(-1);
     }
 
     @Test
@@ -71,7 +71,7 @@ class SerialLinkTest {
 
         unplug();
 
-        assertThat(reader.get(3, TimeUnit.SECONDS)).isEqualTo(-1);
+        assertThat(reader.get()).isEqualTo(-1);
     }
 
     @Test

@@ -18,7 +18,7 @@ class ProgramReconnectTest {
             program.team().add(bot, OptionalInt.empty());
             program.reconnectLost();
             bot.cut();
-            assertThat(program.team().changes().await(bot::isConnected, 20)).isTrue();
+            assertThat(program.team().changes().await(bot::isConnected, 100)).isTrue();
         }
     }
 }

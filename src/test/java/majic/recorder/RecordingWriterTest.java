@@ -12,7 +12,6 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -96,7 +95,7 @@ class RecordingWriterTest {
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         writer.begin(head(2), "2.000\tline\tnotice\tagain\n");
         writer.close();
-        assertThat(alarms.poll(10, TimeUnit.SECONDS))
+        assertThat(alarms.take())
                 .contains("nothing is recorded")
                 .contains("make room there");
         assertThat(alarms).isEmpty();

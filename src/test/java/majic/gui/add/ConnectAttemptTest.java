@@ -35,17 +35,17 @@ class ConnectAttemptTest {
     @Test
     void aConnectedRobotJoins() throws InterruptedException {
         attempt("toy://here").start();
-        assertThat(heard.poll(10, TimeUnit.SECONDS)).isEqualTo("joined as 1");
+        assertThat(heard.take()).isEqualTo("joined as 1");
     }
 
     @Test
     void aLostRobotIsConnectedAgainUnderItsNumber() throws InterruptedException {
         attempt("toy://here").start();
-        heard.poll(10, TimeUnit.SECONDS);
+        heard.take();
         ToyBot bot = type.made.get(0);
         bot.loseLink();
         attempt("toy://here").start();
-        assertThat(heard.poll(10, TimeUnit.SECONDS)).isEqualTo("joined as 1");
+        assertThat(heard.take()).isEqualTo("joined as 1");
         assertThat(type.made).containsExactly(bot);
         assertThat(bot.isConnected()).isTrue();
     }
@@ -53,27 +53,27 @@ class ConnectAttemptTest {
     @Test
     void aFullTeamIsNotConnectedToAnybody() throws InterruptedException {
         attempt("toy://here").start();
-        heard.poll(10, TimeUnit.SECONDS);
+        heard.take();
         attempt("toy://there").start();
-        assertThat(heard.poll(10, TimeUnit.SECONDS)).startsWith("failed: the team is full");
+        assertThat(heard.take()).startsWith("failed: the team is full");
         assertThat(type.made).hasSize(1);
     }
 
     @Test
     void anUnknownTypeFails() throws InterruptedException {
         attempt("doll://here").start();
-        assertThat(heard.poll(10, TimeUnit.SECONDS)).startsWith("failed: doll: no such type of robot");
+        assertThat(heard.take()).startsWith("failed: doll: no such type of robot");
     }
 
     @Test
     void aCancelledAttemptClosesTheRobotWithoutAReport() throws InterruptedException {
         ConnectAttempt attempt = attempt("toy://silent");
         attempt.start();
-        WindowWait.await("the robot to be made", () -> !type.made.isEmpty(), 10);
+        WindowWait.await("the robot to be made", () -> !type.made.isEmpty());
         ToyBot bot = type.made.get(0);
-        WindowWait.await("the connecting", () -> bot.connection() == Connection.CONNECTING, 10);
+        WindowWait.await("the connecting", () -> bot.connection() == Connection.CONNECTING);
         attempt.cancel();
-        assertThat(bot.closed.await(10, TimeUnit.SECONDS)).isTrue();
+        bot.closed.await();
         assertThat(heard.poll(200, TimeUnit.MILLISECONDS)).isNull();
         assertThat(bot.connection()).isEqualTo(Connection.CLOSED);
     }

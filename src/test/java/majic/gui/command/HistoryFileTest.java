@@ -7,7 +7,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -61,7 +60,7 @@ class HistoryFileTest {
     private static List<String> read(HistoryFile file) throws Exception {
         CompletableFuture<List<String>> lines = new CompletableFuture<>();
         file.read(lines::complete);
-        return lines.get(20, TimeUnit.SECONDS);
+        return lines.get();
     }
 
     private void awaitLines(int count) throws IOException {

@@ -72,7 +72,7 @@ class GamepadControlTest {
     }
 
     private static void await(String what, BooleanSupplier condition) {
-        WindowWait.await(what, condition, 20);
+        WindowWait.await(what, condition);
     }
 
     /** Shows a state to the control, and waits until it has been read twice more. */

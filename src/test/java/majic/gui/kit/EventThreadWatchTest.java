@@ -13,7 +13,7 @@ class EventThreadWatchTest {
         EventThreadWatch watch = EventThreadWatch.start();
         CountDownLatch found = new CountDownLatch(1);
         SwingUtilities.invokeLater(() -> await(found));
-        WindowWait.await("the stall to be found", watch::hasFound, 30);
+        WindowWait.await("the stall to be found", watch::hasFound);
         found.countDown();
         assertThatThrownBy(watch::checkAndEnd).hasMessageContaining("EventThreadWatchTest");
     }
