@@ -21,6 +21,7 @@ import org.junit.jupiter.api.Test;
 /** Tests that a robot that closes its connection before its last data has arrived does not block a stepped clock. */
 class ClosingLineTest {
     private final Faults faults = new Faults(Noise.seeded(1));
+    private final ReentrantLock lock = new ReentrantLock(true);
 
     /** Answers the first bytes and closes the connection. */
     private static final class LastWords implements Firmware {
@@ -36,11 +37,11 @@ class ClosingLineTest {
 
     @Test
     void whatIsStillUnderWayArrivesBeforeTheEnd() throws IOException, InterruptedException {
-        TcpPort port = TcpPort.open(0, Clients.ONE, new Wiring(new ReentrantLock(true), new LastWords(), faults));
+        TcpPort port = TcpPort.open(0, Clients.ONE, new Wiring(lock, new LastWords(), faults));
         TransitCheck quietness = new TransitCheck(Links::traffic, port::lines, Set.of(port.address()));
         Link link = Links.of("//" + port.address(), 0, 0);
         StringBuffer heard = new StringBuffer();
-        try (TestClock clock = new TestClock(port::step, quietness)) {
+        try (TestClock clock = new TestClock(nanos -> step(port, nanos), quietness)) {
             link.open(1000);
             Thread reader = new Thread(() -> heard.append(readAll(link)));
             reader.start();
@@ -54,6 +55,15 @@ class ClosingLineTest {
         } finally {
             link.close();
             port.close();
+        }
+    }
+
+    private void step(TcpPort port, long nanos) {
+        lock.lock();
+        try {
+            port.step(nanos);
+        } finally {
+            lock.unlock();
         }
     }
 
