@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
+import majic.bot.Settings;
 import majic.gui.MajicFrame;
 import majic.program.Program;
 import majic.program.UserFolder;
@@ -38,7 +39,7 @@ class ActBarWindowTest {
         SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
         try (Program program = new Program(new UserFolder(home), lab, false)) {
             MajicParser parser = new MajicParser(program.session(), true);
-            MajicFrame frame = PictureWindow.open(program, parser);
+            MajicFrame frame = PictureWindow.open(program, parser, Settings.inMemory());
             SwingUtilities.invokeAndWait(() -> frame.setSize(1280, 800));
             PictureWindow.add(program, parser, List.of("pioneer"));
             parser.parseText("1 act PioneerWander");

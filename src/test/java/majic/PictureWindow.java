@@ -14,6 +14,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
+import majic.bot.Settings;
 import majic.gui.MajicFrame;
 import majic.gui.WindowWait;
 import majic.gui.kit.ProgramServices;
@@ -35,14 +36,19 @@ final class PictureWindow {
     }
 
     static MajicFrame open(Program program, MajicParser parser) throws Exception {
+        return open(program, parser, program.settings());
+    }
+
+    /** Opens a window with settings of its own; those of the program may still be written when it has been closed. */
+    static MajicFrame open(Program program, MajicParser parser, Settings settings) throws Exception {
         MajicFrame[] frame = new MajicFrame[1];
         SwingUtilities.invokeAndWait(() -> {
-            MajicFrame.installLook(program.settings());
+            MajicFrame.installLook(settings);
             ProgramServices services = new ProgramServices(
                     () -> List.of(new SerialPortChoice("/dev/ttyUSB0", "USB serial port")),
                     () -> {},
                     program::quit,
-                    program.settings());
+                    settings);
             frame[0] = new MajicFrame(program.session(), parser, services);
             frame[0].setVisible(true);
         });
