@@ -115,15 +115,12 @@ class LiburbiInLabTest {
         CompletableFuture<MotionReport> walk = CompletableFuture.supplyAsync(() -> dog.move(2000));
         await(() -> walkedMm() > 50);
 
-        long before = System.nanoTime();
         dog.stop();
-        double tookMs = (System.nanoTime() - before) / 1e6;
 
         assertThatThrownBy(walk::get).isInstanceOf(ExecutionException.class).hasCauseInstanceOf(MotionStopped.class);
         lab.time().sleep(1);
         double stoppedMm = walkedMm();
         lab.time().sleep(1);
-        assertThat(tookMs).isLessThan(1500);
         assertThat(stoppedMm).isLessThan(1500);
         assertThat(walkedMm()).isEqualTo(stoppedMm);
     }

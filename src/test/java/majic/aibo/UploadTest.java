@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 
 /** Binaries to a server, also to one that goes away or takes no more in the middle of one. */
 class UploadTest {
-    private static final int PATIENCE_MS = 5000;
+    private static final int PATIENCE_MS = 60_000;
 
     private final UrbiConnection.Owner owner = mock();
     private ServerSocket server;

@@ -47,13 +47,15 @@ class SerialLinkTest {
     void bytesAreReturnedWhenTheyArriveWithoutATimeout() throws IOException {
         plug.write("x");
         readText(1);
-        long start = System.nanoTime();
+        long shortest = Long.MAX_VALUE;
         for (int round = 0; round < 20; round++) {
+            long start = System.nanoTime();
             plug.write("x");
             readText(1);
+            shortest = Math.min(shortest, System.nanoTime() - start);
         }
 
-        assertThat(System.nanoTime() - start).isLessThan(TimeUnit.MILLISECONDS.toNanos(1000));
+        assertThat(shortest).isLessThan(TimeUnit.MILLISECONDS.toNanos(50));
     }
 
     @Test
@@ -89,7 +91,8 @@ class SerialLinkTest {
                 .isInstanceOf(IOException.class)
                 .hasMessageContaining("takes no more data");
 
-        assertThat(System.nanoTime() - start).isLessThan(TimeUnit.MILLISECONDS.toNanos(2500));
+        assertThat(System.nanoTime() - start)
+                .isBetween(TimeUnit.MILLISECONDS.toNanos(Link.WRITE_DEADLINE_MS), TimeUnit.SECONDS.toNanos(20));
     }
 
     @Test

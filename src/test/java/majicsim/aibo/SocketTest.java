@@ -25,7 +25,7 @@ class SocketTest {
         Wiring wiring = new Wiring(lock, bench.dog(), new Faults(Noise.exact()));
         try (TcpPort port = TcpPort.open(0, Clients.MANY, wiring);
                 Socket socket = new Socket(InetAddress.getLoopbackAddress(), port.number())) {
-            socket.setSoTimeout(10_000);
+            socket.setSoTimeout(60_000);
             BufferedReader lines =
                     new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.ISO_8859_1));
             assertThat(lines.readLine()).matches("\\[\\d{8}:start] \\*\\*\\* \\*+");

@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 final class UrbiClient implements AutoCloseable {
     private static final Pattern MESSAGE = Pattern.compile("\\[(\\d{8,}):([A-Za-z0-9_.]*)] (.*)");
     private static final Pattern BINARY = Pattern.compile("BIN (\\d+).*");
-    private static final int TIME_OUT_MS = 20_000;
+    private static final int TIME_OUT_MS = 60_000;
 
     /** One message; a binary's bytes stand behind its header and a line feed. */
     record Message(String tag, String body) {}

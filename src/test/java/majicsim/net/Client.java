@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 
-/** A plain TCP client for tests; every read gives up after some seconds. */
+/** A plain TCP client for tests; every read gives up after a minute. */
 public final class Client implements AutoCloseable {
-    private static final int TIMEOUT_MS = 5000;
+    private static final int TIMEOUT_MS = 60_000;
 
     private final Socket socket;
 

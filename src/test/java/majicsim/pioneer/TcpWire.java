@@ -6,7 +6,7 @@ import java.net.Socket;
 
 /** A client over TCP. */
 final class TcpWire implements Wire {
-    private static final int TIMEOUT_MS = 5000;
+    private static final int TIMEOUT_MS = 60_000;
 
     private final Socket socket;
 
