@@ -7,10 +7,8 @@ import java.util.Map;
 import majic.bot.Pose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Tests that the arguments of the shipped behaviours change what the robots do. */
-@Timeout(120)
 @Tag("long")
 class ActArgumentsInLabTest {
     @Test

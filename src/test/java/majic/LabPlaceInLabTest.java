@@ -5,10 +5,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import majic.bot.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 
 /** Robots of the lab that are put down elsewhere by a line of MAJIC Script. */
-@Timeout(60)
 class LabPlaceInLabTest {
     @AutoClose
     private final LabRig rig = LabRig.exact().withAllRobots();

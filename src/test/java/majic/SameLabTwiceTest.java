@@ -5,12 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.Set;
 import majic.bot.Pose;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests that a stepped lab runs the same way however busy the computer is. */
-@Timeout(120)
 class SameLabTwiceTest {
     private static final int SECONDS = 60;
 

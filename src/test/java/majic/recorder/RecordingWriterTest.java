@@ -95,9 +95,7 @@ class RecordingWriterTest {
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         writer.begin(head(2), "2.000\tline\tnotice\tagain\n");
         writer.close();
-        assertThat(alarms.take())
-                .contains("nothing is recorded")
-                .contains("make room there");
+        assertThat(alarms.take()).contains("nothing is recorded").contains("make room there");
         assertThat(alarms).isEmpty();
     }
 }

@@ -15,13 +15,11 @@ import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the arguments of acts in a session: given in a line, checked when it is typed, used by the act, saved. */
-@Timeout(30)
 class ActArgumentsInSessionTest {
     private static final String STEPS = """
             import majic.act.Argument;

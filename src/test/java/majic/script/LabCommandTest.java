@@ -9,12 +9,10 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The commands for the simulated lab. */
-@Timeout(30)
 class LabCommandTest {
     @AutoClose
     private final ScriptFixture fixture = ScriptFixture.withTwo();

@@ -14,13 +14,11 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests that the fields of an act are its arguments, in its file and in the act that is made of it. */
-@Timeout(60)
 class ActArgumentsTest {
     private static final String SOURCE = """
             import majic.act.Argument;
