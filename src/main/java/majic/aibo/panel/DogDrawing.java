@@ -53,7 +53,11 @@ final class DogDrawing extends JPanel {
             Sensor.CHARGE,
             Sensor.POSTURE));
 
-    private static final List<String> EARS = List.of("earL", "earR");
+    private static final List<String> FACE_LEDS =
+            LedNames.all().stream().filter(FaceDrawing::isOnlyThere).toList();
+    private static final List<String> OTHER_LEDS_AND_EARS = Stream.concat(
+                    LedNames.all().stream().filter(led -> !FaceDrawing.isOnlyThere(led)), Stream.of("earL", "earR"))
+            .toList();
 
     /** A change that is too small to be seen: degrees, tenths of an LED, mm of a distance. */
     private static final double UNSEEN = 0.3;
@@ -77,7 +81,7 @@ final class DogDrawing extends JPanel {
     void refresh() {
         boolean all = figure.change(figure());
         boolean above = beams.change(beams());
-        boolean faceOnly = faceLeds.change(leds(true));
+        boolean faceOnly = faceLeds.change(leds(FACE_LEDS));
         if (all) {
             repaint();
             return;
@@ -95,7 +99,7 @@ final class DogDrawing extends JPanel {
         DoubleStream whole = DoubleStream.of(isEnabled() ? 1 : 0, new Skeleton(dog.senses()).pitchDeg());
         DoubleStream senses = FIGURE.stream()
                 .mapToDouble(sensor -> dog.senses().number(sensor).orElse(Double.NaN));
-        return DoubleStream.concat(whole, DoubleStream.concat(senses, leds(false)));
+        return DoubleStream.concat(whole, DoubleStream.concat(senses, leds(OTHER_LEDS_AND_EARS)));
     }
 
     /** Returns what the view from above has in addition to the figure. */
@@ -104,11 +108,9 @@ final class DogDrawing extends JPanel {
                 .mapToDouble(mm -> mm.orElse(Double.NaN));
     }
 
-    /** Returns the LEDs that only the face has, or the others and the ears, in tenths. */
-    private DoubleStream leds(boolean ofFace) {
-        return Stream.concat(LedNames.all().stream(), EARS.stream())
-                .filter(led -> FaceDrawing.isOnlyThere(led) == ofFace)
-                .mapToDouble(led -> 10 * dog.leds().amount(led).orElse(Double.NaN));
+    /** Returns the amounts of some LEDs, in tenths. */
+    private DoubleStream leds(List<String> names) {
+        return names.stream().mapToDouble(led -> 10 * dog.leds().amount(led).orElse(Double.NaN));
     }
 
     /** What was painted last, with which the present is compared, so that small changes add up until they are seen. */
