@@ -60,7 +60,7 @@ class ExamplesTest {
     /** They race to obstacles, which takes less time than half a metre. */
     @Test
     void threeUnlikeRobotsRace() throws Exception {
-        place("aibo", 3300, 1000);
+        place("aibo", 3450, 1000);
         place("pioneer", 3200, 0);
         place("hemisson", 3850, -1000);
         assertThat(run("MajicRace", address("aibo"), address("pioneer"), address("hemisson")))

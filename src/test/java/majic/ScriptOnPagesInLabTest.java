@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import majic.bot.Pose;
 import majic.script.MajicParser;
 import majic.script.ScriptRunner;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,6 +17,9 @@ import org.junit.jupiter.params.provider.MethodSource;
  * them. On the page of a robot, number 1 is this robot; on all others 1 is the Aibo, 2 the Pioneer and 3 the Hemisson.
  */
 class ScriptOnPagesInLabTest {
+    /** Where a loop that walks to an obstacle ends soon. */
+    private static final Pose NEAR_A_WALL = new Pose(2600, 1900, 0);
+
     private static final Pattern ROBOT_PAGE = Pattern.compile("robots/(aibo|pioneer|hemisson)");
 
     /** A line of an act, or one that names a file; {@link ActsPageTest} runs those of its page. */
@@ -68,6 +72,7 @@ class ScriptOnPagesInLabTest {
             rig.add(robot.group(1));
             return rig;
         }
+        ActLabs.place(rig, "aibo", NEAR_A_WALL);
         return rig.withAllRobots();
     }
 }
