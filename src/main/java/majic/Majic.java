@@ -6,6 +6,7 @@ import majic.cli.ClassDataCommand;
 import majic.cli.InheritedOptions;
 import majic.cli.LabCommand;
 import majic.cli.MajicCommand;
+import majic.cli.PackageCommand;
 import majic.cli.RunCommand;
 import majic.program.Failures;
 import majic.program.LogFile;
@@ -49,6 +50,7 @@ public final class Majic {
                         .addSubcommand(new LabCommand())
                         .addSubcommand(new RunCommand(folder))
                         .addSubcommand(new ActCommand())
+                        .addSubcommand(new PackageCommand())
                         .addSubcommand(new ClassDataCommand()))
                 .setExecutionExceptionHandler((problem, command, parsed) -> Failures.explain(command, problem))
                 .setParameterExceptionHandler((problem, parsed) -> Failures.usage(problem))

@@ -91,16 +91,11 @@ class LinesOnPagesTest {
     void everyCallOfMajicIsCorrect(Page.Code code) {
         for (String line : code.lines()) {
             Matcher call = CALL.matcher(line);
-            if (call.find() && !isOfTheLauncher(call.group("words"))) {
+            if (call.find()) {
                 String[] words = words(call.group("words"));
                 assertThatCode(() -> commandLine().parseArgs(words)).as(line).doesNotThrowAnyException();
             }
         }
-    }
-
-    /** {@code ./majic package} runs without MAJIC itself. */
-    private static boolean isOfTheLauncher(@Nullable String words) {
-        return words != null && words.strip().equals("package");
     }
 
     /** A file of an act has the source of the same name. */

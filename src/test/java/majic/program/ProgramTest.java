@@ -97,6 +97,7 @@ class ProgramTest {
                 "--console --exact, the options of the simulated lab need --lab",
                 "--console --lab --seed many, 'many' is not a whole number",
                 "--console --lab --speed fast, 'fast' is not a number",
+                "package, package needs MAJIC's sources",
                 "--add sim:aibo lab, lab runs the simulators alone",
                 "lab --add sim:aibo, Unknown options: '--add'"
             })
