@@ -49,6 +49,9 @@ import org.jspecify.annotations.Nullable;
  * its head sweeps from side to side: the infra-red beams are much narrower than the dog.
  */
 public final class MajicAibo extends BotDriver {
+    /** Longer than any sensor is polled for, as far as the dog keeps up, s. */
+    private static final double FIRST_READINGS_S = 1;
+
     private static final double TICK_S = 0.1;
 
     private final Supplier<UrbiTransport> transports;
@@ -125,6 +128,8 @@ public final class MajicAibo extends BotDriver {
         }
         parameters.describe(opening.connections().sensors().version());
         every("aibo tick", TICK_S, this::tick);
+        long openedNanos = time().nanos();
+        new RobotWait(time(), changes()).awaitConnecting(() -> state().atNanos() > openedNanos, FIRST_READINGS_S);
     }
 
     @Override
