@@ -11,6 +11,7 @@ import majic.bot.BotType;
 import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
+import majic.bot.MotionFailed;
 import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Unit;
@@ -19,18 +20,22 @@ import majic.driver.BotDriver;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
 import majic.driver.Motion;
+import majic.driver.RobotWait;
 import majic.link.Link;
 import majic.link.Links;
 
 /**
  * A robot behind a network link: a cart that takes lines such as {@code drive 100 0} (mm/s and deg/s) and reports its
- * position in lines such as {@code at 250 0 0} (mm, mm and degrees).
+ * position ten times a second in lines such as {@code at 250 0 0} (mm, mm and degrees).
  */
 public final class Cart extends BotDriver {
     private static final int CONNECT_TIMEOUT_MS = 3000;
+    private static final double FIRST_REPORT_S = 3;
+    private static final double SILENCE_S = 1;
 
     private final String address;
     private volatile Link link;
+    private volatile boolean reporting;
     private volatile Pose pose = Pose.START;
 
     /** Registers the robot type with MAJIC. */
@@ -89,14 +94,31 @@ public final class Cart extends BotDriver {
     protected void open() {
         Link opening = newLink();
         link = opening;
+        reporting = false;
         try {
             opening.open(CONNECT_TIMEOUT_MS);
         } catch (IOException e) {
             throw ConnectFailed.of(e);
         }
         new LinkReader<>(opening, "the cart closed it", new Reports(opening)).start("cart reader");
-        // A cart reports where it is when it moves; its position counts from where it was connected.
-        publish(new BotState(pose, 0, 0, false, time().nanos()));
+        awaitFirstReport(opening);
+        every("cart silence", SILENCE_S / 4, this::checkSilence);
+    }
+
+    private void awaitFirstReport(Link opening) {
+        if (!new RobotWait(time(), changes()).awaitConnecting(() -> reporting, FIRST_REPORT_S)) {
+            opening.close();
+            throw new ConnectFailed(
+                    ConnectFailed.Reason.NO_ANSWER, "there is no report within " + FIRST_REPORT_S + " s");
+        }
+    }
+
+    /** A link may stay open without a robot at its other end. */
+    private void checkSilence() {
+        if (isConnected() && time().secondsSince(state().atNanos()) > SILENCE_S) {
+            lost(new LinkLost("no report for 1 s"));
+            link.close();
+        }
     }
 
     @Override
@@ -107,16 +129,27 @@ public final class Cart extends BotDriver {
     @Override
     protected Value moveBy(double mm, Motion motion) {
         Pose start = pose;
+        if (!motion.pause(0)) {
+            return Value.of(0, Unit.MM);
+        }
         motion.send(() -> driveAt(Math.signum(mm) * cruiseMmPerSec(), 0));
-        motion.await(() -> pose.distanceMm(start) >= Math.abs(mm), 2 * Math.abs(mm) / cruiseMmPerSec() + 1);
+        double longest = 2 * Math.abs(mm) / cruiseMmPerSec() + 1;
+        boolean there = motion.await(() -> pose.distanceMm(start) >= Math.abs(mm), longest);
         motion.send(this::halt);
-        return Value.of(Math.signum(mm) * pose.distanceMm(start), Unit.MM);
+        double gone = Math.signum(mm) * pose.distanceMm(start);
+        if (!there && !motion.guardReached()) {
+            throw new MotionFailed("stalled after " + Math.round(gone) + " mm");
+        }
+        return Value.of(gone, Unit.MM);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
         double degPerSec = Math.signum(degrees) * cruiseTurnDegPerSec();
         double seconds = Math.abs(degrees) / cruiseTurnDegPerSec();
+        if (!motion.pause(0)) {
+            return Value.about(0, Unit.DEG);
+        }
         motion.send(() -> driveAt(0, degPerSec));
         motion.pause(seconds);
         motion.send(this::halt);
@@ -126,7 +159,8 @@ public final class Cart extends BotDriver {
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
         write(String.format(Locale.ROOT, "drive %.0f %.0f\n", mmPerSec, degPerSec));
-        publish(new BotState(pose, mmPerSec, degPerSec, mmPerSec != 0 || degPerSec != 0, time().nanos()));
+        boolean moving = mmPerSec != 0 || degPerSec != 0;
+        publish(new BotState(pose, mmPerSec, degPerSec, moving, state().atNanos()));
     }
 
     @Override
@@ -168,6 +202,7 @@ public final class Cart extends BotDriver {
         public void received(String message) {
             String[] words = message.split(" ");
             pose = new Pose(Double.parseDouble(words[1]), Double.parseDouble(words[2]), Double.parseDouble(words[3]));
+            reporting = true;
             BotState before = state();
             publish(new BotState(
                     pose, before.speedMmPerSec(), before.turnRateDegPerSec(), before.moving(), time().nanos()));

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Set;
 import java.util.concurrent.locks.ReentrantLock;
+import majic.drivertest.TestClock;
 import majic.link.Link;
 import majic.link.Links;
 import majic.simulation.TransitCheck;

@@ -4,10 +4,8 @@ import java.io.IOException;
 import java.util.concurrent.CountDownLatch;
 import majic.aibo.MajicAibo;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
 import majic.bot.BotListener;
 import majic.bot.BotState;
-import majic.bot.BotType;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
@@ -62,18 +60,12 @@ final class EndedProgram {
         }
     }
 
-    private static MajicBot create(String address) throws ReflectiveOperationException {
+    private static MajicBot create(String address) {
         return switch (address.substring(0, address.indexOf(':'))) {
             case "pioneer" -> new MajicPioneer(address);
             case "aibo" -> new MajicAibo(address);
             case "hemisson" -> new MajicHemisson(address);
-            default -> cart(address);
+            default -> new MuteCart(BotAddress.parse(address).rest());
         };
-    }
-
-    /** The cart of the examples, which are in no package and cannot be imported. */
-    private static MajicBot cart(String address) throws ReflectiveOperationException {
-        BotType type = (BotType) Class.forName("Cart$Type").getConstructor().newInstance();
-        return type.create(BotAddress.parse(address), BotEnvironment.plain());
     }
 }

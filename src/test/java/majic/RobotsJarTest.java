@@ -77,6 +77,21 @@ class RobotsJarTest {
     }
 
     @Test
+    void thePageOnPluginsNamesTheVersionsThatAreBuilt() throws IOException {
+        String pom = Files.readString(Path.of("pom.xml"));
+        assertThat(Files.readString(Path.of("docs/plugins.md")))
+                .containsSubsequence(
+                        "<version>" + property(pom, "version"),
+                        "<classifier>driver-tests</classifier>",
+                        "<version>" + property(pom, "junit.version"));
+    }
+
+    /** Returns the text of the first element of a name. */
+    private static String property(String pom, String name) {
+        return pom.replaceFirst("(?s).*?<" + name + ">(.*?)<.*", "$1");
+    }
+
+    @Test
     void noClassInItNeedsAClassThatIsNot() {
         List<JavaClass> classes =
                 new ClassFileImporter().importPath(jar).stream().toList();
@@ -90,6 +105,23 @@ class RobotsJarTest {
                         && !OPTIONAL.matcher(name).matches())
                 .collect(Collectors.toCollection(TreeSet::new));
         assertThat(names).hasSizeGreaterThan(400);
+        assertThat(missing).isEmpty();
+    }
+
+    @Test
+    void theDriverTestKitNeedsOnlyThisJarAndJUnit() {
+        Set<String> names = new ClassFileImporter()
+                .importPath(jar).stream().map(JavaClass::getName).collect(Collectors.toSet());
+        Set<String> missing = new ClassFileImporter()
+                .importPath(CLASSES.resolveSibling("test-classes").resolve("majic/drivertest")).stream()
+                        .flatMap(type -> type.getDirectDependenciesFromSelf().stream())
+                        .map(type ->
+                                type.getTargetClass().getBaseComponentType().getName())
+                        .filter(name -> name.contains(".") && !names.contains(name))
+                        .filter(name -> !name.startsWith("majic.drivertest.")
+                                && !name.startsWith("org.junit.jupiter.")
+                                && !LIBRARY.matcher(name).matches())
+                        .collect(Collectors.toCollection(TreeSet::new));
         assertThat(missing).isEmpty();
     }
 

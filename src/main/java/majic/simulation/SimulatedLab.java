@@ -14,6 +14,8 @@ import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.Pose;
 import majic.lab.LabAccess;
+import majic.lab.LabClock;
+import majic.lab.Pacing;
 import majic.link.Links;
 import majic.time.TimeSource;
 import majicsim.Lab;

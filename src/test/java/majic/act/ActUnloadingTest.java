@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.lang.ref.WeakReference;
 import java.nio.file.Path;
-import majic.TestClock;
 import majic.act.file.ActFile;
 import majic.bot.BotEnvironment;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.Settings;
+import majic.drivertest.TestClock;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

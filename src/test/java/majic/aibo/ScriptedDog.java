@@ -10,10 +10,11 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.Loopback;
-import majic.TestClock;
+import majic.PeerClock;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
 import majic.driver.RobotWait;
+import majic.drivertest.TestClock;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import majicsim.net.LineCount;
@@ -97,7 +98,7 @@ public final class ScriptedDog implements AutoCloseable {
     }
 
     private ScriptedDog(boolean stepped) {
-        clock = stepped ? TestClock.between("127.0.0.1:" + server.getLocalPort(), this::counts) : null;
+        clock = stepped ? PeerClock.between("127.0.0.1:" + server.getLocalPort(), this::counts) : null;
         time = clock == null ? TimeSource.system() : clock.time();
         news = time.signal();
         errands = new ScriptedErrands(time);

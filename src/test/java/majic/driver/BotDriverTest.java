@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.concurrent.atomic.AtomicReference;
-import majic.TestClock;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.FakeBot;
@@ -19,6 +18,7 @@ import majic.bot.Permit;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.drivertest.TestClock;
 import majic.time.Signal;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;

@@ -8,12 +8,12 @@ import static org.mockito.Mockito.verify;
 import static org.mockito.Mockito.when;
 
 import java.util.List;
-import majic.TestClock;
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
+import majic.drivertest.TestClock;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 

@@ -1,7 +1,7 @@
 package majic.driver;
 
-import majic.TestClock;
 import majic.bot.FakeBot;
+import majic.drivertest.TestClock;
 
 /** A connected {@link FakeBot} on its own stepped clock, for one test. */
 final class SteppedBot implements AutoCloseable {

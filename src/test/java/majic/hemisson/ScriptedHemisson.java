@@ -15,10 +15,11 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Function;
 import majic.Loopback;
-import majic.TestClock;
+import majic.PeerClock;
 import majic.bot.Agenda;
 import majic.bot.BotEnvironment;
 import majic.bot.Settings;
+import majic.drivertest.TestClock;
 import majic.time.TimeSource;
 import majicsim.net.LineCount;
 import org.jspecify.annotations.Nullable;
@@ -55,7 +56,7 @@ final class ScriptedHemisson implements AutoCloseable {
     }
 
     private ScriptedHemisson(boolean stepped) {
-        clock = stepped ? TestClock.between("127.0.0.1:" + server.getLocalPort(), this::lines) : null;
+        clock = stepped ? PeerClock.between("127.0.0.1:" + server.getLocalPort(), this::lines) : null;
         time = clock == null ? TimeSource.system() : clock.time();
         agenda = new Agenda(time);
         answers.put('B', command -> "b,HemiOS_v_1.50");

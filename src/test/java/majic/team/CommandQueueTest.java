@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
-import majic.TestClock;
 import majic.bot.FakeBot;
 import majic.bot.MotionStopped;
 import majic.bot.Permit;
 import majic.bot.PermittedControl;
+import majic.drivertest.TestClock;
 import org.junit.jupiter.api.Test;
 
 /** The queue of one source of commands. */

@@ -9,8 +9,8 @@ import static org.mockito.Mockito.verify;
 
 import java.util.List;
 import java.util.OptionalInt;
-import majic.TestClock;
 import majic.bot.FakeBot;
+import majic.drivertest.TestClock;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -3,8 +3,8 @@ package majic.aibo.urbi;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import majic.TestClock;
 import majic.driver.RobotWait;
+import majic.drivertest.TestClock;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 

@@ -3,10 +3,10 @@ package majic.aibo.urbi;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
-import majic.TestClock;
 import majic.aibo.AiboType;
 import majic.aibo.ScriptedDog;
 import majic.driver.RobotWait;
+import majic.drivertest.TestClock;
 import majic.link.Links;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;

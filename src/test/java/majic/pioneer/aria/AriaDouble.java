@@ -14,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
-import majic.TestClock;
+import majic.drivertest.TestClock;
 import majic.pioneer.session.RampModel;
 import org.jspecify.annotations.Nullable;
 import org.mockito.invocation.InvocationOnMock;

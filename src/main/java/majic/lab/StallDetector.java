@@ -1,4 +1,4 @@
-package majic.simulation;
+package majic.lab;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;

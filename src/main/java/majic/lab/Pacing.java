@@ -1,4 +1,4 @@
-package majic.simulation;
+package majic.lab;
 
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;

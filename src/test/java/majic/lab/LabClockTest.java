@@ -1,4 +1,4 @@
-package majic.simulation;
+package majic.lab;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,4 +1,4 @@
-package majic.simulation;
+package majic.lab;
 
 /** Holds the state of one member of a {@link LabClock}, and since when it has it. Guarded by the clock's lock. */
 final class ClockMember {

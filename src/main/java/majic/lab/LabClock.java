@@ -1,4 +1,4 @@
-package majic.simulation;
+package majic.lab;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -68,6 +68,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         this.pacing = pacing;
     }
 
+    /** Starts to advance, on a daemon thread of its own. */
     public void start() {
         Thread stepper = new Thread(this::run, "lab clock");
         stepper.setDaemon(true);

@@ -1,0 +1,96 @@
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import majic.bot.BotEnvironment;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.bot.Settings;
+import majic.drivertest.ScriptedPeer;
+import majic.drivertest.TestClock;
+import majic.drivertest.TestedRobot;
+
+/** Plays a cart for the tests of its driver: drives as commanded and reports its position ten times a second. */
+final class CartPeer implements TestedRobot, ScriptedPeer.Robot {
+    private static final int REPORT_MS = 100;
+
+    private final ScriptedPeer peer = new ScriptedPeer(this);
+    private final MajicBot bot = new Cart.Type()
+            .create("//" + peer.address(), new BotEnvironment(peer.clock().time(), Settings.inMemory()));
+    private final StringBuilder input = new StringBuilder();
+    private volatile Pose pose = Pose.START;
+    private volatile boolean silent;
+    private volatile boolean blocked;
+    private double mmPerSec;
+    private double degPerSec;
+
+    /** Sends no more reports, though the connection stays open. */
+    void fallSilent() {
+        silent = true;
+    }
+
+    /** Stands before an obstacle from now on: its wheels do not turn. */
+    void block() {
+        blocked = true;
+    }
+
+    TestClock clock() {
+        return peer.clock();
+    }
+
+    @Override
+    public void received(ScriptedPeer client, byte[] bytes) {
+        input.append(new String(bytes, StandardCharsets.US_ASCII));
+        for (int end = input.indexOf("\n"); end >= 0; end = input.indexOf("\n")) {
+            obey(input.substring(0, end).split(" "));
+            input.delete(0, end + 1);
+        }
+    }
+
+    private void obey(String... words) {
+        mmPerSec = Double.parseDouble(words[1]);
+        degPerSec = Double.parseDouble(words[2]);
+    }
+
+    @Override
+    public void step(ScriptedPeer client) {
+        if (!blocked) {
+            pose = pose.after(mmPerSec / 1000, degPerSec / 1000);
+        }
+        if (!silent && client.millis() % REPORT_MS == 0) {
+            client.send(report().getBytes(StandardCharsets.US_ASCII));
+        }
+    }
+
+    private String report() {
+        return String.format(Locale.ROOT, "at %.0f %.0f %.1f\n", pose.xMm(), pose.yMm(), pose.headingDeg());
+    }
+
+    /** A cart stops when its connection ends, and forgets what has arrived of a line. */
+    @Override
+    public void left(boolean reset) {
+        mmPerSec = 0;
+        degPerSec = 0;
+        input.setLength(0);
+    }
+
+    @Override
+    public MajicBot bot() {
+        return bot;
+    }
+
+    @Override
+    public Pose truePose() {
+        return pose;
+    }
+
+    @Override
+    public void cut() {
+        peer.hangUp();
+        left(false);
+    }
+
+    @Override
+    public void close() {
+        bot.close();
+        peer.close();
+    }
+}

@@ -1,0 +1,40 @@
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import majic.bot.MajicBot;
+import majic.bot.MotionFailed;
+import majic.drivertest.DriverConformance;
+import majic.drivertest.TestedRobot;
+import org.junit.jupiter.api.Test;
+
+/** Tests the driver of the cart: what every driver has to do, and what is particular to a cart. */
+class CartTest extends DriverConformance {
+    private CartPeer cart;
+
+    @Override
+    protected TestedRobot newRobot() {
+        cart = new CartPeer();
+        return cart;
+    }
+
+    @Test
+    void aCartThatSendsNoReportsCountsAsLost() {
+        cart.bot().connect();
+
+        cart.fallSilent();
+
+        cart.clock().until(() -> cart.bot().connection() == MajicBot.Connection.LOST);
+        assertEquals("no report for 1 s", cart.bot().lostReason().orElseThrow());
+    }
+
+    @Test
+    void aBlockedCartFailsItsMoveWithTheDistanceCovered() {
+        cart.bot().connect();
+        cart.block();
+
+        MotionFailed stalled = assertThrows(MotionFailed.class, () -> cart.bot().move(300));
+
+        assertTrue(stalled.getMessage().contains("stalled after 0 mm"), stalled.getMessage());
+    }
+}

@@ -1,0 +1,19 @@
+package majic.hemisson;
+
+import java.util.List;
+import majic.LabRobot;
+import majic.drivertest.DriverConformance;
+import majic.drivertest.TestedRobot;
+
+/** Tests the driver with the simulated robot as every driver is tested. */
+class HemissonConformanceTest extends DriverConformance {
+    @Override
+    protected TestedRobot newRobot() {
+        return new LabRobot("hemisson");
+    }
+
+    @Override
+    protected List<String> sensors() {
+        return List.of("distanceFront");
+    }
+}

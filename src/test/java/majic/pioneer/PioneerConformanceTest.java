@@ -1,0 +1,24 @@
+package majic.pioneer;
+
+import java.util.List;
+import majic.LabRobot;
+import majic.drivertest.DriverConformance;
+import majic.drivertest.TestedRobot;
+
+/** Tests the driver with the simulated robot as every driver is tested. */
+class PioneerConformanceTest extends DriverConformance {
+    @Override
+    protected TestedRobot newRobot() {
+        return new LabRobot("pioneer");
+    }
+
+    @Override
+    protected List<String> sensors() {
+        return List.of("distanceFront");
+    }
+
+    @Override
+    protected double brakingMm() {
+        return 150;
+    }
+}
