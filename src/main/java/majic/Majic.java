@@ -6,6 +6,7 @@ import majic.cli.ClassDataCommand;
 import majic.cli.InheritedOptions;
 import majic.cli.LabCommand;
 import majic.cli.MajicCommand;
+import majic.cli.NewCommand;
 import majic.cli.PackageCommand;
 import majic.cli.RunCommand;
 import majic.program.Failures;
@@ -50,6 +51,7 @@ public final class Majic {
                         .addSubcommand(new LabCommand())
                         .addSubcommand(new RunCommand(folder))
                         .addSubcommand(new ActCommand())
+                        .addSubcommand(new NewCommand())
                         .addSubcommand(new PackageCommand())
                         .addSubcommand(new ClassDataCommand()))
                 .setExecutionExceptionHandler((problem, command, parsed) -> Failures.explain(command, problem))
