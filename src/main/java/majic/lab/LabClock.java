@@ -26,7 +26,8 @@ import org.jspecify.annotations.Nullable;
  * <p>Threads made by {@link #thread} and those that {@link #join} are members: a stepped clock does not advance while
  * one of them runs, and advances when all of them wait at a {@link Signal}. Members that have been raised, or whose time
  * has come, wake one after another, each when no other runs and no byte is in transit. So a run does not depend on which
- * thread the computer happens to run first.
+ * thread the computer happens to run first. If a member runs on for 250 ms of real time, because it computes or waits in
+ * another way, the others wake beside it.
  *
  * <p>A clock ends when a step of its lab throws, and a stepped one also when it has not advanced for 10 s of real time
  * although a thread waits for a later time and no member has used the processor. Every wait then throws a
@@ -256,7 +257,9 @@ public final class LabClock implements TimeSource, AutoCloseable {
         lock.lockInterruptibly();
         try {
             while (pacing.awaitsMembers() && (running > 0 || nextDeadline() == NEVER) && !closed && ended == null) {
-                membersWait.await(LOOK_NANOS, TimeUnit.NANOSECONDS);
+                if (!membersWait.await(LOOK_NANOS, TimeUnit.NANOSECONDS)) {
+                    wakeAllDue();
+                }
                 endIfStuck();
             }
             return awakenings;
@@ -315,7 +318,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         }
     }
 
-    /** Wakes a member of a stepped clock as soon as no other member runs; wakes any other thread at once. */
+    /** Lets a member of a stepped clock wake when its turn comes; wakes any other thread at once. */
     private void wakeInTurn(Waiter waiter) {
         if (waiter.member == null || over || !pacing.awaitsMembers()) {
             wake(waiter);

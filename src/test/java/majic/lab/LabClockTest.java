@@ -160,6 +160,25 @@ class LabClockTest {
     }
 
     @Test
+    void aRaisedMemberWakesEvenIfAnotherOneNeverWaits() {
+        AtomicBoolean ready = new AtomicBoolean();
+        AtomicBoolean woken = new AtomicBoolean();
+        Signal signal = clock.signal();
+        clock.thread("waiter", () -> {
+                    await(signal, ready);
+                    woken.set(true);
+                })
+                .start();
+        ready.set(true);
+        signal.raise();
+        while (!woken.get()) {
+            Thread.onSpinWait();
+        }
+
+        assertThat(clock.nanos()).isZero();
+    }
+
+    @Test
     void aThreadThatCannotStartHoldsNothingUp() throws InterruptedException {
         clock.thread("never started", () -> {});
         Thread started = clock.thread("started once", () -> {});
