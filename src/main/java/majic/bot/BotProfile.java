@@ -10,7 +10,7 @@ package majic.bot;
  * @param slowestTurnDegPerSec the least that {@code cruiseTurn} may be set to
  * @param cruiseMmPerSec how fast {@code move} goes unless set otherwise: a conservative value
  * @param cruiseTurnDegPerSec how fast {@code turn} goes unless set otherwise
- * @param nearMm what counts as close for it
+ * @param nearMm the distance below which something counts as near
  * @param estimates whether its pose is only dead reckoning from the commands sent, because it has no odometry
  */
 public record BotProfile(
@@ -33,7 +33,7 @@ public record BotProfile(
      * @param turn the rates it can turn at, deg/s
      * @param cruiseMmPerSec how fast {@code move} goes unless set otherwise
      * @param cruiseTurnDegPerSec how fast {@code turn} goes unless set otherwise
-     * @param nearMm what counts as close for it
+     * @param nearMm the distance below which something counts as near
      * @param estimates whether its pose is only dead reckoning
      */
     public BotProfile(

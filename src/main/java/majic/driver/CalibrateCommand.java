@@ -69,7 +69,7 @@ public final class CalibrateCommand {
      * @return a command that moves the robot
      */
     public static DriverCommand of(CalibratedRobot robot) {
-        Parameter measured = Parameter.text("measured", "what the ruler says");
+        Parameter measured = Parameter.text("measured", "the measured distance or angle");
         Parameter direction =
                 Parameter.choice("direction", robot.directions(), "which way").with(measured);
         return new DriverCommand(
@@ -77,7 +77,7 @@ public final class CalibrateCommand {
                 List.of(direction),
                 true,
                 String.join(", ", robot.directions())
-                        + ": moves and says what to measure; then the same with what you measured behind it",
+                        + ": moves and shows what to measure; then repeat it with the measured value",
                 new CalibrateCommand(robot)::run);
     }
 

@@ -90,7 +90,7 @@ final class MotionLimits {
                         () -> Value.of(maxMoveMm, Unit.MM))
                 .writes(values -> maxMoveMm = values.get(0).number());
         table.add(
-                        Parameter.number("near", Unit.MM, "what counts as close for this robot")
+                        Parameter.number("near", Unit.MM, "the distance below which something counts as near")
                                 .within(0, 10_000),
                         () -> Value.of(nearMm(), Unit.MM))
                 .writes(values -> nearSet = values.get(0).number());

@@ -48,7 +48,7 @@ final class SharedParameters {
         table.add(
                 Parameter.number("body", Unit.MM, "radius of a circle it fits in"),
                 () -> Value.of(bot.profile().bodyMm(), Unit.MM));
-        table.add(Parameter.number("age", Unit.MS, "time since its last word"), () -> age(bot));
+        table.add(Parameter.number("age", Unit.MS, "time since its last report"), () -> age(bot));
     }
 
     private static void describePlace(ParameterTable table, Source bot) {
@@ -59,15 +59,13 @@ final class SharedParameters {
                 Parameter.number("y", Unit.MM, "how far to the left of where it was added"),
                 () -> place(bot, bot.state().pose().yMm(), Unit.MM));
         table.add(
-                Parameter.number("heading", Unit.DEG, "where it looks, left positive"),
+                Parameter.number("heading", Unit.DEG, "the direction it faces, left positive"),
                 () -> place(bot, bot.state().pose().headingDeg(), Unit.DEG));
     }
 
     private static void describePose(ParameterTable table, Source bot, Consumer<Pose> place) {
         Parameter pose = Parameter.list(
-                        "pose",
-                        Unit.MM,
-                        "x, y and heading; set it to say where it is; what set leaves out stays as it is")
+                        "pose", Unit.MM, "x, y and heading; set corrects them; what set leaves out stays as it is")
                 .within(-FARTHEST_MM, FARTHEST_MM)
                 .with(Parameter.number("y", Unit.MM, "to the left").within(-FARTHEST_MM, FARTHEST_MM))
                 .with(Parameter.number("heading", Unit.DEG, "left positive").within(-360, 360));
@@ -93,6 +91,6 @@ final class SharedParameters {
 
     private static Value age(Source bot) {
         long at = bot.state().atNanos();
-        return at == 0 ? Value.unknown("no word yet") : Value.of((bot.time().nanos() - at) / 1_000_000, Unit.MS);
+        return at == 0 ? Value.unknown("no report yet") : Value.of((bot.time().nanos() - at) / 1_000_000, Unit.MS);
     }
 }

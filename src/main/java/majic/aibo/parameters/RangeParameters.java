@@ -24,7 +24,7 @@ final class RangeParameters implements ParameterTheme<UrbiVersion> {
     @Override
     public void describe(ParameterTable table, UrbiVersion version) {
         table.add(
-                Parameter.number("distanceFront", Unit.MM, "the nearest thing in its way ahead, from the hull"),
+                Parameter.number("distanceFront", Unit.MM, "from the hull to the nearest thing in its way ahead"),
                 this::front);
         beam(table, "distanceNear", Sensor.NEAR, "the near sensor in the head, 57 to 500 mm");
         beam(table, "distance", Sensor.FAR, "the far sensor in the head, 200 to 1500 mm");

@@ -35,7 +35,7 @@ public final class RawCommand {
                         "urbi",
                         List.of(Parameter.text("text", "as the dog's manual has it")),
                         true,
-                        "passes a command to the dog as it is and tells what it answers within 30 s",
+                        "sends a command to the dog unchanged and shows what it answers within 30 s",
                         (arguments, motion) ->
                                 run(RawText.checked(arguments.get(0).toString()), motion))
                 .asRaw();

@@ -49,8 +49,8 @@ final class SensorValueParameters implements ParameterTheme<UrbiVersion> {
         table.add(
                 Parameter.yesNo("ball", "whether the camera sees the pink ball"),
                 access.asked("ball.visible", amount -> Value.yesNo(amount > 0)));
-        asked(table, "ballX", "ball.x", "where it is in the picture, -0.5 to 0.5");
-        asked(table, "ballY", "ball.y", "where it is in the picture, -0.5 to 0.5");
+        asked(table, "ballX", "ball.x", "its horizontal place in the picture, -0.5 to 0.5");
+        asked(table, "ballY", "ball.y", "its vertical place in the picture, -0.5 to 0.5");
         asked(table, "ballRatio", "ball.ratio", "how much of the picture it fills");
     }
 

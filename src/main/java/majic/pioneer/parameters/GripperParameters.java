@@ -31,10 +31,10 @@ final class GripperParameters implements ParameterTheme<Equipment> {
             return;
         }
         table.add(
-                Parameter.choice("gripper", List.of("open", "closed", "moving", "between"), "how its paddles stand"),
+                Parameter.choice("gripper", List.of("open", "closed", "moving", "between"), "position of its paddles"),
                 access.state(state -> words(state.gripper(), GripperParameters::paddles)));
         table.add(
-                Parameter.choice("lift", List.of("up", "down", "moving", "between"), "how the gripper's lift stands"),
+                Parameter.choice("lift", List.of("up", "down", "moving", "between"), "position of the gripper's lift"),
                 access.state(state -> words(state.gripper(), GripperParameters::lift)));
         table.add(
                         Parameter.number("graspTime", Unit.MS, "how long the paddles press on after they touch")

@@ -21,18 +21,13 @@ final class IdentityParameters implements ParameterTheme<Equipment> {
 
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
-        table.add(Parameter.text("model", "how it calls its make"), identity(PioneerIdentity::subclass));
-        table.add(Parameter.text("robotName", "the name its owner gave it"), identity(PioneerIdentity::name));
+        table.add(Parameter.text("model", "the model as it reports it"), identity(PioneerIdentity::subclass));
+        table.add(Parameter.text("robotName", "the name that is stored in it"), identity(PioneerIdentity::name));
         text(table, "serialNumber", ConfigField.SERNUM, "of the controller");
-        text(table, "firmware", ConfigField.FIRMWARE, "version of the robot's own program");
-        text(table, "bootLoader", ConfigField.BOOTLOADER, "version of what starts it");
+        text(table, "firmware", ConfigField.FIRMWARE, "version of the controller's program");
+        text(table, "bootLoader", ConfigField.BOOTLOADER, "version of the program that starts the firmware");
         number(table, "ticksPerMm", Unit.NONE, ConfigField.TICKSMM, "encoder ticks for a millimetre");
-        number(
-                table,
-                "watchdog",
-                Unit.MS,
-                ConfigField.WATCHDOG,
-                "the robot stops after so long without a word from here");
+        number(table, "watchdog", Unit.MS, ConfigField.WATCHDOG, "the robot stops after this time without a packet");
         number(table, "cycle", Unit.MS, ConfigField.SIPCYCLE, "from one packet of the robot to the next");
     }
 

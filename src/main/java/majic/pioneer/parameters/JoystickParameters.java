@@ -37,7 +37,7 @@ final class JoystickParameters implements ParameterTheme<Equipment> {
         button(table, "joystickButton2", reported -> Value.yesNo(reported.button2()));
         table.add(
                         Parameter.onOff(
-                                "joystickDrive", "whether the robot's joystick drives it beside us; a stop ends it"),
+                                "joystickDrive", "whether the robot's joystick can drive it too; a stop ends this"),
                         access.assumed(drives))
                 .moves((values, motion) -> motion.send(() -> drive(values.get(0).isYes())));
     }

@@ -34,10 +34,10 @@ final class PoseParameters implements ParameterTheme<Equipment> {
 
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
-        Parameter x = length("x", "how far ahead of where it was added; set it to say where it is");
-        Parameter y = length("y", "how far to the left of where it was added; set it to say where it is");
+        Parameter x = length("x", "how far ahead of where it was added; set corrects it");
+        Parameter y = length("y", "how far to the left of where it was added; set corrects it");
         Parameter heading = Parameter.number(
-                        "heading", Unit.DEG, "where it looks, left positive; set it to say where it looks")
+                        "heading", Unit.DEG, "the direction it faces, left positive; set corrects it")
                 .within(-360, 360);
         table.add(x, read(Pose::xMm, Unit.MM))
                 .writes(values -> put(here -> new Pose(values.get(0).number(), here.yMm(), here.headingDeg())));

@@ -23,13 +23,13 @@ final class PowerParameters implements ParameterTheme<Equipment> {
     @Override
     public void describe(ParameterTable table, Equipment equipment) {
         table.add(
-                Parameter.number("voltage", Unit.V, "of the battery; a 12 V robot wants charging below 11.5"),
+                Parameter.number("voltage", Unit.V, "of the battery; charge a 12 V robot below 11.5"),
                 access.state(state -> Value.of(state.volts(), Unit.V)));
         table.add(
-                Parameter.number("battery", Unit.PERCENT, "charge, on robots that can tell"),
+                Parameter.number("battery", Unit.PERCENT, "charge, on robots that report it"),
                 access.state(state -> charge(state.power().percent())));
         table.add(
-                Parameter.number("lowVoltage", Unit.V, "the robot complains below it"),
+                Parameter.number("lowVoltage", Unit.V, "below it the robot gives an alarm"),
                 access.config(ConfigField.LOWBATTERY, Unit.V, 10));
         List<String> words =
                 Arrays.stream(Charging.values()).map(Charging::words).toList();

@@ -34,7 +34,7 @@ public enum Side {
     /** The description of the parameter. */
     public String help() {
         return switch (this) {
-            case FRONT, BACK -> "from the hull to the nearest thing in the lane it needs to drive and turn in";
+            case FRONT, BACK -> "from the hull to the nearest thing in the corridor it needs to drive and turn in";
             case LEFT, RIGHT -> "from the hull to the nearest thing beside it";
         };
     }
