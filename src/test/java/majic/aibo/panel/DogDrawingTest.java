@@ -31,7 +31,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 class DogDrawingTest {
     private static final int WIDTH = 600;
     private static final int HEIGHT = 500;
-    private static final int PAINTINGS = 50;
 
     private final DogState dog = new DogState(new Calibration(Settings.inMemory(), "host"));
     private final DogDrawing drawing = new DogDrawing(dog);
@@ -100,14 +99,7 @@ class DogDrawingTest {
     }
 
     @Test
-    void aPaintEndsBeforeTheNextOne() {
-        long start = System.nanoTime();
-        for (int painting = 0; painting < PAINTINGS; painting++) {
-            painted();
-        }
-        double ms = (System.nanoTime() - start) / 1e6 / PAINTINGS;
-        System.out.printf("the drawn dog, %d × %d: %.1f ms a paint%n", WIDTH, HEIGHT, ms);
-
+    void anUnchangedDogIsPaintedTheSameAgain() {
         assertThat(differing()).isZero();
     }
 
