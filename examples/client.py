@@ -1,4 +1,4 @@
-"""Says lines to a running MAJIC and prints its answers: client.py PORT TOKENFILE LINE..."""
+"""Sends lines to a running MAJIC and prints its answers: client.py PORT TOKENFILE LINE..."""
 import socket
 import sys
 
