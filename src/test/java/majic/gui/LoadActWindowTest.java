@@ -6,7 +6,9 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import javax.swing.JComboBox;
+import javax.swing.JComponent;
 import majic.team.Owner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -260,6 +262,18 @@ class LoadActWindowTest {
         window.click("loadChosen");
         window.await("its motion", () -> bot.told.contains("move 400"));
         assertThat(window.parser.commands()).containsExactly("1 act Far distance=400mm side=right");
+    }
+
+    @Test
+    void aLongExplanationOfAnArgumentIsWrapped() throws IOException {
+        own.script(
+                "Far", "argument distance = 300mm \"" + "how far it is to go ".repeat(8) + "\"", "me move $distance");
+        window.add("one");
+        choose("Far");
+        for (String part : List.of("argument distance", "purpose distance")) {
+            JComponent shown = window.find(part, JComponent.class);
+            assertThat(shown.getVisibleRect().width).isEqualTo(shown.getWidth());
+        }
     }
 
     @Test

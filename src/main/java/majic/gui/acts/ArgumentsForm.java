@@ -14,6 +14,7 @@ import majic.act.ActArgument;
 import majic.bot.Value;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Mnemonics;
+import majic.gui.kit.ScrolledPanel;
 import majic.gui.kit.StyledLabel;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -23,7 +24,8 @@ final class ArgumentsForm extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(ArgumentsForm.class);
 
-    private final JPanel rows = new JPanel(new MigLayout("insets 0 0 0 6, gap 8 2", "[shrink 0][][grow, fill]", ""));
+    private final JPanel rows =
+            new ScrolledPanel(new MigLayout("insets 0 0 0 6, gap 8 2", "[shrink 0][][grow, fill]", ""));
     private final transient Runnable changed;
     private transient List<ArgumentInput> inputs = List.of();
 

@@ -2,10 +2,8 @@ package majic.gui.plot;
 
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
-import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.Rectangle;
 import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,10 +11,9 @@ import javax.swing.AbstractAction;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.KeyStroke;
-import javax.swing.Scrollable;
 import javax.swing.SwingConstants;
+import majic.gui.kit.ScrolledPanel;
 import majic.panel.DrawingColors;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -25,10 +22,9 @@ import net.miginfocom.swing.MigLayout;
  * The legend of a plot: for each curve its line, its name, the newest value, and a button that removes it. Must be used
  * on the event dispatch thread.
  */
-final class CurveList extends JPanel implements Scrollable {
+final class CurveList extends ScrolledPanel {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(CurveList.class);
-    private static final int STEP = 16;
 
     private final transient PlotModel model;
     private transient List<Row> rows = List.of();
@@ -48,31 +44,6 @@ final class CurveList extends JPanel implements Scrollable {
         this.model = model;
         setName("curves");
         model.addListener(this::curvesChanged);
-    }
-
-    @Override
-    public Dimension getPreferredScrollableViewportSize() {
-        return getPreferredSize();
-    }
-
-    @Override
-    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
-        return STEP;
-    }
-
-    @Override
-    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
-        return 10 * STEP;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportWidth() {
-        return true;
-    }
-
-    @Override
-    public boolean getScrollableTracksViewportHeight() {
-        return false;
     }
 
     private void curvesChanged() {
