@@ -38,7 +38,7 @@ public final class I2cCommands {
                                 "i2cRead",
                                 List.of(address, register, count),
                                 false,
-                                "tells registers of a module; 255 where there is none",
+                                "shows registers of a module; 255 where there is none",
                                 (values, motion) -> read(values))
                         .asRaw(),
                 new DriverCommand(

@@ -98,7 +98,7 @@ final class LinearCamera implements ExtensionModule {
     @Override
     public void describe(ParameterTable table, RobotReadings access) {
         row(table, access, "camera", pixels, "its pixels from left to right, 0 to 255; not while it moves");
-        row(table, access, "cameraThresholded", thresholded, "the same, told dark from bright; not while it moves");
+        row(table, access, "cameraThresholded", thresholded, "the same, each pixel dark or bright; not while it moves");
         exposure.describe(
                 table,
                 access,

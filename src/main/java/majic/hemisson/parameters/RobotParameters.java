@@ -73,11 +73,11 @@ public final class RobotParameters implements ParameterTheme<Modules> {
 
     private void describeWhatItLacks(ParameterTable table) {
         String noBattery = "no command of the Hemisson tells it";
-        lacking(table, Parameter.number("battery", Unit.PERCENT, "cannot be told by a Hemisson"), noBattery);
-        lacking(table, Parameter.number("voltage", Unit.V, "cannot be told by a Hemisson"), noBattery);
+        lacking(table, Parameter.number("battery", Unit.PERCENT, "a Hemisson does not report it"), noBattery);
+        lacking(table, Parameter.number("voltage", Unit.V, "a Hemisson does not report it"), noBattery);
         lacking(
                 table,
-                Parameter.number("odometer", Unit.MM, "cannot be told by a Hemisson"),
+                Parameter.number("odometer", Unit.MM, "a Hemisson does not report it"),
                 "the Hemisson has no wheel encoders; x, y and heading are estimates");
     }
 

@@ -42,7 +42,7 @@ final class InputOutputParameters implements ParameterTheme<Equipment> {
                 Parameter.number("analog", Unit.V, "the chosen analog input, 0 to 5 V"),
                 access.state(state -> volts(state.ports().analogVolts())));
         table.add(
-                Parameter.list("analogs", Unit.V, "all analog inputs, 0 to 5 V, the battery last; asked for when read"),
+                Parameter.list("analogs", Unit.V, "all analog inputs, 0 to 5 V, the battery last; requested when read"),
                 access.report(
                         RequestedReport.PORTS,
                         state -> all(state.ports().allAnalogVolts().stream()
@@ -50,7 +50,7 @@ final class InputOutputParameters implements ParameterTheme<Equipment> {
                                 .toList())));
         table.add(
                 Parameter.list(
-                        "digitalIns", Unit.NONE, "all bytes of digital inputs, the user's first; asked for when read"),
+                        "digitalIns", Unit.NONE, "all bytes of digital inputs, the user's first; requested when read"),
                 access.report(
                         RequestedReport.PORTS,
                         state -> all(state.ports().allDigitalIn().stream()

@@ -59,11 +59,11 @@ final class JoystickParameters implements ParameterTheme<Equipment> {
     }
 
     private void axis(ParameterTable table, String name, String help, Function<Joystick, Value> reader) {
-        add(table, Parameter.number(name, Unit.PERCENT, help + "; asked for when read"), reader);
+        add(table, Parameter.number(name, Unit.PERCENT, help + "; requested when read"), reader);
     }
 
     private void button(ParameterTable table, String name, Function<Joystick, Value> reader) {
-        add(table, Parameter.yesNo(name, "whether this button is pressed; asked for when read"), reader);
+        add(table, Parameter.yesNo(name, "whether this button is pressed; requested when read"), reader);
     }
 
     private void add(ParameterTable table, Parameter parameter, Function<Joystick, Value> reader) {

@@ -26,8 +26,8 @@ final class SensorParameters implements ParameterTheme<Equipment> {
         Scaling scaling = equipment.model().scaling();
         wheel(table, "wheelLeft", "speed of the left wheel", state -> scaling.leftMmPerSec(state.sip()));
         wheel(table, "wheelRight", "speed of the right wheel", state -> scaling.rightMmPerSec(state.sip()));
-        encoder(table, "encoderLeft", "ticks of the left wheel; asked for when read", EncoderTicks::left);
-        encoder(table, "encoderRight", "ticks of the right wheel; asked for when read", EncoderTicks::right);
+        encoder(table, "encoderLeft", "ticks of the left wheel; requested when read", EncoderTicks::left);
+        encoder(table, "encoderRight", "ticks of the right wheel; requested when read", EncoderTicks::right);
         table.add(
                 Parameter.number(
                         "compass", Unit.DEG, "as the compass shows it, 2 to 358; unknown without one and at 0"),
@@ -36,7 +36,7 @@ final class SensorParameters implements ParameterTheme<Equipment> {
                         : Value.of(state.compassDeg().getAsInt(), Unit.DEG)));
         if (equipment.gyro()) {
             table.add(
-                    Parameter.number("gyro", Unit.DEG_PER_S, "turn rate, left positive; asked for when read"),
+                    Parameter.number("gyro", Unit.DEG_PER_S, "turn rate, left positive; requested when read"),
                     access.report(
                             RequestedReport.GYRO,
                             state -> state.gyroDegPerSec().isEmpty()
