@@ -8,6 +8,7 @@ import majic.bot.BotAddress;
 import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.Settings;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -18,8 +19,8 @@ import org.junit.jupiter.api.condition.OS;
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has no pseudo-terminals that are serial ports")
 class MajicHemissonOnAPortTest {
     private final PortHemisson robot = PortHemisson.roadNarrows();
-    private final MajicHemisson bot =
-            new MajicHemisson(new BotAddress("hemisson", robot.name()), BotEnvironment.plain());
+    private final MajicHemisson bot = new MajicHemisson(
+            new BotAddress("hemisson", robot.name()), new BotEnvironment(robot.time(), Settings.inMemory()));
 
     @BeforeEach
     void plugIn() {
@@ -50,11 +51,7 @@ class MajicHemissonOnAPortTest {
 
     @Test
     void anAdapterPulledOutWhileItMovesIsReportedWithTheRemedy() {
-        new Thread(() -> {
-                    robot.awaitMotion();
-                    robot.close();
-                })
-                .start();
+        robot.pullWhenItMoves();
 
         assertThatThrownBy(() -> bot.move(1000))
                 .isInstanceOf(LinkLost.class)

@@ -2,22 +2,37 @@ package majic.hemisson;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
+import majic.drivertest.TestClock;
+import majic.link.Links;
 import majic.link.PseudoTerminal;
+import majic.simulation.TransitCheck;
+import majic.time.TimeSource;
+import majicsim.net.LineCount;
 
-/** A Hemisson at the other end of a serial port of the system; records what it received. */
+/**
+ * A Hemisson at the other end of a serial port of the system; records what it received. Its clock is stepped: no time passes
+ * while it or the driver has bytes to handle.
+ */
 final class PortHemisson implements AutoCloseable {
     private final PseudoTerminal plug = new PseudoTerminal();
     private final List<String> heard = new CopyOnWriteArrayList<>();
     private final CountDownLatch moving = new CountDownLatch(1);
     private final CountDownLatch standing = new CountDownLatch(1);
     private final UnaryOperator<String> answers;
+    private final AtomicLong consumed = new AtomicLong();
+    private final AtomicLong written = new AtomicLong();
+    private final TestClock clock =
+            new TestClock(nanos -> {}, new TransitCheck(Links::traffic, this::lines, Set.of(plug.name())));
     private volatile boolean remembers = true;
+    private volatile boolean isPulledWhenItMoves;
     private String speeds = "0,0";
-    private boolean pulled;
+    private volatile boolean pulled;
 
     private PortHemisson(UnaryOperator<String> answers) {
         this.answers = answers;
@@ -36,6 +51,19 @@ final class PortHemisson implements AutoCloseable {
 
     String name() {
         return plug.name();
+    }
+
+    TimeSource time() {
+        return clock.time();
+    }
+
+    private List<LineCount> lines() {
+        return List.of(new LineCount(plug.name(), plug.name(), consumed.get(), written.get(), !pulled, false));
+    }
+
+    /** Pulls the plug at its next motion. */
+    void pullWhenItMoves() {
+        isPulledWhenItMoves = true;
     }
 
     List<String> heard() {
@@ -64,9 +92,13 @@ final class PortHemisson implements AutoCloseable {
         }
     }
 
-    /** Pulls the plug. */
     @Override
-    public synchronized void close() {
+    public void close() {
+        pull();
+        clock.close();
+    }
+
+    private synchronized void pull() {
         if (!pulled) {
             pulled = true;
             plug.close();
@@ -77,7 +109,8 @@ final class PortHemisson implements AutoCloseable {
         StringBuilder command = new StringBuilder();
         try {
             while (true) {
-                for (char next : plug.read().toCharArray()) {
+                String bytes = plug.read();
+                for (char next : bytes.toCharArray()) {
                     if (next == '\r') {
                         take(command.toString());
                         command.setLength(0);
@@ -85,6 +118,7 @@ final class PortHemisson implements AutoCloseable {
                         command.append(next);
                     }
                 }
+                consumed.addAndGet(bytes.length());
             }
         } catch (IOException | RuntimeException e) {
             moving.countDown();
@@ -99,12 +133,20 @@ final class PortHemisson implements AutoCloseable {
         if (command.startsWith("D")) {
             speeds = command.substring(2);
         }
-        plug.write((command.equals("E") ? "e," + speeds : answers.apply(command)) + "\r\n");
+        answer((command.equals("E") ? "e," + speeds : answers.apply(command)) + "\r\n");
         if (command.equals("D,0,0") && moving.getCount() == 0) {
             standing.countDown();
         } else if (command.startsWith("D") && !command.equals("D,0,0")) {
             moving.countDown();
+            if (isPulledWhenItMoves) {
+                pull();
+            }
         }
+    }
+
+    private void answer(String line) {
+        written.addAndGet(line.length());
+        plug.write(line);
     }
 
     private static String stock(String command) {
