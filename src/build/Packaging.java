@@ -165,17 +165,10 @@ final class Packaging {
     }
 
     private List<String> image(Path input, Path runtime, Path icon, String version) throws IOException {
-        List<String> arguments = new ArrayList<>(List.of(
+        List<String> arguments = described(version);
+        arguments.addAll(List.of(
                 "--type",
                 "app-image",
-                "--name",
-                NAME,
-                "--app-version",
-                version,
-                "--vendor",
-                "MAJIC",
-                "--description",
-                "Commands a team of different robots from one window",
                 "--copyright",
                 copyright(),
                 "--input",
@@ -200,6 +193,19 @@ final class Packaging {
         return arguments;
     }
 
+    /** Returns what the image and the installer say alike. */
+    private static List<String> described(String version) {
+        return new ArrayList<>(List.of(
+                "--name",
+                NAME,
+                "--app-version",
+                version,
+                "--vendor",
+                "MAJIC",
+                "--description",
+                "Commands a team of different robots from one window"));
+    }
+
     private List<String> javaOptions() throws IOException {
         List<String> options =
                 new ArrayList<>(Files.readAllLines(home.resolve("config").resolve("java.options")));
@@ -211,15 +217,8 @@ final class Packaging {
     }
 
     private List<String> installer(Path image, Path icon, String version) {
-        List<String> arguments = new ArrayList<>(List.of(
-                "--name",
-                NAME,
-                "--app-version",
-                version,
-                "--vendor",
-                "MAJIC",
-                "--description",
-                "Commands a team of different robots from one window",
+        List<String> arguments = described(version);
+        arguments.addAll(List.of(
                 "--app-image",
                 image.toString(),
                 "--license-file",
