@@ -14,7 +14,8 @@ import majicsim.world.Room;
  * @param jitter whether exchanges take 5 to 50 ms, and the Hemisson's line has its true speed; without effect in an exact lab
  * @param pioneerModel the model of the Pioneers, a name as {@link PioneerRobot#modelNamed} returns it
  * @param hemisson the kind of Hemisson
- * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; the further ones start behind the other robots
+ * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; the further ones start behind the other robots; {@link
+ *     #roomFor} returns a room for them
  */
 public record LabOptions(
         Room room,
@@ -26,7 +27,10 @@ public record LabOptions(
         HemissonOptions hemisson,
         int pioneers) {
     /** How many Pioneers a lab has at most. */
-    public static final int MOST_PIONEERS = 9;
+    public static final int MOST_PIONEERS = 500;
+
+    /** The Aibo and the Hemisson. */
+    private static final int OTHER_ROBOTS = 2;
 
     /**
      * Checks the model and the number.
@@ -38,6 +42,25 @@ public record LabOptions(
             throw new IllegalArgumentException("a lab has 1 to " + MOST_PIONEERS + " Pioneers, not " + pioneers);
         }
         pioneerModel = PioneerRobot.modelNamed(pioneerModel);
+    }
+
+    /**
+     * A room with the space for a lab's robots.
+     *
+     * @param pioneers how many Pioneers
+     * @return the standard room, or a larger hall
+     */
+    public static Room roomFor(int pioneers) {
+        return Room.forRobots(pioneers + OTHER_ROBOTS);
+    }
+
+    /**
+     * How many robots the lab has.
+     *
+     * @return all Pioneers, the Aibo and the Hemisson
+     */
+    public int robots() {
+        return pioneers + OTHER_ROBOTS;
     }
 
     /**

@@ -33,6 +33,7 @@ final class LabSetup {
     private final ReentrantLock lock;
     private final Noise noise;
     private final List<LabRobot> robots = new ArrayList<>();
+    private List<Pose> homes = List.of();
 
     LabSetup(LabOptions options, World world, ReentrantLock lock) {
         this.options = options;
@@ -44,6 +45,7 @@ final class LabSetup {
     /** Returns all robots in order. After a failure no port stays open. */
     List<LabRobot> open() throws IOException {
         try {
+            homes = world.room().homes(options.robots());
             add(
                     "aibo",
                     AiboRobot::new,
@@ -76,7 +78,7 @@ final class LabSetup {
 
     private <R extends Firmware> R add(String name, Maker<R> maker, Function<R, Body> body, PortChoice choice)
             throws IOException {
-        Pose home = world.room().home(robots.size() + 1);
+        Pose home = homes.get(robots.size());
         Noise own = noise.fork(name);
         R robot = maker.make(world, home, own);
         Faults faults = new Faults(own.fork("line"));

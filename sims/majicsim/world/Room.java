@@ -20,6 +20,9 @@ import java.util.List;
 public final class Room {
     private static final String STANDARD = "/worlds/lab.map";
 
+    /** So many robots have space to drive in the standard room. */
+    private static final int MOST_IN_STANDARD = 11;
+
     private final List<Segment> walls;
     private final List<Shape> wallShapes;
     private final List<Pose> homes;
@@ -87,6 +90,16 @@ public final class Room {
     }
 
     /**
+     * A room with space for many robots: the one that ships with the program, or a larger hall if that has too little space.
+     *
+     * @param robots how many, 1 or more
+     * @return a room with a start place for each, at least 2 m from the next one in the hall
+     */
+    public static Room forRobots(int robots) {
+        return robots <= MOST_IN_STANDARD ? standard() : Hall.of(robots);
+    }
+
+    /**
      * All walls, boxes as their four sides.
      *
      * @return an unchangeable list
@@ -139,7 +152,21 @@ public final class Room {
      * @throws IllegalArgumentException if n is below 1, or the map has no room left for so many robots
      */
     public Pose home(int n) {
-        return new StartPlaces(this).place(n);
+        if (n < 1) {
+            throw new IllegalArgumentException("robots are numbered from 1, not " + n);
+        }
+        return homes(n).get(n - 1);
+    }
+
+    /**
+     * The start places of the first robots, which are found together because a search for each alone would repeat the others'.
+     *
+     * @param count how many robots
+     * @return so many places, as {@link #home} returns them
+     * @throws IllegalArgumentException if the map has no room left for so many robots
+     */
+    public List<Pose> homes(int count) {
+        return new StartPlaces(this).places(count);
     }
 
     /** Goals and docks: places that are surely inside. */

@@ -93,7 +93,7 @@ final class LabChoice {
             scope = ScopeType.INHERIT,
             paramLabel = "N",
             description = "How many Pioneers stand in the lab, 1 to " + LabOptions.MOST_PIONEERS
-                    + " (1); the others are sim:pioneer2, sim:pioneer3 …")
+                    + " (1); the others are sim:pioneer2, sim:pioneer3 … More than nine stand in a larger hall.")
     private int pioneers = 1;
 
     /** Returns whether a lab other than the default one is chosen. */
@@ -106,7 +106,7 @@ final class LabChoice {
 
     /** Returns the options with which a lab of this choice is opened. */
     LabOptions options() throws IOException {
-        Room room = world == null ? Room.standard() : Room.load(world);
+        Room room = world == null ? LabOptions.roomFor(pioneers()) : Room.load(world);
         LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort));
         return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson(), pioneers());
     }

@@ -9,6 +9,7 @@ import majic.program.UsageException;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.options.Dialect;
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.world.Room;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -49,12 +50,26 @@ class LabChoiceTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"0", "10", "-1"})
+    @ValueSource(strings = {"0", "501", "-1"})
     void aNumberOfPioneersThatCannotBeIsRefused(String count) {
         line.parseArgs("--pioneers", count);
         assertThatThrownBy(choice::options)
                 .isInstanceOf(UsageException.class)
-                .hasMessage("--pioneers " + count + ": outside 1 … 9");
+                .hasMessage("--pioneers " + count + ": outside 1 … 500");
+    }
+
+    @Test
+    void manyPioneersStandInAHallThatHasTheSpace() throws IOException {
+        line.parseArgs("--pioneers", "500");
+
+        assertThat(choice.options().room().homes(502)).hasSize(502).doesNotHaveDuplicates();
+    }
+
+    @Test
+    void ninePioneersStandInTheStandardRoom() throws IOException {
+        line.parseArgs("--pioneers", "9");
+
+        assertThat(choice.options().room().bounds()).isEqualTo(Room.standard().bounds());
     }
 
     @Test

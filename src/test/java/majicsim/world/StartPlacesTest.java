@@ -46,6 +46,28 @@ class StartPlacesTest {
     }
 
     @Test
+    void aLargeMapWithoutPlacesHoldsManyRobots() {
+        World world = new World(Rooms.square(20_000));
+        List<Pose> homes = world.room().homes(100);
+        for (Pose home : homes) {
+            world.add(Body.box("robot", 210, 301, WIDEST_MM, home));
+        }
+        assertThat(homes).startsWith(world.room().home(1), world.room().home(2));
+    }
+
+    @Test
+    void eachRobotOfAHallCanDriveAMetre() {
+        World world = new World(Room.forRobots(100));
+        List<Pose> homes = world.room().homes(100);
+        homes.forEach(home -> world.add(Body.box("robot", 210, 301, WIDEST_MM, home)));
+        world.bodies().forEach(body -> body.velocity(1000, 0));
+        for (int step = 0; step < 250; step++) {
+            world.step(0.004);
+        }
+        assertThat(world.bodies()).noneMatch(Body::blocked);
+    }
+
+    @Test
     void aRoomThatIsTooSmallIsRefused() {
         assertThatThrownBy(() -> Rooms.square(300).home(1)).hasMessage("the map has no free place left for robot 1");
     }
