@@ -3,7 +3,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
@@ -21,6 +20,7 @@ import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
 import majic.driver.Motion;
 import majic.driver.RobotWait;
+import majic.environment.BotEnvironment;
 import majic.link.Link;
 import majic.link.Links;
 

@@ -1,12 +1,12 @@
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
-import majic.bot.BotEnvironment;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
-import majic.bot.Settings;
 import majic.drivertest.ScriptedPeer;
 import majic.drivertest.TestClock;
 import majic.drivertest.TestedRobot;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
 
 /** Plays a cart for the tests of its driver: drives as commanded and reports its position ten times a second. */
 final class CartPeer implements TestedRobot, ScriptedPeer.Robot {

@@ -1,5 +1,4 @@
 import java.util.List;
-import majic.bot.BotEnvironment;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.BotType;
@@ -11,6 +10,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
+import majic.environment.BotEnvironment;
 
 /** A complete robot type of one's own: a turtle that exists only in memory. */
 public final class Turtle extends BotDriver {

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.MajicFrame;
 import majic.program.Program;
 import majic.program.UserFolder;

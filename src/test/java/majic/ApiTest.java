@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
 class ApiTest {
     private static final Path LIST = Path.of("src/test/resources/api.txt");
     private static final List<String> PACKAGES =
-            List.of("majic.act", "majic.bot", "majic.driver", "majic.link", "majic.time");
+            List.of("majic.act", "majic.bot", "majic.driver", "majic.environment", "majic.link", "majic.time");
 
     @Test
     void theApiIsTheListedOne() throws IOException {

@@ -13,7 +13,7 @@ import majic.bot.BotListener;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.program.Plugins;
 import majic.simulation.SimulatedLab;
 import majic.team.BotFactory;

@@ -17,7 +17,7 @@ import java.util.OptionalInt;
 import majic.act.NoActs;
 import majic.bot.FakeType;
 import majic.bot.MajicBot;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.log.SessionLog;
 import majic.script.Session;
 import majic.server.LineServer;

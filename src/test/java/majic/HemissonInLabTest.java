@@ -6,11 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.Random;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
-import majic.bot.Settings;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
 import majic.hemisson.MajicHemisson;
 import majic.simulation.SimulatedLab;
 import majic.time.TimeSource;

@@ -13,8 +13,8 @@ import majic.act.MajicAct;
 import majic.act.Role;
 import majic.act.make.JavaSource;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
-import majic.bot.Settings;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -29,7 +29,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 class JavaOnPagesTest {
     private static final Pattern CLASS = Pattern.compile("(?m)^public (?:final )?class (\\w+)");
     private static final Pattern ADDRESS = Pattern.compile("\\(\"(pioneer|hemisson):.*?\"\\)");
-    private static final String IMPORTS = Stream.of("act", "act.file", "act.make", "aibo", "bot", "hemisson", "pioneer")
+    private static final String IMPORTS = Stream.of(
+                    "act", "act.file", "act.make", "aibo", "bot", "environment", "hemisson", "pioneer")
             .map(name -> "import majic." + name + ".*; ")
             .reduce("import java.util.*; import java.nio.file.*; ", String::concat);
 

@@ -13,7 +13,7 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.log.Line;
 import majic.log.SessionLog;
 import majic.program.Plugins;

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
-import majic.bot.BotEnvironment;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.FakeType;
@@ -14,6 +13,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
+import majic.environment.BotEnvironment;
 import majic.link.Link;
 import majic.link.Links;
 

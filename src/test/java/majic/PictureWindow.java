@@ -14,7 +14,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JDialog;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.MajicFrame;
 import majic.gui.WindowWait;
 import majic.gui.kit.ProgramServices;

@@ -15,7 +15,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.program.Plugins;
 import majic.simulation.SimulatedLab;
 import majic.team.Answer;

@@ -11,8 +11,9 @@ import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
-import majic.bot.PermittedControl;
+import majic.driver.BotDriver;
+import majic.driver.Permit;
+import majic.driver.PermittedControl;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -23,7 +24,7 @@ final class ActRobots {
 
     private final Permit permit = new Permit();
     private final AtomicBoolean takenBack = new AtomicBoolean();
-    private final List<MajicBot> all;
+    private final List<BotDriver> all;
     private final Map<String, List<BotControl>> robotsByRole = new LinkedHashMap<>();
 
     /**
@@ -32,11 +33,14 @@ final class ActRobots {
      * @param robots by role, at least one each; {@value Role#ME} is the first
      */
     ActRobots(Map<String, List<MajicBot>> robots) {
-        this.all = robots.values().stream().flatMap(List::stream).toList();
+        this.all = robots.values().stream()
+                .flatMap(List::stream)
+                .map(BotDriver::of)
+                .toList();
         robots.forEach((role, its) -> robotsByRole.put(
                 role,
                 its.stream()
-                        .map(robot -> (BotControl) new PermittedControl(robot, permit))
+                        .map(robot -> (BotControl) new PermittedControl(BotDriver.of(robot), permit))
                         .toList()));
     }
 
@@ -99,7 +103,7 @@ final class ActRobots {
     private void haltAll() {
         AtomicInteger moving = new AtomicInteger(all.size() - 1);
         Signal halted = clock().signal();
-        for (MajicBot robot : all.subList(1, all.size())) {
+        for (BotDriver robot : all.subList(1, all.size())) {
             robot.time().runAsync("halting the " + robot.type().label(), () -> {
                 halt(robot);
                 moving.decrementAndGet();
@@ -114,7 +118,7 @@ final class ActRobots {
         }
     }
 
-    private static void halt(MajicBot robot) {
+    private static void halt(BotDriver robot) {
         try {
             robot.sendStop();
         } catch (BotException e) {

@@ -10,7 +10,7 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
+import majic.driver.Permit;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.time.Signal;

@@ -6,8 +6,8 @@ import java.util.function.Supplier;
 import majic.aibo.urbi.LinkTransport;
 import majic.aibo.urbi.UrbiTransport;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
+import majic.environment.BotEnvironment;
 import majic.link.Links;
 import majic.vendor.VendorLibrary;
 

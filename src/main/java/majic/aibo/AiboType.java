@@ -3,10 +3,10 @@ package majic.aibo;
 import java.util.List;
 import majic.aibo.panel.AiboReplay;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
 import majic.bot.BotType;
+import majic.bot.BotType.ReplayDisplay;
 import majic.bot.MajicBot;
-import majic.bot.ReplayDisplay;
+import majic.environment.BotEnvironment;
 
 /** The Sony Aibo ERS-7 with URBI on its stick. */
 public final class AiboType implements BotType {

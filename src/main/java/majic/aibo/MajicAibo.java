@@ -30,7 +30,6 @@ import majic.aibo.urbi.UrbiTransport;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Unit;
@@ -39,6 +38,7 @@ import majic.driver.BotDriver;
 import majic.driver.CalibrateCommand;
 import majic.driver.Motion;
 import majic.driver.RobotWait;
+import majic.environment.BotEnvironment;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -48,25 +48,6 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      */
     public abstract void connect();
 
-    /** Revokes the permission to move of all current motions; does not block, sends nothing. */
-    public abstract void revokeMotions();
-
-    /**
-     * Sends the stop and waits until the robot has confirmed it. Unlike {@link #stop()} it revokes no permission to
-     * move: for callers that have already revoked the relevant permit.
-     *
-     * @throws LinkLost if the connection was lost: the stop cannot be sent, so the robot must not be reported as
-     *     stopped
-     * @throws BotException if the robot is being reconnected, or reconnecting failed; the stop cannot be sent then
-     *     either
-     */
-    public abstract void sendStop();
-
-    /**
-     * The part of {@link #sendStop()} that writes; false for a robot that needs no stop, not connected yet or closed.
-     */
-    public abstract boolean writeStop();
-
     /**
      * Checks values for a parameter without setting it, as a script does before any robot moves.
      *
@@ -164,22 +145,6 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public abstract BotType type();
 
     /**
-     * Returns the membership in a team. Every operation that a display offers goes through {@code Member.of(bot)}, so
-     * that the owner of the robot and STOP are respected.
-     *
-     * @return empty for a robot that is used alone
-     */
-    public abstract Optional<TeamMembership> membership();
-
-    /**
-     * Records the membership in a team. Called by the team once, before any other command.
-     *
-     * @param newMembership the membership
-     * @param newName the robot's name in messages from then on
-     */
-    public abstract void join(TeamMembership newMembership, String newName);
-
-    /**
      * Returns the size and the speeds of this robot.
      *
      * @return as known now; connecting may change it
@@ -247,13 +212,6 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public abstract void removeListener(BotListener listener);
 
     /**
-     * Waits until the robot has confirmed the stop that {@link #writeStop()} wrote, which is sent again where that helps.
-     *
-     * @throws BotException if it is not confirmed within the driver's timeout
-     */
-    public abstract void confirmHalt();
-
-    /**
      * Returns the clock of this robot.
      *
      * @return the clock by which its driver waits and measures
@@ -261,41 +219,9 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public abstract TimeSource time();
 
     /**
-     * Returns the permission to move that is in force.
-     *
-     * @return revoked by the next stop or the loss of the connection
-     */
-    public abstract Permit permit();
-
-    /** Refuses all motion until {@link #unlatch()}. */
-    public abstract void latch();
-
-    /** Allows motion again after {@link #latch()}. */
-    public abstract void unlatch();
-
-    /**
      * Returns the error that ended the connection.
      *
      * @return one sentence; empty while there is a connection, and after an attempt to connect that failed
      */
     public abstract Optional<String> lostReason();
-
-    /** Does the same as {@link #move(double, Guard)}, but only as long as the permit is valid. */
-    protected abstract MotionReport move(double mm, Guard until, Permit permit);
-
-    /** Does the same as {@link #turn(double, Guard)}, but only as long as the permit is valid. */
-    protected abstract MotionReport turn(double degrees, Guard until, Permit permit);
-
-    /** Does the same as {@link #drive(double, double, double, Guard)}, but only as long as the permit is valid. */
-    protected abstract MotionReport drive(
-            double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit);
-
-    /** Does the same as {@link #drive(double, double)}, but only as long as the permit is valid. */
-    protected abstract void drive(double mmPerSec, double degPerSec, Permit permit);
-
-    /** Does the same as {@link #set(String, List)}, but only as long as the permit is valid. */
-    protected abstract void set(String parameter, List<Value> values, Permit permit);
-
-    /** Does the same as {@link #run(String, List)}, but only as long as the permit is valid. */
-    protected abstract String run(String command, List<Value> arguments, Permit permit);
 }

@@ -192,7 +192,13 @@ public record Parameter(
         return new Parameter(name, kind, unit, range, whole, choices, readable, writable, moves, more, help);
     }
 
-    Parameter named(String other) {
+    /**
+     * Returns the same parameter under another name.
+     *
+     * @param other the new name
+     * @return a new description
+     */
+    public Parameter renamed(String other) {
         return new Parameter(other, kind, unit, range, whole, choices, readable, writable, moves, extras, help);
     }
 

@@ -8,7 +8,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import majic.bot.BotCommand;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotListener;
 import majic.bot.BotProfile;
@@ -22,11 +21,10 @@ import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
-import majic.bot.Permit;
 import majic.bot.Pose;
-import majic.bot.Settings;
-import majic.bot.TeamMembership;
 import majic.bot.Value;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -83,6 +81,21 @@ public abstract class BotDriver extends MajicBot {
         limits.describe(parameters);
     }
 
+    /**
+     * Returns a robot as teams and acts command it: with permits, a stop in two steps, and its membership.
+     *
+     * @param bot a robot
+     * @return the same object
+     * @throws BotException if its class does not extend this one
+     */
+    public static BotDriver of(MajicBot bot) {
+        if (Objects.requireNonNull(bot, "bot") instanceof BotDriver driver) {
+            return driver;
+        }
+        throw new BotException(bot.name() + " cannot be commanded by a team or an act: its class "
+                + bot.getClass().getName() + " does not extend " + BotDriver.class.getName());
+    }
+
     @Override
     public final void connect() {
         boolean first = life.begin(name);
@@ -123,8 +136,7 @@ public abstract class BotDriver extends MajicBot {
         return move(mm, until, permit());
     }
 
-    @Override
-    protected final MotionReport move(double mm, Guard until, Permit permit) {
+    final MotionReport move(double mm, Guard until, Permit permit) {
         limits.checkMove(mm);
         return gate.perform(until, permit, motion -> moveBy(mm, motion));
     }
@@ -134,8 +146,7 @@ public abstract class BotDriver extends MajicBot {
         return turn(degrees, until, permit());
     }
 
-    @Override
-    protected final MotionReport turn(double degrees, Guard until, Permit permit) {
+    final MotionReport turn(double degrees, Guard until, Permit permit) {
         limits.checkTurn(degrees);
         return gate.perform(until, permit, motion -> turnBy(degrees, motion));
     }
@@ -145,8 +156,7 @@ public abstract class BotDriver extends MajicBot {
         return drive(mmPerSec, degPerSec, seconds, until, permit());
     }
 
-    @Override
-    protected final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
+    final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
         limits.checkDrive(mmPerSec, degPerSec, seconds);
         return gate.drive(mmPerSec, degPerSec, seconds, until, permit);
     }
@@ -156,8 +166,7 @@ public abstract class BotDriver extends MajicBot {
         drive(mmPerSec, degPerSec, permit());
     }
 
-    @Override
-    protected final void drive(double mmPerSec, double degPerSec, Permit permit) {
+    final void drive(double mmPerSec, double degPerSec, Permit permit) {
         limits.checkDrive(mmPerSec, degPerSec);
         gate.drive(mmPerSec, degPerSec, permit);
     }
@@ -170,20 +179,30 @@ public abstract class BotDriver extends MajicBot {
         }
     }
 
-    @Override
+    /** Revokes the permission to move of all current motions; does not block, sends nothing. */
     public final void revokeMotions() {
         gate.revoke(() -> new MotionStopped("stopped"));
         changes.raise();
     }
 
-    @Override
+    /**
+     * Sends the stop and waits until the robot has confirmed it. Unlike {@link #stop()} it revokes no permission to
+     * move: for callers that have already revoked the relevant permit.
+     *
+     * @throws LinkLost if the connection was lost: the stop cannot be sent, so the robot must not be reported as
+     *     stopped
+     * @throws BotException if the robot is being reconnected, or reconnecting failed; the stop cannot be sent then
+     *     either
+     */
     public final void sendStop() {
         if (writeStop()) {
             confirmHalt();
         }
     }
 
-    @Override
+    /**
+     * The part of {@link #sendStop()} that writes; false for a robot that needs no stop, not connected yet or closed.
+     */
     public final boolean writeStop() {
         changes.raise();
         refuseLost();
@@ -212,8 +231,7 @@ public abstract class BotDriver extends MajicBot {
         set(parameter, values, permit());
     }
 
-    @Override
-    protected final void set(String parameter, List<Value> values, Permit permit) {
+    final void set(String parameter, List<Value> values, Permit permit) {
         ParameterTable.Entry entry = entry(parameter);
         BiFunction<List<Value>, Motion, @Nullable Value> writer = Arguments.writer(entry);
         List<Value> fitted = Arguments.forSet(entry.parameter(), values);
@@ -230,8 +248,7 @@ public abstract class BotDriver extends MajicBot {
         return run(command, arguments, permit());
     }
 
-    @Override
-    protected final String run(String command, List<Value> arguments, Permit permit) {
+    final String run(String command, List<Value> arguments, Permit permit) {
         DriverCommand known = commands.find(name, command);
         List<Value> fitted = Arguments.forCommand(known.command(), arguments);
         if (!known.command().moves()) {
@@ -322,12 +339,21 @@ public abstract class BotDriver extends MajicBot {
         return name;
     }
 
-    @Override
+    /**
+     * Returns the membership in a team.
+     *
+     * @return empty for a robot that is used alone
+     */
     public final Optional<TeamMembership> membership() {
         return Optional.ofNullable(membership);
     }
 
-    @Override
+    /**
+     * Records the membership in a team. Called by the team once, before any other command.
+     *
+     * @param newMembership the membership
+     * @param newName the robot's name in messages from then on
+     */
     public final void join(TeamMembership newMembership, String newName) {
         membership = newMembership;
         name = newName;
@@ -456,7 +482,6 @@ public abstract class BotDriver extends MajicBot {
      *
      * @throws BotException if it is not confirmed within the driver's timeout
      */
-    @Override
     public void confirmHalt() {}
 
     /**
@@ -627,18 +652,22 @@ public abstract class BotDriver extends MajicBot {
         return gate.isBusy();
     }
 
-    @Override
+    /**
+     * Returns the permission to move that is in force.
+     *
+     * @return revoked by the next stop or the loss of the connection
+     */
     public final Permit permit() {
         return gate.permit();
     }
 
-    @Override
+    /** Refuses all motion until {@link #unlatch()}. */
     public final void latch() {
         gate.latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
         changes.raise();
     }
 
-    @Override
+    /** Allows motion again after {@link #latch()}. */
     public final void unlatch() {
         gate.unlatch();
     }

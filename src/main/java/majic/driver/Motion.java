@@ -6,7 +6,6 @@ import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
 import majic.time.WaitPolicy;
 
 /**

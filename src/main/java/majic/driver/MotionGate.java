@@ -13,7 +13,6 @@ import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
 import majic.bot.Value;
 import majic.time.Signal;
 import majic.time.WaitPolicy;

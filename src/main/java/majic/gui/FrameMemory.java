@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 import javax.swing.JFrame;
 import javax.swing.JSplitPane;
 import javax.swing.Timer;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.BackgroundSettings;
 
 /**

@@ -2,7 +2,7 @@ package majic.gui;
 
 import java.util.Optional;
 import java.util.function.Consumer;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.BackgroundSettings;
 import majic.gui.kit.EventThread;
 import majic.team.AutoReconnect;

@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.UIManager;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.BackgroundSettings;
 import majic.text.Texts;
 

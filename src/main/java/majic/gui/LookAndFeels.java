@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import javax.swing.UIManager;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.BackgroundSettings;
 
 /** Installs the light or the dark look and feel in a text size, and stores what is chosen. */

@@ -17,7 +17,7 @@ import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.RootPaneContainer;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.bots.RobotActions;
 import majic.gui.command.CommandPane;
 import majic.gui.drive.GamepadControl;

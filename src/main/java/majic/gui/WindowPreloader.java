@@ -6,7 +6,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.image.BufferedImage;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.EventThread;
 import net.miginfocom.swing.MigLayout;
 

@@ -2,10 +2,10 @@ package majic.pioneer;
 
 import java.util.List;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
 import majic.bot.BotType;
+import majic.bot.BotType.ReplayDisplay;
 import majic.bot.MajicBot;
-import majic.bot.ReplayDisplay;
+import majic.environment.BotEnvironment;
 import majic.pioneer.panel.PioneerReplay;
 
 /** The Pioneer among the types of robots. */

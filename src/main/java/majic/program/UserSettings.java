@@ -20,7 +20,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /**
  * Holds the user's settings in a properties file, read at the first use, rewritten at every change. A damaged file is

@@ -9,7 +9,7 @@ import java.util.OptionalInt;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.bot.BotType;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.log.Line;
 import majic.log.ParameterLog;
 import majic.log.Sampling;

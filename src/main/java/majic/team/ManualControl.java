@@ -9,8 +9,8 @@ import java.util.function.Consumer;
 import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
-import majic.bot.PermittedControl;
+import majic.driver.Permit;
+import majic.driver.PermittedControl;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
@@ -127,7 +127,7 @@ public final class ManualControl implements AutoCloseable {
 
     /** Always ends by stopping the robot; the permit is revoked before, so that no drive follows that stop. */
     private void run() {
-        BotControl robot = new PermittedControl(member.bot(), permit);
+        BotControl robot = new PermittedControl(member.driver(), permit);
         @Nullable BotException problem = null;
         try {
             while (!released) {

@@ -8,8 +8,9 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
-import majic.bot.TeamMembership;
+import majic.driver.BotDriver;
+import majic.driver.Permit;
+import majic.driver.TeamMembership;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -25,7 +26,7 @@ public final class Member implements TeamMembership {
     private static final double LAST_COMMAND_S = 1;
 
     private final int number;
-    private final MajicBot bot;
+    private final BotDriver bot;
     private final TeamEvents events;
     private final Ownership ownership;
     private final AtomicInteger beside = new AtomicInteger();
@@ -36,7 +37,7 @@ public final class Member implements TeamMembership {
      *
      * @param stopIsLatched whether STOP is latched
      */
-    Member(int number, MajicBot bot, TeamEvents events, BooleanSupplier stopIsLatched) {
+    Member(int number, BotDriver bot, TeamEvents events, BooleanSupplier stopIsLatched) {
         this.number = number;
         this.bot = bot;
         this.events = events;
@@ -50,7 +51,7 @@ public final class Member implements TeamMembership {
      * @return empty for a robot that is used without a team
      */
     public static Optional<Member> of(MajicBot bot) {
-        return bot.membership().map(Member.class::cast);
+        return BotDriver.of(bot).membership().map(Member.class::cast);
     }
 
     @Override
@@ -98,6 +99,11 @@ public final class Member implements TeamMembership {
      * @return its driver
      */
     public MajicBot bot() {
+        return bot;
+    }
+
+    /** The robot as the team commands it. */
+    BotDriver driver() {
         return bot;
     }
 

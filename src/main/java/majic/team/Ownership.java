@@ -9,10 +9,10 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import majic.bot.BotControl;
 import majic.bot.BotException;
-import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
-import majic.bot.PermittedControl;
+import majic.driver.BotDriver;
+import majic.driver.Permit;
+import majic.driver.PermittedControl;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Ownership {
     private final int robot;
-    private final MajicBot bot;
+    private final BotDriver bot;
     private final TeamEvents events;
     private final BooleanSupplier stopIsLatched;
     private final PermittedControl control;
@@ -54,7 +54,7 @@ final class Ownership {
      * @param robot the robot's number
      * @param stopIsLatched whether STOP is latched
      */
-    Ownership(int robot, MajicBot bot, TeamEvents events, BooleanSupplier stopIsLatched) {
+    Ownership(int robot, BotDriver bot, TeamEvents events, BooleanSupplier stopIsLatched) {
         this.robot = robot;
         this.bot = bot;
         this.events = events;

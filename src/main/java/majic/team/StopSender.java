@@ -34,10 +34,10 @@ final class StopSender {
     /** Writes a stop; the returned task waits for its confirmation and reports it. */
     private Runnable write(Member member, long stop, StopAnswerOrder order) {
         try {
-            boolean written = member.bot().writeStop();
+            boolean written = member.driver().writeStop();
             return () -> confirm(member, stop, order, () -> {
                 if (written) {
-                    member.bot().confirmHalt();
+                    member.driver().confirmHalt();
                 }
             });
         } catch (RuntimeException | Error e) {

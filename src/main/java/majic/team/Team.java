@@ -9,6 +9,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.driver.BotDriver;
 import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
@@ -70,10 +71,12 @@ public final class Team implements AutoCloseable {
      * @param bot a connected robot
      * @param wanted its number; empty for the lowest that was never used
      * @return the new member
-     * @throws BotException if the number is taken or out of range, or the team is full; the robot was not added
+     * @throws BotException if the number is taken or out of range, the team is full, or the robot's driver does not extend
+     *     {@link BotDriver}; the robot was not added
      */
     public Member add(MajicBot bot, OptionalInt wanted) {
-        Member member = roster.add(wanted, number -> place(number, bot));
+        BotDriver driver = BotDriver.of(bot);
+        Member member = roster.add(wanted, number -> place(number, driver));
         bot.addListener(new MemberListener(events, member));
         member.start();
         events.publish(listener -> listener.added(member));
@@ -81,7 +84,7 @@ public final class Team implements AutoCloseable {
     }
 
     /** Either STOP includes the new robot, or this method finds STOP latched. */
-    private Member place(int number, MajicBot bot) {
+    private Member place(int number, BotDriver bot) {
         Member member = new Member(number, bot, events, this::isLatched);
         bot.join(member, "robot " + number + " (" + bot.type().label() + ")");
         if (latched) {

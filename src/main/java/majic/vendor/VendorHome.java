@@ -10,7 +10,7 @@ import java.util.function.Function;
 import java.util.jar.JarFile;
 import java.util.stream.Stream;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.jspecify.annotations.Nullable;
 
 /**

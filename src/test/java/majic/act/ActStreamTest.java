@@ -26,7 +26,7 @@ import majic.act.file.ActFile;
 import majic.act.file.ActObjectInput;
 import majic.act.file.ActTrust;
 import majic.act.make.ActMaker;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -39,7 +39,7 @@ import majic.act.file.ActManifest;
 import majic.act.file.ActObjectInput;
 import majic.act.file.ActTrust;
 import majic.act.file.BoundedZipTest;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

@@ -3,7 +3,7 @@ package majic.act;
 import java.nio.file.Path;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /** Provides the behaviours for sessions without behaviours of the user and without consents. */
 public final class NoActs {

@@ -25,7 +25,7 @@ import majic.act.file.ActFile;
 import majic.act.file.ActManifest;
 import majic.act.file.ActTrust;
 import majic.act.file.BoundedZipTest;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

@@ -3,11 +3,11 @@ package majic.act;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import majic.bot.BotEnvironment;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.bot.MajicBot;
-import majic.bot.Settings;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

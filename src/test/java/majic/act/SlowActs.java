@@ -10,7 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.act.make.ActMaker;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /** Provides a user's act {@code Slow} whose check blocks until {@link #answer()}, as on a network share that hangs. */
 public final class SlowActs {

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import majic.act.file.ActFile;
 import majic.act.file.ActTrust;
 import majic.act.make.ActMaker;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /** Compiles acts while the tests run, so that this MAJIC does not have their classes. */
 public final class Sources {

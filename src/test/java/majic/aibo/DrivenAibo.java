@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
 import majic.bot.BotAddress;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /** A scripted dog and its driver, for one test. */
 final class DrivenAibo implements AutoCloseable {

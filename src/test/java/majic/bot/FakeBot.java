@@ -7,6 +7,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import majic.driver.BotDriver;
 import majic.driver.DriverCommand;
 import majic.driver.Motion;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 

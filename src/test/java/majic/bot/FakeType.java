@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import majic.environment.BotEnvironment;
 
 /** A type of robot that is made up for tests: {@code fake://anything}. */
 public class FakeType implements BotType {

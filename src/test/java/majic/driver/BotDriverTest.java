@@ -14,7 +14,6 @@ import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
-import majic.bot.Permit;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -117,11 +116,12 @@ class BotDriverTest {
 
     @Test
     void nothingBegunBeforeAStopCanMoveTheRobotAfterIt() {
-        Permit before = bot.permit();
+        BotDriver driver = bot;
+        Permit before = driver.permit();
 
-        bot.stop();
+        driver.stop();
 
-        assertThatThrownBy(() -> bot.move(100, Guard.NEVER, before)).isInstanceOf(MotionStopped.class);
+        assertThatThrownBy(() -> driver.move(100, Guard.NEVER, before)).isInstanceOf(MotionStopped.class);
         assertThat(bot.sent()).containsOnly("halt");
     }
 

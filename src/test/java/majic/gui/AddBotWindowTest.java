@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import javax.swing.JComboBox;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.add.AddBotDialog;
 import majic.gui.add.RecentRobots;
 import majic.gui.kit.ProgramServices;

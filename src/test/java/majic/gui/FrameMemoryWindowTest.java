@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 

@@ -8,7 +8,7 @@ import majic.act.file.ActCatalog;
 import majic.act.file.ActFile;
 import majic.act.file.ActTrust;
 import majic.act.make.ActMaker;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.script.ScriptAct;
 
 /** The user's own acts in the window's tests. */

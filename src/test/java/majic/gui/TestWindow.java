@@ -30,7 +30,7 @@ import javax.swing.text.JTextComponent;
 import majic.act.NoActs;
 import majic.act.file.ActCatalog;
 import majic.bot.BotType;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.EventThreadGuard;
 import majic.gui.kit.EventThreadWatch;
 import majic.gui.kit.ProgramServices;

@@ -2,9 +2,9 @@ package majic.gui;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import majic.bot.BotEnvironment;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
+import majic.environment.BotEnvironment;
 
 /** The type of the robots in the window's tests. */
 public final class ToyType implements BotType {

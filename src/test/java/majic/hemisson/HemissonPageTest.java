@@ -8,10 +8,10 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Collectors;
 import majic.bot.Parameter;
-import majic.bot.ParameterGroup;
 import majic.bot.Range;
 import majic.hemisson.line.Reply;
 import majic.hemisson.modules.Modules;
+import majic.script.help.ParameterGroup;
 import org.junit.jupiter.api.Test;
 
 /** The page about the Hemisson lists what the driver describes, word for word. */

@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
-import majic.bot.Settings;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -3,8 +3,8 @@ package majic.hemisson;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.mockito.Mockito.mock;
 
-import majic.bot.BotEnvironment;
 import majic.driver.RobotWait;
+import majic.environment.BotEnvironment;
 import majic.hemisson.line.Conversation;
 import majic.hemisson.line.CurrentSession;
 import majic.hemisson.line.Exchange;

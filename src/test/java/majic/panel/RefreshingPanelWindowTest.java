@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
-import majic.bot.BotEnvironment;
 import majic.bot.BotState;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
+import majic.environment.BotEnvironment;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 

@@ -5,12 +5,12 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import majic.bot.BotAddress;
-import majic.bot.BotEnvironment;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.bot.MotionReport;
-import majic.bot.Settings;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
 import org.jspecify.annotations.Nullable;
 
 /** The driver and a scripted robot on one stepped clock, for one test. */

@@ -1,7 +1,7 @@
 package majic.pioneer;
 
 import java.util.function.Function;
-import majic.bot.BotEnvironment;
+import majic.environment.BotEnvironment;
 import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.PioneerConnection;
 

@@ -10,7 +10,7 @@ import java.util.Arrays;
 import java.util.Map;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.team.BotFactory;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;

@@ -6,7 +6,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.team.BotFactory;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

@@ -11,7 +11,7 @@ import majic.act.ActDetails;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.act.make.ActMaker;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -11,7 +11,7 @@ import majic.act.ActException;
 import majic.act.MajicAct;
 import majic.act.file.ActFile;
 import majic.act.file.ActTrust;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -11,7 +11,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import majic.act.SlowActs;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.log.SessionLog;
 import majic.team.BotFactory;
 import majic.team.Team;

@@ -7,8 +7,8 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.FakeBot;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
-import majic.bot.PermittedControl;
+import majic.driver.Permit;
+import majic.driver.PermittedControl;
 import majic.drivertest.TestClock;
 import org.junit.jupiter.api.Test;
 

@@ -14,10 +14,11 @@ import java.util.concurrent.CompletableFuture;
 import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.FakeBot;
+import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
-import majic.bot.PermittedControl;
 import majic.bot.Value;
+import majic.driver.Permit;
+import majic.driver.PermittedControl;
 import majic.drivertest.TestClock;
 import majic.time.Signal;
 import org.junit.jupiter.api.AfterEach;
@@ -258,10 +259,20 @@ class TeamTest {
     }
 
     @Test
+    void aRobotWithoutADriverOfMajicIsRefusedWithTheClassItWouldHaveToExtend() {
+        MajicBot stranger = mock(MajicBot.class);
+
+        assertThatThrownBy(() -> team.add(stranger, OptionalInt.empty()))
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("does not extend majic.driver.BotDriver");
+        assertThat(team.members()).isEmpty();
+    }
+
+    @Test
     void aRevokedPermitLeavesItsHolderNoUseOfTheRobot() {
         FakeBot bot = join();
         Permit permit = new Permit();
-        BotControl control = new PermittedControl(team.member(1).bot(), permit);
+        BotControl control = new PermittedControl(bot, permit);
         permit.revoke(() -> new MotionStopped("revoked"));
 
         assertThatThrownBy(() -> control.move(100)).hasMessage("revoked");

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Supplier;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.vendor.probe.ProbeAdapter;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

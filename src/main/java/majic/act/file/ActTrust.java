@@ -3,7 +3,7 @@ package majic.act.file;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /**
  * Stores which code the user has agreed to, by the hash of its file, in the user's settings. Acts that come with MAJIC,

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Optional;
 import majic.bot.BotException;
 import majic.bot.Range;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /**
  * The time that one dog takes for a millimetre or a degree at the usual pace of its legs. Stored in the user's settings

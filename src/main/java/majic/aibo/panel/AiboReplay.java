@@ -7,9 +7,9 @@ import javax.swing.JComponent;
 import majic.aibo.body.Calibration;
 import majic.aibo.body.DogState;
 import majic.aibo.urbi.UrbiValue;
+import majic.bot.BotType.ReplayDisplay;
 import majic.bot.MajicBot;
-import majic.bot.ReplayDisplay;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.text.Texts;
 
 /** The panel of a recorded dog. */

@@ -7,6 +7,7 @@ import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.MajicBot;
 import majic.panel.PictureView;
+import majic.team.Member;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
@@ -27,7 +28,7 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
     private record Seen(@Nullable BufferedImage image, String words) {}
 
     CameraPanel(MajicBot bot) {
-        view.setTitle(() -> bot.membership()
+        view.setTitle(() -> Member.of(bot)
                 .map(member -> TEXTS.get("camera.robot", member.number()))
                 .orElseGet(() -> TEXTS.get("camera")));
         view.miss(newest.words());

@@ -8,6 +8,7 @@ import majic.aibo.body.Joint;
 import majic.aibo.body.SensorReadings;
 import majic.bot.MajicBot;
 import majic.panel.SetpointSlider;
+import majic.team.Member;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
@@ -47,7 +48,7 @@ final class HeadPanel extends JPanel {
     }
 
     void refresh() {
-        boolean usable = bot.isConnected() && bot.membership().isPresent();
+        boolean usable = bot.isConnected() && Member.of(bot).isPresent();
         sliders.forEach((joint, slider) -> {
             slider.setEnabled(usable);
             slider.show(

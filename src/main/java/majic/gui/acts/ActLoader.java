@@ -3,7 +3,7 @@ package majic.gui.acts;
 import java.awt.Window;
 import majic.act.file.ActFile;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
 import majic.script.ActOffers;

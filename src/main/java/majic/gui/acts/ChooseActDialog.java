@@ -13,7 +13,7 @@ import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;

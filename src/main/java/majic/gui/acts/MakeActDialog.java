@@ -10,7 +10,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import majic.act.ActDetails;
 import majic.act.file.ActCatalog;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.Confirm;
 import majic.gui.kit.EventThread;

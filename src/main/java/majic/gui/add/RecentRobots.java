@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /** The addresses of the robots that were connected last, kept in the settings. Robots of the lab are not kept. */
 public final class RecentRobots {

@@ -3,7 +3,7 @@ package majic.gui.command;
 import java.util.List;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.KeyAction;
 import net.miginfocom.swing.MigLayout;

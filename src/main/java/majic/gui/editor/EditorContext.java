@@ -2,7 +2,7 @@ package majic.gui.editor;
 
 import java.nio.file.Path;
 import java.util.function.Consumer;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.script.Session;
 
 /**

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.EventThread;
 
 /** The scripts that were opened or saved last, kept in the settings. Must be used on the event dispatch thread. */

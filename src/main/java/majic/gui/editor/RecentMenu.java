@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.text.Texts;
 
 /** The entries of the menu of recent files. */

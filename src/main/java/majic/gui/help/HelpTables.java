@@ -11,7 +11,7 @@ import java.util.Objects;
 import javax.swing.table.DefaultTableModel;
 import javax.swing.table.TableModel;
 import majic.bot.Parameter;
-import majic.bot.ParameterGroup;
+import majic.script.help.ParameterGroup;
 import majic.team.Member;
 import majic.text.Texts;
 

@@ -4,7 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.Optional;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /** Stores settings without blocking the window. One that cannot be written holds until the program ends. */
 public final class BackgroundSettings {

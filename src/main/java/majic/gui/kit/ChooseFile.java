@@ -20,7 +20,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.text.Texts;
 
 /** Asks for a file without blocking the window; starts in the folder where a file was chosen last. */

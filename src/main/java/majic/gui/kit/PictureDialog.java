@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Optional;
 import javax.imageio.ImageIO;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.panel.PictureView;
 import majic.text.IoReason;
 import majic.text.Texts;

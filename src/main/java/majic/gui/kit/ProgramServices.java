@@ -3,7 +3,7 @@ package majic.gui.kit;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Supplier;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.recorder.RecordedHistory;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;

@@ -17,7 +17,7 @@ import javax.swing.JScrollPane;
 import javax.swing.JToggleButton;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.Timer;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.Mnemonics;

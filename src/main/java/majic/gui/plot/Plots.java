@@ -10,7 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.plot.data.PlotSource;
 import majic.gui.plot.data.Quantity;
 import org.jspecify.annotations.Nullable;

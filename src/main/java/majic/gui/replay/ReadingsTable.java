@@ -7,9 +7,9 @@ import javax.swing.JScrollPane;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import javax.swing.table.AbstractTableModel;
+import majic.bot.BotType.ReplayDisplay;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
-import majic.bot.ReplayDisplay;
 import majic.panel.PlotLink;
 import majic.text.Texts;
 

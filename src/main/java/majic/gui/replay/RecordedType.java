@@ -1,10 +1,10 @@
 package majic.gui.replay;
 
 import java.util.List;
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
+import majic.environment.BotEnvironment;
 import majic.recorder.RecordedRobot;
 import majic.text.Texts;
 

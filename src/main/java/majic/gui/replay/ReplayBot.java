@@ -1,6 +1,5 @@
 package majic.gui.replay;
 
-import majic.bot.BotEnvironment;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
@@ -13,6 +12,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
+import majic.environment.BotEnvironment;
 import majic.recorder.RecordedRobot;
 import majic.recorder.RobotTracks;
 import majic.text.Texts;

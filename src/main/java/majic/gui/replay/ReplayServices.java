@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.bot.BotType;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.recorder.RecordedRobot;
 
 /**

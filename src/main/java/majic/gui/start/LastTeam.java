@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.Timer;
 import majic.bot.BotException;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.add.RecentRobots;
 import majic.gui.kit.EventThread;
 import majic.script.SavedTeam;

@@ -6,7 +6,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.bot.Range;
-import majic.bot.Settings;
+import majic.environment.Settings;
 
 /** The speed table of one robot, kept in the user's settings under its address. Thread-safe. */
 public final class SpeedCalibration {

@@ -13,7 +13,6 @@ import majic.bot.BotCommand;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
-import majic.bot.ParameterGroup;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.script.syntax.LineParser;

@@ -5,7 +5,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import majic.bot.BotException;
-import majic.bot.Permit;
+import majic.driver.Permit;
 import majic.log.Line;
 import majic.log.SessionOutput;
 import majic.script.conditions.Selection;

@@ -8,7 +8,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.bot.BotException;
-import majic.bot.Permit;
+import majic.driver.Permit;
 import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
 import majic.script.run.CommandTrait;

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.IntFunction;
-import majic.bot.Permit;
+import majic.driver.Permit;
 import majic.log.Line;
 import majic.log.SessionOutput;
 import majic.script.conditions.Selection;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 import majic.bot.MotionStopped;
-import majic.bot.Permit;
+import majic.driver.Permit;
 import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;

@@ -20,7 +20,7 @@ import majic.act.Role;
 import majic.act.Sources;
 import majic.act.TinyClass;
 import majic.act.make.ActMaker;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

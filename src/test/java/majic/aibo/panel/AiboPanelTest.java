@@ -8,7 +8,7 @@ import majic.aibo.body.Calibration;
 import majic.aibo.body.DogState;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.UrbiValue;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.junit.jupiter.api.Test;
 
 class AiboPanelTest {

@@ -19,7 +19,7 @@ import majic.aibo.body.Sensor;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
 import majic.act.NoActs;
 import majic.bot.BotType;
 import majic.bot.MajicBot.Connection;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.ToyBot;
 import majic.gui.ToyType;
 import majic.gui.WindowWait;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import org.junit.jupiter.api.Test;
 
 class RecentRobotsTest {

@@ -12,7 +12,7 @@ import java.util.function.BooleanSupplier;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.ToyBot;
 import majic.gui.ToyType;
 import majic.gui.WindowWait;

@@ -11,7 +11,7 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.swing.table.TableModel;
 import majic.act.NoActs;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.log.SessionLog;
 import majic.script.MajicParser;
 import majic.script.Session;

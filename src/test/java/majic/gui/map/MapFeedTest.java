@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import majic.bot.BotType;
 import majic.bot.Pose;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.ToyBot;
 import majic.gui.ToyLab;
 import majic.gui.ToyType;

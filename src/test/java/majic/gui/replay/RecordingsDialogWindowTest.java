@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.nio.file.AccessDeniedException;
 import java.util.List;
 import javax.swing.JPanel;
-import majic.bot.Settings;
+import majic.environment.Settings;
 import majic.gui.TestWindow;
 import majic.recorder.RecordingFolder;
 import org.junit.jupiter.api.AutoClose;

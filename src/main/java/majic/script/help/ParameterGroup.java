@@ -1,9 +1,10 @@
-package majic.bot;
+package majic.script.help;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import majic.bot.Parameter;
 
 /**
  * Parameters that differ in nothing but the number at the end of their names, one higher each, such as {@code sonar0}
@@ -41,7 +42,7 @@ public record ParameterGroup(Parameter first, Parameter last) {
                 && after.matches()
                 && before.group(1).equals(after.group(1))
                 && Integer.parseInt(before.group(2)) + 1 == Integer.parseInt(after.group(2))
-                && last.named(next.name()).equals(next);
+                && last.renamed(next.name()).equals(next);
     }
 
     /**

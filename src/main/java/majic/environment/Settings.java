@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.environment;
 
 import java.util.Map;
 import java.util.Optional;
@@ -21,7 +21,7 @@ public interface Settings {
      *
      * @param key its name
      * @param value what to keep
-     * @throws BotException if it could not be written; it then holds until the program ends
+     * @throws majic.bot.BotException if it could not be written; it then holds until the program ends
      */
     void put(String key, String value);
 

@@ -1,6 +1,13 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.List;
+import majic.bot.BotCommand;
+import majic.bot.BotControl;
+import majic.bot.Guard;
+import majic.bot.MotionReport;
+import majic.bot.MotionStopped;
+import majic.bot.Parameter;
+import majic.bot.Value;
 
 /**
  * Lets one user of a robot, such as an act or manual control, use the robot while a permit is valid. Once the permit is
@@ -9,7 +16,7 @@ import java.util.List;
  * motions that were begun through this object, and revokes no other permit. Thread-safe.
  */
 public final class PermittedControl implements BotControl {
-    private final MajicBot bot;
+    private final BotDriver bot;
     private final Permit permit;
     private final Permit permitToMove;
     private Permit untilStop = new Permit();
@@ -20,11 +27,11 @@ public final class PermittedControl implements BotControl {
      * @param bot the robot
      * @param permit the permit to use it, checked at each use
      */
-    public PermittedControl(MajicBot bot, Permit permit) {
+    public PermittedControl(BotDriver bot, Permit permit) {
         this(bot, permit, permit);
     }
 
-    private PermittedControl(MajicBot bot, Permit permit, Permit permitToMove) {
+    private PermittedControl(BotDriver bot, Permit permit, Permit permitToMove) {
         this.bot = bot;
         this.permit = permit;
         this.permitToMove = permitToMove;
@@ -51,7 +58,7 @@ public final class PermittedControl implements BotControl {
         return permitToMove.and(untilStop).and(bot.permit());
     }
 
-    private MajicBot permitted() {
+    private BotDriver permitted() {
         permit.check();
         return bot;
     }
@@ -83,7 +90,7 @@ public final class PermittedControl implements BotControl {
 
     @Override
     public void stop() {
-        MajicBot robot = permitted();
+        BotDriver robot = permitted();
         endMotions();
         if (robot.isConnected()) {
             robot.sendStop();

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.driver;
 
 /** The membership of a robot in a team. Implemented by the team, so that a robot does not depend on teams. */
 public interface TeamMembership {

@@ -1,7 +1,9 @@
-package majic.bot;
+package majic.driver;
 
 import java.util.List;
 import java.util.function.Supplier;
+import majic.bot.BotException;
+import majic.bot.MotionStopped;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,4 +1,4 @@
-package majic.bot;
+package majic.environment;
 
 import majic.time.TimeSource;
 

@@ -1,8 +1,10 @@
-package majic.bot;
+package majic.script.help;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import majic.bot.Parameter;
+import majic.bot.Unit;
 import org.junit.jupiter.api.Test;
 
 class ParameterGroupTest {
