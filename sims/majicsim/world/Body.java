@@ -2,6 +2,7 @@ package majicsim.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
@@ -19,7 +20,10 @@ public final class Body {
     private final Shape outline;
     private final double reachMm;
     private Predicate<Pose> fits = at -> true;
+    private Consumer<Pose> movement = from -> {};
     private Pose pose;
+    private @Nullable Shape shape;
+    private @Nullable List<Point> corners;
     private double wantedMmPerSec;
     private double wantedDegPerSec;
     private double speedMmPerSec;
@@ -98,7 +102,7 @@ public final class Body {
         contact = Contact.NONE;
         blocked = false;
         wallFreeMm = 0;
-        pose = p;
+        moveTo(p);
     }
 
     /**
@@ -167,25 +171,41 @@ public final class Body {
      * @return corners in room coordinates, counter-clockwise
      */
     public List<Point> outline() {
-        List<Point> corners = new ArrayList<>();
-        if (outline.corners() == 1) {
-            for (int i = 0; i < DISC_DRAWN_WITH_CORNERS; i++) {
-                double angle = 2 * Math.PI * i / DISC_DRAWN_WITH_CORNERS;
-                corners.add(pose.toWorld(outline.roundMm * Math.cos(angle), outline.roundMm * Math.sin(angle)));
-            }
-            return corners;
-        }
-        for (int i = 0; i < outline.corners(); i++) {
-            corners.add(pose.toWorld(outline.xs[i], outline.ys[i]));
+        if (corners == null) {
+            corners = List.copyOf(drawnCorners());
         }
         return corners;
     }
 
-    Shape shapeAt(Pose where) {
-        return outline.at(where);
+    private List<Point> drawnCorners() {
+        List<Point> drawn = new ArrayList<>();
+        if (outline.corners() == 1) {
+            for (int i = 0; i < DISC_DRAWN_WITH_CORNERS; i++) {
+                double angle = 2 * Math.PI * i / DISC_DRAWN_WITH_CORNERS;
+                drawn.add(pose.toWorld(outline.roundMm * Math.cos(angle), outline.roundMm * Math.sin(angle)));
+            }
+            return drawn;
+        }
+        for (int i = 0; i < outline.corners(); i++) {
+            drawn.add(pose.toWorld(outline.xs[i], outline.ys[i]));
+        }
+        return drawn;
     }
 
-    double reachMm() {
+    /** Its outline at its present place. */
+    Shape shape() {
+        if (shape == null) {
+            shape = outline.at(pose);
+        }
+        return shape;
+    }
+
+    Shape shapeAt(Pose where) {
+        return where == pose ? shape() : outline.at(where);
+    }
+
+    /** How far its farthest point is from its turning centre. */
+    public double reachMm() {
         return reachMm;
     }
 
@@ -197,9 +217,14 @@ public final class Body {
         return wantedDegPerSec;
     }
 
-    /** Adds the body to a room, which limits where it can be. */
-    void enter(Predicate<Pose> room) {
+    boolean wantsToRest() {
+        return wantedMmPerSec == 0 && wantedDegPerSec == 0;
+    }
+
+    /** Adds the body to a room, which limits where it can be, and receives the last pose after each movement. */
+    void enter(Predicate<Pose> room, Consumer<Pose> moved) {
         fits = room;
+        movement = moved;
     }
 
     /** Records the motion of one step, which may be less than the commanded velocity. */
@@ -230,8 +255,16 @@ public final class Body {
     }
 
     void go(Pose next, double atMostMm) {
-        pose = next;
+        moveTo(next);
         wallFreeMm -= atMostMm;
+    }
+
+    private void moveTo(Pose next) {
+        Pose from = pose;
+        pose = next;
+        shape = null;
+        corners = null;
+        movement.accept(from);
     }
 
     /** Whether a wall already blocked this same step from this same pose. */

@@ -18,11 +18,11 @@ final class Motion {
     }
 
     void advance(Body body, double seconds) {
-        Step wanted = new Step(body.wantedMmPerSec() * seconds, body.wantedDegPerSec() * seconds);
-        if (seconds <= 0 || wanted.isNone()) {
+        if (seconds <= 0 || body.wantsToRest()) {
             body.moved(0, 0, false);
             return;
         }
+        Step wanted = new Step(body.wantedMmPerSec() * seconds, body.wantedDegPerSec() * seconds);
         int pieces = (int) Math.ceil(wanted.travelMm(body.reachMm()) / PIECE_MM);
         Step one = new Step(wanted.mm() / pieces, wanted.deg() / pieces);
         Step done = Step.NONE;

@@ -1,7 +1,5 @@
 package majicsim.world;
 
-import java.util.List;
-
 /** What is in a body's way: the walls near it and the other bodies. */
 final class Obstacles {
     /** Walls farther than this are not looked at one by one. */
@@ -10,9 +8,9 @@ final class Obstacles {
     private static final Gap FAR = new Gap(LOOK_MM, new Point(0, 0));
 
     private final Room room;
-    private final List<Body> bodies;
+    private final BodyIndex bodies;
 
-    Obstacles(Room room, List<Body> bodies) {
+    Obstacles(Room room, BodyIndex bodies) {
         this.room = room;
         this.bodies = bodies;
     }
@@ -48,15 +46,13 @@ final class Obstacles {
     }
 
     private boolean areBodiesClearOf(Body body, Pose at) {
-        for (Body other : bodies) {
-            if (isNear(body, other, at, 1)
-                    && Gap.between(body.shapeAt(at), other.shapeAt(other.pose()))
-                                    .mm()
-                            <= 0) {
-                return false;
+        boolean[] clear = {true};
+        bodies.near(at.xMm(), at.yMm(), body.reachMm(), other -> {
+            if (clear[0] && isNear(body, other, at, 1)) {
+                clear[0] = Gap.between(body.shapeAt(at), other.shape()).mm() > 0;
             }
-        }
-        return true;
+        });
+        return clear[0];
     }
 
     private Gap wallGap(Body body, Shape shape, Pose at, double withinMm) {
@@ -72,13 +68,13 @@ final class Obstacles {
     }
 
     private Gap bodyGap(Body body, Shape shape, Pose at, double withinMm) {
-        Gap best = FAR;
-        for (Body other : bodies) {
+        Gap[] best = {FAR};
+        bodies.near(at.xMm(), at.yMm(), body.reachMm() + withinMm, other -> {
             if (isNear(body, other, at, withinMm)) {
-                best = Gap.nearer(best, Gap.between(shape, other.shapeAt(other.pose())));
+                best[0] = Gap.nearer(best[0], Gap.between(shape, other.shape()));
             }
-        }
-        return best;
+        });
+        return best[0];
     }
 
     private static boolean isNear(Body body, Body other, Pose at, double withinMm) {

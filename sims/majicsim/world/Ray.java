@@ -20,8 +20,25 @@ final class Ray {
         return hit;
     }
 
-    Point at(double alongMm) {
-        return new Point(x + alongMm * dx, y + alongMm * dy);
+    /** To what it meets first, as far as it was compared. */
+    double lengthMm() {
+        return hit.distanceMm();
+    }
+
+    double xAt(double alongMm) {
+        return x + alongMm * dx;
+    }
+
+    double yAt(double alongMm) {
+        return y + alongMm * dy;
+    }
+
+    /** Whether it may meet something that reaches so far from there. */
+    boolean passesNear(Pose place, double reachMm) {
+        double toX = place.xMm() - x;
+        double toY = place.yMm() - y;
+        double along = toX * dx + toY * dy;
+        return Math.abs(toX * dy - toY * dx) <= reachMm && along >= -reachMm && along <= hit.distanceMm() + reachMm;
     }
 
     void meet(Shape shape, double reflectivity) {

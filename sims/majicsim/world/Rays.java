@@ -1,24 +1,24 @@
 package majicsim.world;
 
-import java.util.List;
+import java.util.function.IntConsumer;
 
 /** Finds what a ray meets first. */
 final class Rays {
     private final Room room;
-    private final List<Body> bodies;
+    private final BodyIndex bodies;
 
-    Rays(Room room, List<Body> bodies) {
+    Rays(Room room, BodyIndex bodies) {
         this.room = room;
         this.bodies = bodies;
     }
 
     Hit cast(Body viewer, Pose from, double maxMm) {
         Ray ray = new Ray(from, maxMm);
-        for (Body body : bodies) {
-            if (body != viewer && from.distanceTo(body.pose()) < maxMm + body.reachMm()) {
-                ray.meet(body.shapeAt(body.pose()), Body.REFLECTIVITY);
+        bodies.near(from.xMm(), from.yMm(), maxMm, body -> {
+            if (body != viewer && ray.passesNear(body.pose(), body.reachMm())) {
+                ray.meet(body.shape(), Body.REFLECTIVITY);
             }
-        }
+        });
         meetWalls(ray);
         return ray.hit();
     }
@@ -31,18 +31,17 @@ final class Rays {
 
     /** Goes along the ray cell by cell and ends with the first cell that holds the hit. */
     private void meetWalls(Ray ray) {
-        double pieceMm = room.index().cellMm();
-        for (double start = 0; start < ray.hit().distanceMm(); start += pieceMm) {
-            Point a = ray.at(start);
-            Point b = ray.at(Math.min(start + pieceMm, ray.hit().distanceMm()));
-            room.index()
-                    .near(
-                            Math.min(a.xMm(), b.xMm()),
-                            Math.min(a.yMm(), b.yMm()),
-                            Math.max(a.xMm(), b.xMm()),
-                            Math.max(a.yMm(), b.yMm()),
-                            wall -> ray.meet(
-                                    room.wallShape(wall), room.walls().get(wall).reflectivity()));
+        WallIndex index = room.index();
+        double pieceMm = index.cellMm();
+        IntConsumer meet = wall -> ray.meet(room.wallShape(wall), room.reflectivity(wall));
+        for (double start = 0; start < ray.lengthMm(); start += pieceMm) {
+            double end = Math.min(start + pieceMm, ray.lengthMm());
+            index.near(
+                    Math.min(ray.xAt(start), ray.xAt(end)),
+                    Math.min(ray.yAt(start), ray.yAt(end)),
+                    Math.max(ray.xAt(start), ray.xAt(end)),
+                    Math.max(ray.yAt(start), ray.yAt(end)),
+                    meet);
         }
     }
 }

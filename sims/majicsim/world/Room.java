@@ -12,6 +12,8 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /**
  * The fixed part of a lab: walls, start places, lamps, tape on the floor. Read from the vendor's map text (ARCOS sheet appendix
@@ -24,21 +26,30 @@ public final class Room {
     private static final int MOST_IN_STANDARD = 11;
 
     private final List<Segment> walls;
-    private final List<Shape> wallShapes;
+    private final Shape[] wallShapes;
+    private final double[] reflectivities;
+    private final List<Point> corners;
     private final List<Pose> homes;
     private final List<Pose> landmarks;
     private final RoomContents contents;
     private final Bounds bounds;
     private final WallIndex index;
+    private final WallIndex cornerIndex;
 
     Room(List<Segment> walls, List<Pose> homes, List<Pose> landmarks, RoomContents contents) {
         this.walls = List.copyOf(walls);
-        this.wallShapes = walls.stream().map(Shape::of).toList();
+        this.wallShapes = walls.stream().map(Shape::of).toArray(Shape[]::new);
+        this.reflectivities = walls.stream().mapToDouble(Segment::reflectivity).toArray();
+        this.corners = walls.stream()
+                .flatMap(wall -> Stream.of(new Point(wall.x1(), wall.y1()), new Point(wall.x2(), wall.y2())))
+                .distinct()
+                .toList();
         this.homes = List.copyOf(homes);
         this.landmarks = List.copyOf(landmarks);
         this.contents = contents;
         this.bounds = Bounds.around(walls);
         this.index = new WallIndex(this.walls, bounds);
+        this.cornerIndex = new WallIndex(corners.stream().map(Room::pointWall).toList(), bounds);
     }
 
     /**
@@ -169,13 +180,31 @@ public final class Room {
         return new StartPlaces(this).places(count);
     }
 
+    private static Segment pointWall(Point at) {
+        return new Segment(at.xMm(), at.yMm(), at.xMm(), at.yMm(), 0);
+    }
+
     /** Goals and docks: places that are surely inside. */
     List<Pose> landmarks() {
         return landmarks;
     }
 
     Shape wallShape(int number) {
-        return wallShapes.get(number);
+        return wallShapes[number];
+    }
+
+    double reflectivity(int wall) {
+        return reflectivities[wall];
+    }
+
+    /** Passes on all ends of walls within this distance; also some that are farther. */
+    void cornersNear(double xMm, double yMm, double withinMm, Consumer<Point> visitor) {
+        cornerIndex.near(
+                xMm - withinMm,
+                yMm - withinMm,
+                xMm + withinMm,
+                yMm + withinMm,
+                number -> visitor.accept(corners.get(number)));
     }
 
     WallIndex index() {

@@ -39,8 +39,10 @@ final class WallIndex {
 
     /** Passes on the numbers of all walls that may touch the rectangle; also some that do not, and some twice. */
     void near(double minX, double minY, double maxX, double maxY, IntConsumer visitor) {
-        for (int row = row(minY); row <= row(maxY); row++) {
-            for (int column = column(minX); column <= column(maxX); column++) {
+        int lastRow = row(maxY);
+        int lastColumn = column(maxX);
+        for (int row = row(minY); row <= lastRow; row++) {
+            for (int column = column(minX); column <= lastColumn; column++) {
                 for (int wall : cells[row * columns + column]) {
                     visitor.accept(wall);
                 }

@@ -2,6 +2,7 @@ package majicsim.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 
 /**
  * A room and the bodies in it. Bodies move only in a step, and never overlap a wall or another body. Guarded by the
@@ -14,6 +15,7 @@ public final class World {
 
     private final Room room;
     private final List<Body> bodies = new ArrayList<>();
+    private final BodyIndex index;
     private final Obstacles obstacles;
     private final Motion motion;
     private final Rays rays;
@@ -26,9 +28,10 @@ public final class World {
      */
     public World(Room room) {
         this.room = room;
-        obstacles = new Obstacles(room, bodies);
+        index = new BodyIndex(room.bounds());
+        obstacles = new Obstacles(room, index);
         motion = new Motion(obstacles);
-        rays = new Rays(room, bodies);
+        rays = new Rays(room, index);
         lighting = new Lighting(room, rays);
     }
 
@@ -61,8 +64,9 @@ public final class World {
             throw new IllegalArgumentException(
                     b.name() + " does not fit at " + b.pose() + ": a wall or another body is there");
         }
-        b.enter(at -> isFree(b, at));
+        b.enter(at -> isFree(b, at), from -> index.moved(b, from));
         bodies.add(b);
+        index.add(b);
     }
 
     /**
@@ -82,11 +86,44 @@ public final class World {
      * @param seconds 0 or more; a long step is divided so that nothing jumps over a wall
      */
     public void step(double seconds) {
+        boolean anyBlocked = false;
         for (Body body : bodies) {
             motion.advance(body, seconds);
+            anyBlocked |= body.blocked();
         }
-        boolean anyBlocked = bodies.stream().anyMatch(Body::blocked);
-        bodies.forEach(body -> motion.feel(body, anyBlocked));
+        for (Body body : bodies) {
+            motion.feel(body, anyBlocked);
+        }
+    }
+
+    /**
+     * A number that grows whenever a body moves near a place, so that what a sensor there measures can be kept meanwhile.
+     *
+     * @param xMm place in the room
+     * @param yMm place in the room
+     * @param withinMm how near a part of a body must be to count; farther ones may count too
+     * @return movements since the world was made
+     */
+    public long movementsNear(double xMm, double yMm, double withinMm) {
+        return index.movementsNear(xMm, yMm, withinMm);
+    }
+
+    /**
+     * The corners near a place, at which sound scatters: ends of walls and corners of bodies.
+     *
+     * @param viewer the body with the sensor, whose corners do not count
+     * @param xMm place in the room
+     * @param yMm place in the room
+     * @param withinMm all corners that are so near are passed on, and some that are farther
+     * @param visitor receives the corners
+     */
+    public void cornersNear(Body viewer, double xMm, double yMm, double withinMm, Consumer<Point> visitor) {
+        room.cornersNear(xMm, yMm, withinMm, visitor);
+        index.near(xMm, yMm, withinMm, body -> {
+            if (body != viewer) {
+                body.outline().forEach(visitor);
+            }
+        });
     }
 
     /**

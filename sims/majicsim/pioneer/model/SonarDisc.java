@@ -9,6 +9,9 @@ package majicsim.pioneer.model;
  * @param axisDeg where it looks, counterclockwise
  */
 public record SonarDisc(int number, double xMm, double yMm, double axisDeg) {
+    /** Numbers are below this. */
+    public static final int MOST = 32;
+
     private static final int DISCS_PER_ARRAY = 8;
 
     /** The array it belongs to, from 0: front, rear, upper front, upper rear. */

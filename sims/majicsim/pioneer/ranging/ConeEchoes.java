@@ -1,0 +1,75 @@
+package majicsim.pioneer.ranging;
+
+import majicsim.world.Body;
+import majicsim.world.Hit;
+import majicsim.world.Point;
+import majicsim.world.Pose;
+import majicsim.world.World;
+
+/**
+ * What there is in the cone of one disc to throw sound back: the surfaces that a few rays meet, and the nearest corner in sight.
+ * It holds until something near moves.
+ */
+final class ConeEchoes {
+    private static final double HALF_CONE_DEG = 15;
+    private static final double BETWEEN_RAYS_DEG = 5;
+    private static final int RAYS = 1 + (int) (2 * HALF_CONE_DEG / BETWEEN_RAYS_DEG);
+    private static final double EDGE_HEARD_MM = 2500;
+    /** How much nearer something may be hit on the way to an edge that still counts as in sight. */
+    private static final double EDGE_SLACK_MM = 2;
+
+    private final World world;
+    private final Body body;
+    private final Pose view;
+    private final double[] surfaceMm = new double[RAYS];
+    private final double[] incidenceDeg = new double[RAYS];
+    private double edgeMm;
+
+    /** Looks from a disc's place in its direction, as far as this. */
+    ConeEchoes(World world, Body body, Pose view, double farthestMm) {
+        this.world = world;
+        this.body = body;
+        this.view = view;
+        edgeMm = farthestMm;
+        for (int i = 0; i < RAYS; i++) {
+            double direction = view.headingDeg() - HALF_CONE_DEG + i * BETWEEN_RAYS_DEG;
+            Hit hit = world.ray(body, view.xMm(), view.yMm(), direction, farthestMm);
+            surfaceMm[i] = hit.distanceMm();
+            incidenceDeg[i] = hit.incidenceDeg();
+        }
+        world.cornersNear(body, view.xMm(), view.yMm(), EDGE_HEARD_MM, this::look);
+    }
+
+    /** The distance of the nearest echo, if surfaces send one back up to this angle from perpendicular. */
+    double nearestMm(double heardWithinDeg) {
+        double nearest = edgeMm;
+        for (int i = 0; i < RAYS; i++) {
+            if (incidenceDeg[i] <= heardWithinDeg) {
+                nearest = Math.min(nearest, surfaceMm[i]);
+            }
+        }
+        return nearest;
+    }
+
+    private void look(Point edge) {
+        double dx = edge.xMm() - view.xMm();
+        double dy = edge.yMm() - view.yMm();
+        double square = dx * dx + dy * dy;
+        if (square > 0 && square < EDGE_HEARD_MM * EDGE_HEARD_MM && square < edgeMm * edgeMm) {
+            double bearing = Math.toDegrees(Math.atan2(dy, dx));
+            double distance = Math.sqrt(square);
+            if (isInCone(bearing) && isInSight(bearing, distance)) {
+                edgeMm = distance;
+            }
+        }
+    }
+
+    private boolean isInCone(double bearingDeg) {
+        return Math.abs(Pose.normalised(bearingDeg - view.headingDeg())) <= HALF_CONE_DEG;
+    }
+
+    private boolean isInSight(double bearingDeg, double distanceMm) {
+        Hit hit = world.ray(body, view.xMm(), view.yMm(), bearingDeg, distanceMm);
+        return !hit.found() || hit.distanceMm() > distanceMm - EDGE_SLACK_MM;
+    }
+}

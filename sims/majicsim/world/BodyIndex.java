@@ -1,0 +1,90 @@
+package majicsim.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * Lists the bodies in each large square of the floor, so that a ray or a body is compared with those near it only, and counts
+ * the movements in each square, so that what was computed from them can be kept while nothing moves.
+ */
+final class BodyIndex {
+    private static final double SQUARE_MM = 5000;
+
+    private final Bounds bounds;
+    private final int columns;
+    private final int rows;
+    private final List<List<Body>> squares = new ArrayList<>();
+    private final long[] movements;
+    private double largestReachMm;
+
+    BodyIndex(Bounds bounds) {
+        this.bounds = bounds;
+        columns = 1 + (int) ((bounds.maxX() - bounds.minX()) / SQUARE_MM);
+        rows = 1 + (int) ((bounds.maxY() - bounds.minY()) / SQUARE_MM);
+        for (int i = 0; i < columns * rows; i++) {
+            squares.add(new ArrayList<>());
+        }
+        movements = new long[columns * rows];
+    }
+
+    void add(Body body) {
+        int square = square(body.pose());
+        squares.get(square).add(body);
+        movements[square]++;
+        largestReachMm = Math.max(largestReachMm, body.reachMm());
+    }
+
+    /** Reports that a body has moved. */
+    void moved(Body body, Pose from) {
+        int before = square(from);
+        int now = square(body.pose());
+        movements[before]++;
+        if (now != before) {
+            squares.get(before).remove(body);
+            squares.get(now).add(body);
+            movements[now]++;
+        }
+    }
+
+    /** Passes on all bodies of which a part may be within this distance; also some that are farther. */
+    void near(double xMm, double yMm, double withinMm, Consumer<Body> visitor) {
+        double look = withinMm + largestReachMm;
+        int lastRow = row(yMm + look);
+        int lastColumn = column(xMm + look);
+        for (int row = row(yMm - look); row <= lastRow; row++) {
+            for (int column = column(xMm - look); column <= lastColumn; column++) {
+                List<Body> square = squares.get(row * columns + column);
+                for (int i = 0; i < square.size(); i++) {
+                    visitor.accept(square.get(i));
+                }
+            }
+        }
+    }
+
+    /** A number that grows whenever a body moves of which a part is within this distance. */
+    long movementsNear(double xMm, double yMm, double withinMm) {
+        double look = withinMm + largestReachMm;
+        int lastRow = row(yMm + look);
+        int lastColumn = column(xMm + look);
+        long sum = 0;
+        for (int row = row(yMm - look); row <= lastRow; row++) {
+            for (int column = column(xMm - look); column <= lastColumn; column++) {
+                sum += movements[row * columns + column];
+            }
+        }
+        return sum;
+    }
+
+    private int square(Pose pose) {
+        return row(pose.yMm()) * columns + column(pose.xMm());
+    }
+
+    private int column(double x) {
+        return Math.max(0, Math.min(columns - 1, (int) Math.floor((x - bounds.minX()) / SQUARE_MM)));
+    }
+
+    private int row(double y) {
+        return Math.max(0, Math.min(rows - 1, (int) Math.floor((y - bounds.minY()) / SQUARE_MM)));
+    }
+}
