@@ -68,7 +68,9 @@ public final class Lab implements AutoCloseable {
         try {
             world.step(STEP_SECONDS);
             nanos += STEP_NANOS;
-            robots.forEach(robot -> robot.step(STEP_SECONDS, nanos));
+            for (LabRobot robot : robots) {
+                robot.step(nanos);
+            }
         } finally {
             lock.unlock();
         }

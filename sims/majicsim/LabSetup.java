@@ -13,6 +13,7 @@ import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
 import majicsim.net.Firmware;
+import majicsim.net.FirmwareClock;
 import majicsim.net.PtyPort;
 import majicsim.net.TcpPort;
 import majicsim.net.Wiring;
@@ -85,7 +86,9 @@ final class LabSetup {
         if (options.jitter()) {
             faults.jitter(JITTER_FROM_MS, JITTER_TO_MS);
         }
-        LabRobot added = new LabRobot(name, body.apply(robot), new Wiring(lock, robot, faults), new ArrayList<>());
+        FirmwareClock clock = new FirmwareClock(robot);
+        Wiring wiring = new Wiring(lock, robot, faults, clock::wake);
+        LabRobot added = new LabRobot(name, body.apply(robot), clock, wiring, new ArrayList<>());
         robots.add(added);
         added.ports().add(open(name, choice, added.wiring()));
         return robot;
@@ -104,7 +107,7 @@ final class LabSetup {
     /** A serial port for the robot that was added last; its faults are those of the robot's network port too. */
     private void addPty(Firmware plug) {
         LabRobot added = robots.get(robots.size() - 1);
-        Wiring wiring = new Wiring(lock, plug, added.wiring().faults());
+        Wiring wiring = new Wiring(lock, plug, added.wiring().faults(), added.clock()::wake);
         PtyPort.open(wiring).ifPresent(added.ports()::add);
     }
 

@@ -123,6 +123,20 @@ public final class AiboRobot implements Firmware {
         gait.drive(kernel.nowMs(), stepMs);
     }
 
+    @Override
+    public long restNanos() {
+        boolean still = gait.isAtRest() && devices.joints().values().stream().allMatch(Joint::isAtRest);
+        return still || battery.isEmpty() ? Math.round((nextCycleMs - kernel.nowMs()) * 1e6) : 0;
+    }
+
+    @Override
+    public void rest(long nanos) {
+        if (!battery.isEmpty()) {
+            kernel.advanceTo(kernel.nowMs() + nanos / 1e6);
+            battery.drain(nanos / 1e9);
+        }
+    }
+
     private void install() {
         sensors.install(kernel.memory().variables());
         Functions functions = kernel.functions();

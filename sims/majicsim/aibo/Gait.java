@@ -49,6 +49,10 @@ final class Gait {
         active.remove(task);
     }
 
+    boolean isAtRest() {
+        return active.isEmpty();
+    }
+
     /** Whether its legs move. */
     boolean isWalking() {
         return !active.isEmpty() && legs.carry();

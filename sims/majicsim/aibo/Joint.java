@@ -69,6 +69,11 @@ final class Joint implements Variable.Hardware {
         return true;
     }
 
+    /** Whether it does not move until its command, its stiffness or its gains change. */
+    boolean isAtRest() {
+        return stiffness <= 0 || !(angle.target() instanceof Value.Num target) || target.number() == measuredDeg;
+    }
+
     /** Moves the motor for a lab step. */
     void step(double seconds) {
         if (stiffness <= 0 || !(angle.target() instanceof Value.Num target)) {

@@ -148,6 +148,12 @@ public final class HemissonRobot implements Firmware {
         }
     }
 
+    @Override
+    public long restNanos() {
+        boolean idle = uart.isIdle() && bus.isIdle() && running.behaviour().isIdle();
+        return idle ? (long) (tables.restSeconds() * 1e9) : 0;
+    }
+
     boolean isReceiverBlocked() {
         return uart.isReceiverBlocked() || buffer.isStuck();
     }

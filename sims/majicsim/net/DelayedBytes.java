@@ -49,6 +49,9 @@ final class DelayedBytes {
 
     /** Delivers what is due; during an outage nothing is due. */
     void release() {
+        if (empty) {
+            return;
+        }
         while (!pending.isEmpty() && !faults.isOutage() && pending.peek().dueNanos() <= faults.nowNanos()) {
             exit.accept(pending.remove().bytes());
         }

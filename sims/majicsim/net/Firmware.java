@@ -30,4 +30,22 @@ public interface Firmware {
      * @param seconds the lab's fixed step
      */
     void step(double seconds);
+
+    /**
+     * For how long nothing will change but the time, unless the firmware is used. Asked after a step.
+     *
+     * @return lab time after which the next step must be taken, ns; 0 for each step of the lab
+     */
+    default long restNanos() {
+        return 0;
+    }
+
+    /**
+     * Lets lab time pass in which the firmware rests, in place of steps.
+     *
+     * @param nanos lab time, so short that nothing is due at its end
+     */
+    default void rest(long nanos) {
+        step(nanos / 1e9);
+    }
 }

@@ -167,6 +167,22 @@ public final class PioneerRobot implements Firmware {
         }
     }
 
+    @Override
+    public long restNanos() {
+        if (!serialPort.wire.isIdle()) {
+            return 0;
+        }
+        return session == null ? board.restNanos() : Math.min(board.restNanos(), session.restNanos());
+    }
+
+    @Override
+    public void rest(long nanos) {
+        board.rest(nanos);
+        if (session != null) {
+            session.step(nanos);
+        }
+    }
+
     /**
      * The controller board, for tests.
      *

@@ -8,6 +8,11 @@ public interface Behaviour {
     /** Lets time pass. */
     default void step(double seconds) {}
 
+    /** Whether it does nothing before the sensors are read anew. */
+    default boolean isIdle() {
+        return true;
+    }
+
     /** The sensors were read anew. */
     default void look() {}
 }

@@ -24,6 +24,11 @@ final class Dance implements Behaviour {
     }
 
     @Override
+    public boolean isIdle() {
+        return false;
+    }
+
+    @Override
     public void step(double seconds) {
         leftSeconds -= seconds;
         if (leftSeconds <= 0) {

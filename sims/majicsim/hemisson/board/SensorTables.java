@@ -30,6 +30,11 @@ public final class SensorTables {
         refresh();
     }
 
+    /** The time until the round ends. */
+    public double restSeconds() {
+        return ROUND_SECONDS - HAIR - sinceSeconds;
+    }
+
     /** True when a round has just ended. */
     public boolean step(double seconds) {
         sinceSeconds += seconds;

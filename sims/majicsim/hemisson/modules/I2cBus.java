@@ -34,6 +34,11 @@ public final class I2cBus {
         find(address).ifPresent(module -> module.write(register & 0xFF, bytes));
     }
 
+    /** Whether no module measures or speaks. */
+    public boolean isIdle() {
+        return modules.stream().allMatch(I2cModule::isIdle);
+    }
+
     public void step(double seconds) {
         sincePowerUpSeconds += seconds;
         modules.forEach(module -> module.step(seconds));

@@ -11,4 +11,9 @@ interface I2cModule {
     void write(int register, int[] bytes);
 
     default void step(double seconds) {}
+
+    /** Whether only time passes on it. */
+    default boolean isIdle() {
+        return true;
+    }
 }

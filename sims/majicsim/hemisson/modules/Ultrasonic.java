@@ -64,6 +64,11 @@ public final class Ultrasonic implements I2cModule {
     }
 
     @Override
+    public boolean isIdle() {
+        return leftSeconds <= 0;
+    }
+
+    @Override
     public void step(double seconds) {
         if (leftSeconds > 0) {
             leftSeconds -= seconds;

@@ -53,6 +53,11 @@ public final class Voice implements I2cModule {
     }
 
     @Override
+    public boolean isIdle() {
+        return leftSeconds <= 0;
+    }
+
+    @Override
     public void step(double seconds) {
         leftSeconds = Math.max(0, leftSeconds - seconds);
     }

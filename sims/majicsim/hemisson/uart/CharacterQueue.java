@@ -16,12 +16,19 @@ final class CharacterQueue {
 
     /** Sends the characters whose transmission has ended, in one message for each line. */
     void sendUntil(double now) {
+        if (!isDue(now)) {
+            return;
+        }
         Map<Line, StringBuilder> messages = new LinkedHashMap<>();
         while (isDue(now)) {
             Departure next = leaving.remove();
             messages.computeIfAbsent(next.to(), line -> new StringBuilder()).append(next.character());
         }
         messages.forEach((line, message) -> line.send(message.toString().getBytes(StandardCharsets.ISO_8859_1)));
+    }
+
+    boolean isEmpty() {
+        return leaving.isEmpty();
     }
 
     void clear() {

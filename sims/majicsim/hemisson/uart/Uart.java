@@ -96,6 +96,11 @@ public final class Uart {
         freeAt += seconds;
     }
 
+    /** Whether no character waits in either direction. */
+    public boolean isIdle() {
+        return waiting.isEmpty() && outbox.isEmpty();
+    }
+
     public void step(double seconds) {
         now += seconds;
         outbox.sendUntil(now);

@@ -142,13 +142,27 @@ public final class Board {
 
     public void step(double seconds) {
         stepNanos = Math.round(seconds * 1e9);
-        boot.step(stepNanos);
         drive.step(seconds);
         joyDrive.step(hasClient);
         applyStopButton();
         applyBumpers();
-        sonar.step(stepNanos);
-        devices.step(seconds, effort(), body.turnDegPerSec());
+        pass(stepNanos);
+    }
+
+    /** How long nothing is due on a robot that is stationary and left alone; 0 if it moves, ns. */
+    public long restNanos() {
+        return drive.isAtRest() && devices.isAtRest() && boot.isListening() ? sonar.restNanos() : 0;
+    }
+
+    /** Lets time pass on the stationary robot, less than {@link #restNanos}. */
+    public void rest(long nanos) {
+        pass(nanos);
+    }
+
+    private void pass(long nanos) {
+        boot.step(nanos);
+        sonar.step(nanos);
+        devices.step(nanos, effort(), body.turnDegPerSec());
     }
 
     /** Whether the SIP must show a stall; records that it was reported. */

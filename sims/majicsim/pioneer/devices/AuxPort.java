@@ -56,6 +56,10 @@ public final class AuxPort {
         }
     }
 
+    boolean isTransmitting() {
+        return !outgoing.isEmpty();
+    }
+
     void step(double seconds) {
         readyBytes = outgoing.isEmpty() ? 0 : readyBytes + seconds * bitsPerSecond() / BITS_PER_BYTE;
         int count = Math.min(outgoing.size(), (int) readyBytes);

@@ -115,14 +115,22 @@ public final class Devices {
         auxPorts.forEach(port -> port.request(0));
     }
 
+    /** Whether only time passes on them, so that a long step has the same effect as many short ones. */
+    public boolean isAtRest() {
+        return !gripper.isMoving()
+                && !buzzer.isPlaying()
+                && !hostBaud.isOnTrial()
+                && auxPorts.stream().noneMatch(AuxPort::isTransmitting);
+    }
+
     /**
      * Lets time pass.
      *
      * @param effort how much of its top speed the robot drives, 0 to 1
      * @param trueDegPerSec its true turn rate
      */
-    public void step(double seconds, double effort, double trueDegPerSec) {
-        long nanos = Math.round(seconds * 1e9);
+    public void step(long nanos, double effort, double trueDegPerSec) {
+        double seconds = nanos / 1e9;
         battery.step(seconds, IDLE_AMPERES + DRIVING_AMPERES * effort - charger.amperes());
         gripper.step(seconds);
         gyro.step(nanos, trueDegPerSec);

@@ -67,6 +67,10 @@ public final class Gripper {
         lift.stop();
     }
 
+    boolean isMoving() {
+        return paddles.isMoving() || lift.isMoving();
+    }
+
     void step(double seconds) {
         paddles.step(seconds, narrowest());
         lift.step(seconds, 0);

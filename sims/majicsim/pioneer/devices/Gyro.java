@@ -31,7 +31,7 @@ public final class Gyro {
     /** Lets time pass while the robot truly turns at this rate. */
     void step(long nanos, double degPerSec) {
         sinceSampleNanos += nanos;
-        if (sinceSampleNanos >= SAMPLE_NANOS) {
+        while (sinceSampleNanos >= SAMPLE_NANOS) {
             sinceSampleNanos -= SAMPLE_NANOS;
             sample(degPerSec);
         }

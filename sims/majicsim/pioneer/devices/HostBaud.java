@@ -42,6 +42,11 @@ public final class HostBaud {
         trialNanos = 0;
     }
 
+    /** Whether the speed may still fall back. */
+    boolean isOnTrial() {
+        return trialNanos > 0;
+    }
+
     void step(long nanos) {
         if (trialNanos > 0) {
             trialNanos -= nanos;

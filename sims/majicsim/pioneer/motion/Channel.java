@@ -63,6 +63,11 @@ final class Channel {
         return now.speed();
     }
 
+    /** Whether it does not move, now and in the planned step. */
+    boolean isAtRest() {
+        return now.speed() == 0 && planned.speed() == 0 && planned.position() == now.position();
+    }
+
     /** The mean speed of the coming step, with which the distance is exactly that of the ramps. */
     double plan(double seconds) {
         Travel at = now;

@@ -219,6 +219,11 @@ public final class Drive {
         }
     }
 
+    /** Whether it is stationary and stays so until the next command. */
+    public boolean isAtRest() {
+        return translation.isAtRest() && rotation.isAtRest() && !stall.isPausing();
+    }
+
     private boolean isCommandedToStop() {
         return translation.goal().equals(Goal.STOP) && rotation.goal().equals(Goal.STOP);
     }

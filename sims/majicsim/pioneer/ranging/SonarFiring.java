@@ -76,6 +76,11 @@ public final class SonarFiring {
         return arraysOn;
     }
 
+    /** The time until the next firing, ns; without end if all arrays are off. */
+    public long restNanos() {
+        return arraysOn == 0 ? Long.MAX_VALUE : untilFiringNanos;
+    }
+
     public void step(long nanos) {
         untilFiringNanos -= nanos;
         while (untilFiringNanos <= 0) {

@@ -30,6 +30,10 @@ final class SerialPace {
         return true;
     }
 
+    boolean isEmpty() {
+        return waiting.isEmpty();
+    }
+
     void step(long nanos, int bitsPerSecond) {
         if (waiting.isEmpty()) {
             bytesDue = 0;

@@ -42,6 +42,11 @@ public final class SerialWire implements Line {
         }
     }
 
+    /** Whether no byte is under way. */
+    public boolean isIdle() {
+        return toRobot.isEmpty() && toClient.isEmpty();
+    }
+
     public void step(long nanos) {
         toRobot.step(nanos, speed.bitsPerSecond());
         toClient.step(nanos, speed.bitsPerSecond());

@@ -43,6 +43,11 @@ public final class Handshake {
         return expected > LAST;
     }
 
+    /** The time until it is too late for the rest of an incomplete handshake, ns. */
+    long restNanos() {
+        return PATIENCE_NANOS - nanos;
+    }
+
     /** Lets time pass. Returns true if the handshake took more than 10 s, and then starts it again. */
     boolean step(long stepNanos) {
         if (isComplete()) {

@@ -123,6 +123,13 @@ public final class Session {
         }
     }
 
+    /** The time until something is due if nothing is received, ns. */
+    public long restNanos() {
+        long rest = reader.hasFragment() ? FRAGMENT_NANOS - sinceBytesNanos : Long.MAX_VALUE;
+        rest = Math.min(rest, isUnderWay() ? watchdog.restNanos() : handshake.restNanos());
+        return open ? Math.min(rest, SIP_CYCLE_NANOS - sinceSipNanos) : rest;
+    }
+
     /** OPEN: starts SIPs and sonar; a second one has no effect. */
     void open() {
         if (!open) {

@@ -21,6 +21,11 @@ final class Watchdog {
         return expired;
     }
 
+    /** The time until it expires, ns; without end once it has. */
+    long restNanos() {
+        return expired ? Long.MAX_VALUE : LIMIT_NANOS - silentNanos;
+    }
+
     /** Lets time pass; returns true in the one step in which the robot must be stopped. */
     boolean step(long nanos) {
         silentNanos += nanos;
