@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
+import java.lang.module.ModuleFinder;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
@@ -34,6 +35,9 @@ final class Packaging {
 
     /** On Windows, readers of the screen reach Swing through this module. */
     private static final String SCREEN_READERS = "jdk.accessibility";
+
+    /** The elliptic curves of TLS, in a module of their own until Java 21. */
+    private static final String CURVES = "jdk.crypto.ec";
 
     private static final int[] ICON_SIZES = {16, 32, 48, 128, 256};
 
@@ -119,6 +123,9 @@ final class Packaging {
         modules.addAll(FURTHER_MODULES);
         if (platform == Platform.WINDOWS) {
             modules.add(SCREEN_READERS);
+        }
+        if (ModuleFinder.ofSystem().find(CURVES).isPresent()) {
+            modules.add(CURVES);
         }
         run(
                 "jlink",

@@ -4,6 +4,7 @@ import java.io.IOException;
 import majic.cli.ActCommand;
 import majic.cli.ClassDataCommand;
 import majic.cli.InheritedOptions;
+import majic.cli.KeyCommand;
 import majic.cli.LabCommand;
 import majic.cli.MajicCommand;
 import majic.cli.NewCommand;
@@ -50,6 +51,7 @@ public final class Majic {
         return InheritedOptions.limit(new CommandLine(new MajicCommand(folder))
                         .addSubcommand(new LabCommand())
                         .addSubcommand(new RunCommand(folder))
+                        .addSubcommand(new KeyCommand(folder))
                         .addSubcommand(new ActCommand())
                         .addSubcommand(new NewCommand())
                         .addSubcommand(new PackageCommand())

@@ -58,7 +58,7 @@ class ForgedAnswersTest {
         console.setDaemon(true);
         console.start();
         screen.asked.await();
-        int port = program.listen(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), true)
+        int port = program.listen(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), null)
                 .port();
         program.addFirst(List.of());
         Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);

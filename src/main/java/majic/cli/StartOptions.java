@@ -8,6 +8,8 @@ import majic.program.Program;
 import majic.program.UsageException;
 import majic.program.UserFolder;
 import majic.server.LineServer;
+import majic.server.ListenKey;
+import majic.server.ListenToken;
 import majic.simulation.SimulatedLab;
 import majic.vendor.VendorLibrary;
 import org.jspecify.annotations.Nullable;
@@ -51,7 +53,8 @@ final class StartOptions {
             names = "--listen",
             paramLabel = "HOST:PORT",
             scope = ScopeType.INHERIT,
-            description = "Take lines of MAJIC Script over a socket, such as 127.0.0.1:7777, and answer in lines.")
+            description = "Take lines of MAJIC Script over a socket, such as 127.0.0.1:7777, and answer in lines."
+                    + " At another address: with TLS; see the command key.")
     private @Nullable String listen;
 
     @Option(
@@ -100,7 +103,7 @@ final class StartOptions {
         Program program = new Program(folder, simulated, !unrecorded);
         program.closeWhenProgramEnds();
         if (listen != null) {
-            tell(listen(program, address(listen)));
+            tell(program, listen(program, address(listen)));
         }
         return program;
     }
@@ -113,18 +116,36 @@ final class StartOptions {
 
     private LineServer listen(Program program, InetSocketAddress address) throws IOException {
         try {
-            return program.listen(address, open);
+            return program.listen(address, open ? null : token(program.folder()));
         } catch (IllegalArgumentException e) {
-            throw new UsageException("--listen " + e.getMessage());
+            throw new UsageException("--listen: " + e.getMessage());
         }
     }
 
+    /** Returns what makes the token: the one that the user has chosen, or a new one. */
+    private static LineServer.TokenMaker token(UserFolder folder) {
+        String chosen = System.getenv(ListenToken.VARIABLE);
+        if (chosen == null || chosen.isEmpty()) {
+            return port -> ListenToken.create(folder.path(), port);
+        }
+        ListenToken token = ListenToken.chosen(chosen);
+        return port -> token;
+    }
+
     /** Prints the server's address to the standard error, since the standard output is for answers. */
-    private static void tell(LineServer server) {
-        String clients = server.token()
-                .map(token -> "clients first send the token " + token.word() + ", which is also in " + token.file())
-                .orElse("any program on this machine is obeyed");
+    private static void tell(Program program, LineServer server) {
+        String clients = server.token().map(StartOptions::tokenHint).orElse("any program on this machine is obeyed");
         System.err.println("majic: listening at port " + server.port() + "; " + clients);
+        if (server.isEncrypted()) {
+            System.err.println("majic: programs on other computers use TLS and check the certificate "
+                    + program.folder().file(ListenKey.CERTIFICATE));
+        }
+    }
+
+    private static String tokenHint(ListenToken token) {
+        return token.file() == null
+                ? "clients first send the token that is in " + ListenToken.VARIABLE
+                : "clients first send the token " + token.word() + ", which is also in " + token.file();
     }
 
     /**

@@ -21,7 +21,7 @@ import majic.recorder.RecordingFolder;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majic.server.LineServer;
-import majic.server.ListenToken;
+import majic.server.ListenKey;
 import majic.simulation.SimulatedLab;
 import majic.team.AutoReconnect;
 import majic.team.BotFactory;
@@ -142,16 +142,28 @@ public final class Program implements AutoCloseable {
     }
 
     /**
-     * Starts to accept lines over a socket; they wait until {@link #addFirst} has ended.
+     * Starts to accept lines over a socket; they wait until {@link #addFirst} has ended. At an address that other
+     * computers reach, clients have to use TLS.
      *
      * @param address the address to listen at
-     * @param open whether clients are accepted without a token
+     * @param token makes the token of a port, which clients send first; null to accept clients of this computer without one
      * @return the server
-     * @throws IOException if the port is taken
+     * @throws IllegalArgumentException if clients of other computers would need no token; the message says so
+     * @throws IOException if the port is taken, or there is no key for TLS
      */
-    public LineServer listen(InetSocketAddress address, boolean open) throws IOException {
-        LineServer opened =
-                LineServer.open(address, session, open ? null : port -> ListenToken.create(folder.path(), port));
+    public LineServer listen(InetSocketAddress address, LineServer.@Nullable TokenMaker token) throws IOException {
+        if (address.isUnresolved()) {
+            throw new IllegalArgumentException(address.getHostString() + ": not an address of this computer");
+        }
+        LineServer opened;
+        if (address.getAddress().isLoopbackAddress()) {
+            opened = LineServer.open(address, session, token);
+        } else if (token == null) {
+            throw new IllegalArgumentException(
+                    address.getHostString() + ": other computers need a token; --listen-open is only for 127.0.0.1");
+        } else {
+            opened = LineServer.openTls(address, session, token, ListenKey.in(folder.path()));
+        }
         server = opened;
         return opened;
     }

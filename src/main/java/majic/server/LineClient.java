@@ -2,62 +2,70 @@ package majic.server;
 
 import java.io.IOException;
 import java.lang.System.Logger.Level;
+import java.net.InetAddress;
 import java.nio.ByteBuffer;
 import java.nio.channels.CancelledKeyException;
 import java.nio.channels.SelectionKey;
-import java.nio.channels.SocketChannel;
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayDeque;
-import java.util.Deque;
-import java.util.Locale;
-import java.util.concurrent.ArrayBlockingQueue;
-import java.util.concurrent.BlockingQueue;
+import java.util.Optional;
+import java.util.function.LongSupplier;
 import majic.log.Line;
 import majic.script.MajicParser;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A connection of one client to a {@link LineServer}. The client's lines are carried out in order, at a limited rate; a
- * stop overtakes lines that are held and drops them. Must be used on the server's thread, except {@link #lineWritten} and
- * {@link #close}.
+ * stop overtakes lines that are held and drops them. Must be used on the server's thread, except {@link #lineWritten},
+ * {@link #isWaiting} and {@link #close}.
  */
 final class LineClient {
     /** Maximum number of lines per second of a client; more are held. */
     static final int LINES_PER_SECOND = 200;
 
+    /** Maximum number of stops per second of a client; more are held. */
+    static final int STOPS_PER_SECOND = 20;
+
     private static final System.Logger LOG = System.getLogger(LineClient.class.getName());
-    private static final int STOPS_PER_SECOND = 20;
-    private static final int MOST_HELD = 10_000;
-    private static final int MOST_UNREAD_ANSWERS = 10_000;
-    private static final int CHUNK = 8192;
-    private static final long TOKEN_WITHIN_NANOS = 5_000_000_000L;
+
+    /** Lines carried out before the other clients' bytes are read again, so that a stop among these waits for few. */
+    private static final int LINES_PER_TURN = 4;
+
+    private static final int MOST_LINES = 10_000;
+    private static final int MOST_CHARS = 2_000_000;
+    private static final long ADMITTED_WITHIN_NANOS = 10_000_000_000L;
     private static final long LAST_ANSWERS_NANOS = 1_000_000_000L;
 
     private final LineServer server;
     private final SelectionKey key;
-    private final SocketChannel socket;
+    private final Wire wire;
+    private final InetAddress address;
     private final MajicParser parser;
+    private final LongSupplier nanos;
     private final LineDecoder decoder = new LineDecoder();
-    private final Deque<String> held = new ArrayDeque<>();
-    private final LineRate rate = new LineRate(LINES_PER_SECOND, System::nanoTime);
-    private final LineRate stopRate = new LineRate(STOPS_PER_SECOND, System::nanoTime);
-    private final BlockingQueue<String> answers = new ArrayBlockingQueue<>(MOST_UNREAD_ANSWERS);
-    private final long sinceNanos = System.nanoTime();
-    private @Nullable ByteBuffer unsent;
+    private final LineBuffer held = new LineBuffer(MOST_LINES, MOST_CHARS);
+    private final Rate rate;
+    private final Rate stopRate;
+    private final AnswerQueue answers = new AnswerQueue(MOST_LINES, MOST_CHARS);
+    private final long sinceNanos;
+    private long lastLineNanos;
     private long dismissedNanos;
     private volatile boolean admitted;
     private volatile boolean receivesAll;
-    private volatile boolean answersOverflowed;
     private volatile boolean allAnswered;
-    private boolean ended;
+    private volatile boolean ended;
+    private volatile boolean dismissed;
     private boolean finished;
-    private boolean dismissed;
+    private boolean outputEnded;
 
-    LineClient(LineServer server, SelectionKey key, MajicParser parser) {
+    LineClient(LineServer server, SelectionKey key, Wire wire, InetAddress address, MajicParser parser) {
         this.server = server;
         this.key = key;
-        this.socket = (SocketChannel) key.channel();
+        this.wire = wire;
+        this.address = address;
         this.parser = parser;
+        this.nanos = server.nanos();
+        this.rate = new Rate(LINES_PER_SECOND, nanos);
+        this.stopRate = new Rate(STOPS_PER_SECOND, nanos);
+        this.sinceNanos = nanos.getAsLong();
+        this.lastLineNanos = sinceNanos;
     }
 
     /**
@@ -65,18 +73,23 @@ final class LineClient {
      * blocks.
      */
     void lineWritten(Line line) {
-        if (admitted && (receivesAll || line.concerns(parser))) {
-            answer(line.text());
+        if (admitted && !dismissed && (receivesAll || line.concerns(parser))) {
+            answers.add(line.text());
         }
-    }
-
-    private void answer(String text) {
-        answersOverflowed |= !answers.offer(text);
     }
 
     /** Returns whether work remains that no further byte of the client triggers. */
     boolean isWaiting() {
         return ended || dismissed || !admitted || !held.isEmpty();
+    }
+
+    boolean isAdmitted() {
+        return admitted;
+    }
+
+    /** Returns whether the client counts as one that may command the team. */
+    boolean hasPlace() {
+        return admitted && !dismissed && !isGone();
     }
 
     /** Returns whether the client sends no more lines. */
@@ -85,16 +98,28 @@ final class LineClient {
     }
 
     boolean isGone() {
-        return !socket.isOpen();
+        return !wire.isOpen();
     }
 
-    /** Reads the bytes that have arrived, without waiting for more. */
-    void read() {
-        ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
+    InetAddress address() {
+        return address;
+    }
+
+    /** Returns the time since its last line, or since it connected. */
+    long idleNanos() {
+        return nanos.getAsLong() - lastLineNanos;
+    }
+
+    /**
+     * Reads the bytes that have arrived, without waiting for more.
+     *
+     * @param chunk a buffer to use
+     */
+    void read(ByteBuffer chunk) {
         try {
-            int count = socket.read(chunk);
+            int count = wire.read(chunk.clear());
             decoder.feed(chunk.flip()).forEach(this::take);
-            if (count < 0) {
+            if (count < 0 && !ended) {
                 end();
             }
         } catch (IOException | CancelledKeyException e) {
@@ -106,117 +131,121 @@ final class LineClient {
     private void end() {
         String rest = decoder.rest();
         ended = true;
-        if (!admitted) {
+        if (!admitted || dismissed) {
             close();
         } else if (parser.isStop(rest)) {
-            take(rest);
-        } else if (!rest.isBlank() && !dismissed) {
-            answer("the last line has no line end and was not obeyed: " + rest);
+            stop(rest);
+        } else if (!rest.isBlank()) {
+            answers.add("the last line has no line end and was not obeyed: " + rest);
         }
-        showInterest();
     }
 
     private void take(String line) {
-        if (dismissed) {
+        if (dismissed || ended) {
             return;
         }
+        lastLineNanos = nanos.getAsLong();
         if (!admitted) {
             admit(line);
-        } else if (!held.isEmpty() && parser.isStop(line) && stopRate.take()) {
-            overtake(line);
-        } else if (!held.isEmpty() || !mayRun(line)) {
+        } else if (line.strip().equalsIgnoreCase("close")) {
+            ended = true;
+        } else if (parser.isStop(line) && stopRate.take()) {
+            stop(line);
+        } else {
             hold(line);
-        } else {
-            parser.parseText(line);
         }
     }
 
-    /**
-     * Checks the first line: a web page can make a browser connect, but the browser's first line is neither the token
-     * nor MAJIC Script.
-     */
     private void admit(String line) {
-        String[] words = line.strip().split("\\s+", 2);
-        boolean all = words[words.length - 1].toLowerCase(Locale.ROOT).equals("all");
-        if (server.token().isPresent()) {
-            boolean right = server.token().get().is(words[0]) && (words.length == 1 || all);
-            if (!right) {
-                dismiss("the first line must be the token that MAJIC printed at its start; it is also in "
-                        + server.token().get().file());
-                return;
-            }
-        } else if (words.length > 1 || !all) {
-            admitScript(line);
-            return;
-        }
-        receivesAll = all && (words.length > 1 || server.token().isEmpty());
-        admitted = true;
-    }
-
-    private void admitScript(String line) {
-        if (parser.isScript(line)) {
-            admitted = true;
-            take(line);
+        Admission admission = server.admission();
+        Optional<String> refusal = admission.refusal(line, address, parser);
+        if (refusal.isPresent()) {
+            dismiss(refusal.get());
+        } else if (!server.makeRoom()) {
+            dismiss("MAJIC has " + ClientPlaces.MOST_CLIENTS
+                    + " clients already, which is the most; close one of them");
         } else {
-            dismiss("the first line must be MAJIC Script, for instance: bots");
+            receivesAll = admission.receivesAll(line);
+            admitted = true;
+            if (admission.isScript(line)) {
+                take(line);
+            }
         }
     }
 
-    private boolean mayRun(String line) {
-        return parser.isStop(line) || (server.isReady() && parser.hasRoom() && rate.take());
-    }
-
-    private void overtake(String line) {
-        answer(held.size() + (held.size() == 1 ? " line" : " lines") + " not run: stopped");
-        held.clear();
+    private void stop(String line) {
+        if (!held.isEmpty()) {
+            answers.add(held.size() + (held.size() == 1 ? " line" : " lines") + " not run: stopped");
+            held.clear();
+        }
         parser.parseText(line);
     }
 
     private void hold(String line) {
-        if (held.size() >= MOST_HELD) {
-            dismiss("more than " + MOST_HELD + " lines wait, at " + LINES_PER_SECOND
+        if (!held.add(line)) {
+            dismiss("closed: more than " + MOST_LINES + " lines wait, or " + MOST_CHARS / 1_000_000
+                    + " million characters, at " + LINES_PER_SECOND
                     + " lines a second; wait for answers before sending more");
-            held.clear();
-        } else {
-            held.add(line);
         }
     }
 
-    /** Sends the reason, and closes the connection as soon as it is sent. */
-    private void dismiss(String why) {
-        answers.clear();
-        answer(why);
+    /** Drops all that waits, sends the reason, and closes the connection as soon as it is sent. */
+    void dismiss(String why) {
         dismissed = true;
-        dismissedNanos = System.nanoTime();
+        dismissedNanos = nanos.getAsLong();
+        held.clear();
+        answers.replaceBy(why);
     }
 
-    /** Does what can be done now: runs held lines, sends answers, ends the connection. */
-    void work() {
+    /**
+     * Does what can be done now: runs held lines, sends answers, ends the connection.
+     *
+     * @return whether there is more to do at once, when the other clients had their turn
+     */
+    boolean work() {
         try {
-            while (!held.isEmpty() && mayRun(held.element())) {
-                parser.parseText(held.remove());
-            }
+            boolean more = runHeld();
+            checkLimits();
             finish();
-            send();
-            if (answersOverflowed) {
-                LOG.log(Level.WARNING, "a client does not read its answers; dropped");
-                close();
-            } else if (isOver()) {
-                close();
-            }
+            answers.send(wire);
+            endIfOver();
+            showInterest();
+            return more;
         } catch (IOException | CancelledKeyException e) {
             LOG.log(Level.DEBUG, "a client is gone", e);
             close();
+            return false;
+        }
+    }
+
+    private boolean runHeld() {
+        for (int turn = 0; turn < LINES_PER_TURN; turn++) {
+            String line = held.peek();
+            if (line == null || !mayRun(line)) {
+                return false;
+            }
+            held.poll();
+            parser.parseText(line);
+        }
+        return true;
+    }
+
+    private boolean mayRun(String line) {
+        return parser.isStop(line) ? stopRate.take() : server.isReady() && parser.hasRoom() && rate.take();
+    }
+
+    private void checkLimits() {
+        boolean isLate = !admitted && nanos.getAsLong() - sinceNanos > ADMITTED_WITHIN_NANOS;
+        if (isLate && !dismissed && server.admission().token().isPresent()) {
+            dismiss("no token came within " + ADMITTED_WITHIN_NANOS / 1_000_000_000 + " s");
+        }
+        if (answers.hasOverflowed() && !dismissed) {
+            LOG.log(Level.WARNING, "a client at {0} does not read its answers; closed", address.getHostAddress());
+            dismiss("closed: the answers were not read");
         }
     }
 
     private void finish() {
-        if (!admitted
-                && !dismissed
-                && System.nanoTime() - sinceNanos > TOKEN_WITHIN_NANOS
-                && server.token().isPresent()) {
-            dismiss("no token came within 5 s");
-        }
         if (ended && !finished && held.isEmpty()) {
             parser.finish();
             if (parser.isDone()) {
@@ -226,41 +255,33 @@ final class LineClient {
         }
     }
 
-    private boolean isOver() {
-        boolean sent = unsent == null && answers.isEmpty();
-        return (dismissed && (sent || System.nanoTime() - dismissedNanos > LAST_ANSWERS_NANOS))
-                || (allAnswered && sent);
-    }
-
-    private void send() throws IOException {
-        if (unsent == null) {
-            unsent = next();
+    /**
+     * Ends a connection whose last answer is sent. A dismissed client may be sending: if the connection were closed with
+     * unread bytes, the reason would be lost, so the client has a second to close its side.
+     */
+    private void endIfOver() throws IOException {
+        boolean isSent = answers.isEmpty() && !wire.hasUnsent();
+        if (dismissed && isSent && !outputEnded) {
+            outputEnded = true;
+            wire.endOutput();
         }
-        while (unsent != null && socket.isOpen()) {
-            socket.write(unsent);
-            if (unsent.hasRemaining()) {
-                break;
-            }
-            unsent = next();
+        if ((allAnswered && isSent) || (dismissed && nanos.getAsLong() - dismissedNanos > LAST_ANSWERS_NANOS)) {
+            close();
         }
-        showInterest();
-    }
-
-    private @Nullable ByteBuffer next() {
-        String answer = answers.poll();
-        return answer == null ? null : ByteBuffer.wrap((answer + "\n").getBytes(StandardCharsets.UTF_8));
     }
 
     private void showInterest() {
         if (key.isValid()) {
-            key.interestOps((ended ? 0 : SelectionKey.OP_READ) | (unsent == null ? 0 : SelectionKey.OP_WRITE));
+            boolean reads = !ended && !wire.isBusy();
+            boolean writes = wire.hasUnsent() || !answers.isEmpty();
+            key.interestOps((reads ? SelectionKey.OP_READ : 0) | (writes ? SelectionKey.OP_WRITE : 0));
         }
     }
 
     /** Ends the connection; lines that were submitted already are still carried out. */
     void close() {
         try {
-            socket.close();
+            wire.close();
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "closing a client", e);
         }

@@ -6,9 +6,13 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Splits UTF-8 bytes into lines, in whatever portions they arrive. Lines longer than any valid one are truncated. */
+/**
+ * Splits UTF-8 bytes into lines, in whatever portions they arrive. Lines longer than any valid one are truncated, to a
+ * length at which MAJIC Script still refuses them.
+ */
 final class LineDecoder {
-    private static final int LONGEST_LINE = 10_000;
+    /** Four bytes for each of the 4000 characters of a line of MAJIC Script, and some more. */
+    private static final int LONGEST_LINE = 16_100;
 
     private final ByteArrayOutputStream begun = new ByteArrayOutputStream();
 

@@ -9,11 +9,9 @@ import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
 import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
-import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.LongSupplier;
 import majic.log.Line;
 import majic.log.SessionListener;
 import majic.script.MajicParser;
@@ -21,15 +19,12 @@ import majic.script.Session;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Receives lines of MAJIC Script over sockets and sends answers in lines, for programs in Python, MATLAB and the like.
- * Listens on this computer's own addresses only, and accepts lines from a client only after its token, unless it was
- * opened without one. One thread serves all clients and blocks for none of them, so a client that floods, hangs or
- * disconnects delays neither another client nor a stop.
+ * Receives lines of MAJIC Script over sockets and sends answers in lines, for programs in Python, MATLAB and the like:
+ * plain on this computer's own addresses, and encrypted for other computers. Accepts lines from a client only after its
+ * token, unless it was opened without one. One thread serves all clients and blocks for none of them, so a client that
+ * floods, hangs or disconnects delays neither another client nor a stop.
  */
 public final class LineServer implements AutoCloseable {
-    /** Maximum number of clients at a time. */
-    static final int MOST_CLIENTS = 64;
-
     private static final System.Logger LOG = System.getLogger(LineServer.class.getName());
 
     /**
@@ -37,6 +32,12 @@ public final class LineServer implements AutoCloseable {
      * flood, and the next client waits for a second.
      */
     private static final int MOST_UNACCEPTED = 1024;
+
+    /**
+     * Connections accepted before bytes are read again. It is less than the places of clients without token, so that in
+     * a flood the token of a client is read before its place goes to others.
+     */
+    private static final int MOST_ACCEPTED_AT_ONCE = 16;
 
     private static final long PAUSE_AFTER_TROUBLE_NANOS = 100_000_000;
 
@@ -46,21 +47,32 @@ public final class LineServer implements AutoCloseable {
     private final ServerSocketChannel listening;
     private final Selector selector;
     private final Session session;
-    private final @Nullable ListenToken token;
+    private final Admission admission;
+    private final @Nullable TlsHandshakes handshakes;
+    private final LongSupplier nanos;
     private final SessionListener answers = this::lineWritten;
-    private final Set<LineClient> clients = ConcurrentHashMap.newKeySet();
+    private final ClientPlaces clients = new ClientPlaces();
+    private final ByteBuffer chunk = ByteBuffer.allocate(Wire.CHUNK);
     private volatile boolean ready;
     private volatile boolean closed;
 
-    private LineServer(ServerSocketChannel listening, Selector selector, Session session, @Nullable ListenToken token) {
+    private LineServer(
+            ServerSocketChannel listening,
+            Selector selector,
+            Session session,
+            Admission admission,
+            @Nullable TlsHandshakes handshakes,
+            LongSupplier nanos) {
         this.listening = listening;
         this.selector = selector;
         this.session = session;
-        this.token = token;
+        this.admission = admission;
+        this.handshakes = handshakes;
+        this.nanos = nanos;
     }
 
     /**
-     * Starts to listen. Lines other than stops wait until {@link #ready()}.
+     * Starts to listen for programs on this computer. Lines other than stops wait until {@link #ready()}.
      *
      * @param address a loopback address; port 0 takes a free one
      * @param session the session whose team is commanded
@@ -73,16 +85,43 @@ public final class LineServer implements AutoCloseable {
             throws IOException {
         if (address.isUnresolved() || !address.getAddress().isLoopbackAddress()) {
             throw new IllegalArgumentException(
-                    address.getHostString() + ": only this machine may command the robots; use 127.0.0.1");
+                    address.getHostString() + ": without TLS only this computer may command the robots; use 127.0.0.1");
         }
+        return open(address, session, tokens, null, System::nanoTime);
+    }
+
+    /**
+     * Starts to listen for programs on other computers, which use TLS 1.3 and send a token first. Lines other than stops
+     * wait until {@link #ready()}.
+     *
+     * @param address an address of this computer, or the wildcard address for all; port 0 takes a free one
+     * @param session the session whose team is commanded
+     * @param tokens makes the token of a port, which each client has to send first
+     * @param key the server's key
+     * @return the server, accepting clients
+     * @throws IOException if the port is taken, or the token cannot be written
+     */
+    public static LineServer openTls(InetSocketAddress address, Session session, TokenMaker tokens, ListenKey key)
+            throws IOException {
+        return open(address, session, tokens, key, System::nanoTime);
+    }
+
+    static LineServer open(
+            InetSocketAddress address,
+            Session session,
+            @Nullable TokenMaker tokens,
+            @Nullable ListenKey key,
+            LongSupplier nanos)
+            throws IOException {
         ServerSocketChannel socket = bind(address);
         try {
             int port = socket.socket().getLocalPort();
-            LineServer server =
-                    new LineServer(socket, Selector.open(), session, tokens == null ? null : tokens.token(port));
+            Admission admission = new Admission(tokens == null ? null : tokens.token(port), nanos);
+            TlsHandshakes handshakes = key == null ? null : new TlsHandshakes(key, nanos);
+            LineServer server = new LineServer(socket, Selector.open(), session, admission, handshakes, nanos);
             server.start();
             return server;
-        } catch (IOException e) {
+        } catch (IOException | RuntimeException e) {
             socket.close();
             throw e;
         }
@@ -101,7 +140,8 @@ public final class LineServer implements AutoCloseable {
             return socket.bind(address, MOST_UNACCEPTED);
         } catch (IOException e) {
             socket.close();
-            throw new IOException("cannot listen at port " + address.getPort() + ": " + e.getMessage(), e);
+            throw new IOException(
+                    "cannot listen at " + address.getHostString() + ":" + address.getPort() + ": " + e.getMessage(), e);
         }
     }
 
@@ -119,7 +159,12 @@ public final class LineServer implements AutoCloseable {
 
     /** Returns the token that clients have to send; empty if none is needed. */
     public Optional<ListenToken> token() {
-        return Optional.ofNullable(token);
+        return admission.token();
+    }
+
+    /** Returns whether clients have to use TLS. */
+    public boolean isEncrypted() {
+        return handshakes != null;
     }
 
     /** Starts to carry out lines; called when the robots that were requested at the start have been added. */
@@ -130,6 +175,20 @@ public final class LineServer implements AutoCloseable {
 
     boolean isReady() {
         return ready;
+    }
+
+    Admission admission() {
+        return admission;
+    }
+
+    /** Returns whether one more client can be admitted; an idle one may lose its place for that. */
+    boolean makeRoom() {
+        return clients.makeRoom();
+    }
+
+    /** Returns the clock of all limits. */
+    LongSupplier nanos() {
+        return nanos;
     }
 
     private void lineWritten(Line line) {
@@ -148,23 +207,36 @@ public final class LineServer implements AutoCloseable {
     }
 
     private void serve() {
+        boolean more = false;
         while (!closed) {
             try {
-                selector.select(clients.stream().anyMatch(LineClient::isWaiting) ? LOOK_MS : 0);
+                await(more);
                 selector.selectedKeys().forEach(this::serve);
                 selector.selectedKeys().clear();
-                clients.forEach(LineClient::work);
-                clients.removeIf(LineClient::isGone);
+                if (handshakes != null) {
+                    handshakes.runNext();
+                }
+                more = clients.work();
+                clients.removeGone();
             } catch (IOException | RuntimeException e) {
                 LOG.log(closed ? Level.DEBUG : Level.WARNING, "the line server had trouble and goes on", e);
                 LockSupport.parkNanos(PAUSE_AFTER_TROUBLE_NANOS);
             }
         }
+        clients.forEach(LineClient::close);
+    }
+
+    private void await(boolean more) throws IOException {
+        if (more) {
+            selector.selectNow();
+        } else {
+            selector.select(clients.isAnyWaiting() ? LOOK_MS : 0);
+        }
     }
 
     private void serve(SelectionKey key) {
         if (key.attachment() instanceof LineClient client) {
-            client.read();
+            client.read(chunk);
         } else {
             accept();
         }
@@ -172,8 +244,10 @@ public final class LineServer implements AutoCloseable {
 
     private void accept() {
         try {
-            for (SocketChannel socket = listening.accept(); socket != null; socket = listening.accept()) {
-                admit(socket);
+            SocketChannel socket = listening.accept();
+            for (int count = 1; socket != null; count++) {
+                connect(socket);
+                socket = count < MOST_ACCEPTED_AT_ONCE ? listening.accept() : null;
             }
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "no client could be taken", e);
@@ -181,30 +255,18 @@ public final class LineServer implements AutoCloseable {
         }
     }
 
-    private void admit(SocketChannel socket) throws IOException {
-        clients.removeIf(LineClient::isGone);
+    private void connect(SocketChannel socket) throws IOException {
         socket.configureBlocking(false);
-        if (clients.size() >= MOST_CLIENTS && !dropOneThatEnded()) {
-            try (socket) {
-                String full = "MAJIC has " + MOST_CLIENTS + " clients already, which is the most; close one of them\n";
-                socket.write(ByteBuffer.wrap(full.getBytes(StandardCharsets.UTF_8)));
-            }
-            return;
-        }
+        socket.setOption(StandardSocketOptions.SO_KEEPALIVE, true);
         SelectionKey key = socket.register(selector, SelectionKey.OP_READ);
-        LineClient client = new LineClient(this, key, MajicParser.remote(session));
+        Wire wire = handshakes == null ? new PlainWire(socket) : handshakes.begin(socket, () -> serve(key));
+        LineClient client =
+                new LineClient(this, key, wire, socket.socket().getInetAddress(), MajicParser.remote(session));
         key.attach(client);
         clients.add(client);
     }
 
-    /** Drops one client that sends no more lines and only waits for answers, to make room for one that does. */
-    private boolean dropOneThatEnded() {
-        Optional<LineClient> ended =
-                clients.stream().filter(LineClient::hasEnded).findFirst();
-        ended.ifPresent(LineClient::close);
-        return ended.isPresent() && clients.remove(ended.get());
-    }
-
+    /** Ends the server; its thread then closes the connections. */
     @Override
     public void close() {
         closed = true;
@@ -212,12 +274,11 @@ public final class LineServer implements AutoCloseable {
         try {
             listening.close();
             selector.close();
-            if (token != null) {
-                token.delete();
+            if (token().isPresent()) {
+                token().get().delete();
             }
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "closing the line server", e);
         }
-        clients.forEach(LineClient::close);
     }
 }

@@ -2,32 +2,29 @@ package majic.server;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystem;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
-import java.nio.file.attribute.AclEntry;
-import java.nio.file.attribute.AclEntryPermission;
-import java.nio.file.attribute.AclEntryType;
-import java.nio.file.attribute.FileAttribute;
-import java.nio.file.attribute.PosixFilePermissions;
-import java.nio.file.attribute.UserPrincipal;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.util.Base64;
-import java.util.EnumSet;
-import java.util.List;
-import java.util.Set;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The token that a client of the line server sends first, to show that it belongs to the user that started MAJIC: a new
- * random word at each start, in a file that only this user can read.
+ * random word at each start, in a file that only this user can read, or a word that the user has chosen.
  *
  * @param word the token
- * @param file where it is kept while the server listens
+ * @param file where it is kept while the server listens; null for a token that the user has chosen
  */
-public record ListenToken(String word, Path file) {
+public record ListenToken(String word, @Nullable Path file) {
+    /** The environment variable with a token of the user's choice. */
+    public static final String VARIABLE = "MAJIC_TOKEN";
+
+    /** What a client with a wrong token is told if it is on another computer. */
+    static final String HINT = "the first line must be the token of this MAJIC";
+
     private static final int RANDOM_BYTES = 24;
+    private static final int SHORTEST = 20;
 
     /**
      * Creates a token and writes its file, replacing one of an earlier start.
@@ -41,35 +38,32 @@ public record ListenToken(String word, Path file) {
         byte[] random = new byte[RANDOM_BYTES];
         new SecureRandom().nextBytes(random);
         String word = Base64.getUrlEncoder().withoutPadding().encodeToString(random);
-        Path file = Files.createDirectories(folder).resolve("listen-" + port + ".token");
+        Path file = folder.resolve("listen-" + port + ".token");
         Files.deleteIfExists(file);
-        Set<StandardOpenOption> fresh = EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-        try (var out = Files.newByteChannel(file, fresh, ownerOnly(file.getFileSystem()))) {
-            out.write(StandardCharsets.UTF_8.encode(word + "\n"));
-        }
+        OwnerOnlyFile.write(file, (word + "\n").getBytes(StandardCharsets.UTF_8));
         return new ListenToken(word, file);
     }
 
-    /** Returns the permissions with which the file is created, so that at no time another user can open it. */
-    private static FileAttribute<?> ownerOnly(FileSystem system) throws IOException {
-        if (system.supportedFileAttributeViews().contains("posix")) {
-            return PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------"));
+    /**
+     * Returns the token that the user has chosen in the environment variable {@value #VARIABLE}.
+     *
+     * @param word its value
+     * @return a token without file
+     * @throws IllegalArgumentException if others could guess it or could not send it in one word; the message says so
+     */
+    public static ListenToken chosen(String word) {
+        if (!word.matches("[!-~]{" + SHORTEST + ",200}")) {
+            throw new IllegalArgumentException("the token in " + VARIABLE + " must be one word of " + SHORTEST
+                    + " to 200 letters, digits and signs of ASCII; \"openssl rand -hex 16\" makes one");
         }
-        UserPrincipal user =
-                system.getUserPrincipalLookupService().lookupPrincipalByName(System.getProperty("user.name"));
-        AclEntry all = AclEntry.newBuilder()
-                .setType(AclEntryType.ALLOW)
-                .setPrincipal(user)
-                .setPermissions(EnumSet.allOf(AclEntryPermission.class))
-                .build();
-        return new OwnerOnlyAcl(List.of(all));
+        return new ListenToken(word, null);
     }
 
-    private record OwnerOnlyAcl(List<AclEntry> value) implements FileAttribute<List<AclEntry>> {
-        @Override
-        public String name() {
-            return "acl:acl";
-        }
+    /** Returns a sentence that says where a user of this computer finds the token. */
+    String hint() {
+        return file == null
+                ? "the first line must be the token that the variable " + VARIABLE + " had at MAJIC's start"
+                : "the first line must be the token that MAJIC printed at its start; it is also in " + file;
     }
 
     /** Compares in a time that does not reveal how much of the word is right. */
@@ -78,6 +72,8 @@ public record ListenToken(String word, Path file) {
     }
 
     void delete() throws IOException {
-        Files.deleteIfExists(file);
+        if (file != null) {
+            Files.deleteIfExists(file);
+        }
     }
 }

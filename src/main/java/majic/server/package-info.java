@@ -1,4 +1,7 @@
-/** Accepts commands from other programs: a line server on a loopback port, and its clients. */
+/**
+ * Accepts commands from other programs: a line server on a loopback port, or with TLS for other computers; its clients,
+ * their token and their limits.
+ */
 @NullMarked
 package majic.server;
 

@@ -3,14 +3,11 @@ package majic.server;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.Socket;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -46,7 +43,7 @@ class LineServerTest {
     private final Team team = new Team(TimeSource.system());
     private final BotFactory factory = new BotFactory(List.of(new FakeType()), Settings.inMemory());
     private final Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
-    private final List<Client> clients = new ArrayList<>();
+    private final List<TestClient> clients = new ArrayList<>();
     private FakeBot bot;
     private LineServer server;
 
@@ -61,65 +58,24 @@ class LineServerTest {
 
     @AfterEach
     void close() throws IOException {
-        for (Client client : clients) {
-            client.socket.close();
+        for (TestClient client : clients) {
+            client.close();
         }
         server.close();
         team.close();
     }
 
-    /** A client of the server. */
-    private final class Client {
-        private final Socket socket;
-        private final BufferedReader answers;
-
-        Client(LineServer to) throws IOException {
-            socket = new Socket(InetAddress.getLoopbackAddress(), to.port());
-            answers = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
-            clients.add(this);
-        }
-
-        Client say(String... lines) throws IOException {
-            return sayRaw(String.join("\n", lines) + "\n");
-        }
-
-        Client sayRaw(String text) throws IOException {
-            socket.getOutputStream().write(text.getBytes(StandardCharsets.UTF_8));
-            return this;
-        }
-
-        String next() throws IOException {
-            return answers.readLine();
-        }
-
-        String await(String part) throws IOException {
-            String line = next();
-            while (line != null && !line.contains(part)) {
-                line = next();
-            }
-            return line;
-        }
-
-        List<String> all() throws IOException {
-            socket.shutdownOutput();
-            return answers.lines().toList();
-        }
-
-        List<String> untilItIsClosed() {
-            List<String> all = new ArrayList<>();
-            try {
-                for (String line = next(); line != null; line = next()) {
-                    all.add(line);
-                }
-            } catch (IOException e) {
-                all.add("reset");
-            }
-            return all;
-        }
+    private TestClient client() throws IOException {
+        return kept(TestClient.admitted(server));
     }
 
-    private Client client() throws IOException {
-        return new Client(server).say(token());
+    private TestClient client(LineServer to) throws IOException {
+        return kept(TestClient.of(to));
+    }
+
+    private TestClient kept(TestClient client) {
+        clients.add(client);
+        return client;
     }
 
     private String token() {
@@ -133,7 +89,7 @@ class LineServerTest {
 
     @Test
     void aWrongLineIsAnsweredAndTheNextOneStillWorks() throws IOException {
-        Client client = client().say("\u0000\u0007 rubbish");
+        TestClient client = client().say("\u0000\u0007 rubbish");
         assertThat(client.next()).isNotBlank();
         assertThat(client.say("bots").next()).startsWith("1: ");
     }
@@ -146,7 +102,7 @@ class LineServerTest {
     @ParameterizedTest
     @ValueSource(strings = {"", "wrong", "POST / HTTP/1.1", "1 move 30"})
     void withoutTheTokenNothingIsObeyed(String first) throws IOException {
-        Client client = new Client(server).say(first, "1 move 30", "stop");
+        TestClient client = client(server).say(first, "1 move 30", "stop");
         assertThat(client.untilItIsClosed().get(0)).startsWith("the first line must be the token");
         assertThat(bot.sent()).doesNotContain("move 30");
         assertThat(team.isLatched()).isFalse();
@@ -168,10 +124,10 @@ class LineServerTest {
     void openToAllItStillObeysNoWebPage(String first) throws IOException {
         try (LineServer open = LineServer.open(ANY_PORT, session, null)) {
             open.ready();
-            Client page = new Client(open).say(first, "Content-Type: text/plain", "", "1 move 30");
+            TestClient page = client(open).say(first, "Content-Type: text/plain", "", "1 move 30");
             assertThat(page.untilItIsClosed().get(0)).startsWith("the first line must be MAJIC Script");
             assertThat(bot.sent()).doesNotContain("move 30");
-            assertThat(new Client(open).say("1 move 30").await("1 move 30")).contains("done");
+            assertThat(client(open).say("1 move 30").await("1 move 30")).contains("done");
         }
     }
 
@@ -197,13 +153,13 @@ class LineServerTest {
 
     @Test
     void answersGoToTheSendingClientAndToThoseThatRequestedAll() throws IOException {
-        Client other = client();
-        Client all = new Client(server).say(token() + " all");
+        TestClient other = client();
+        TestClient all = client(server).say(token() + " all");
         other.say("1 get x");
         other.next();
         all.say("1 get y");
         all.await("1 y = ");
-        Client asking = client();
+        TestClient asking = client();
         asking.say("1 move 30").await("1 move 30: done");
         asking.say("rubbish").await("rubbish");
         assertThat(all.next()).startsWith("1 move 30: done");
@@ -214,7 +170,7 @@ class LineServerTest {
 
     @Test
     void linesThatConcernAllAreSentToAll() throws IOException {
-        Client other = client().say("bots");
+        TestClient other = client().say("bots");
         other.next();
         client().say("stop");
         assertThat(other.await("STOP is latched")).isNotNull();
@@ -223,7 +179,7 @@ class LineServerTest {
     @Test
     void linesWaitForTheRobotsOfTheCommandLineButStopsDoNot() throws IOException {
         try (LineServer early = LineServer.open(ANY_PORT, session, null)) {
-            Client client = new Client(early).say("bots", "stop");
+            TestClient client = client(early).say("bots", "stop");
             assertThat(client.next()).isEqualTo("1 line not run: stopped");
             client.await("STOP is latched");
             client.say("2 get x");
@@ -239,7 +195,7 @@ class LineServerTest {
     void idleClientsCostNoThreads() throws IOException {
         client().say("bots").next();
         int before = Thread.activeCount();
-        for (int count = 1; count < LineServer.MOST_CLIENTS; count++) {
+        for (int count = 1; count < ClientPlaces.MOST_CLIENTS; count++) {
             client().say("bots").next();
         }
         assertThat(Thread.activeCount()).isLessThan(before + 5);
@@ -247,12 +203,12 @@ class LineServerTest {
 
     @Test
     void oneClientTooManyIsRefusedAndTheNextOneTakesAFreePlace() throws IOException {
-        for (int count = 0; count < LineServer.MOST_CLIENTS; count++) {
+        for (int count = 0; count < ClientPlaces.MOST_CLIENTS; count++) {
             client().say("bots").next();
         }
-        assertThat(new Client(server).untilItIsClosed().get(0))
+        assertThat(client().untilItIsClosed().get(0))
                 .isEqualTo("MAJIC has 64 clients already, which is the most; close one of them");
-        clients.get(0).socket.close();
+        clients.get(0).close();
         String answer = "MAJIC has";
         while (answer == null || answer.startsWith("MAJIC has")) {
             answer = askAnew();
@@ -270,11 +226,11 @@ class LineServerTest {
 
     @Test
     void aFloodOfConnectionsAndOfLinesHoldsUpNoStop() throws Exception {
-        Client stopper = client().say("1 drive 100 0 for 60s");
+        TestClient stopper = client().say("1 drive 100 0 for 60s");
         int threadsBefore = Thread.activeCount();
         Thread connecting = new Thread(this::connectAndLeave);
         connecting.start();
-        Client flooding = client();
+        TestClient flooding = client();
         Thread lines = new Thread(() -> flood(flooding));
         lines.start();
         stopper.say("1 stop");
@@ -284,7 +240,7 @@ class LineServerTest {
         stopper.say("stop");
         assertThat(stopper.await("STOP is latched")).isNotNull();
         assertThat(threads).isLessThan(threadsBefore + 15);
-        flooding.socket.close();
+        flooding.close();
         lines.join();
     }
 
@@ -298,7 +254,7 @@ class LineServerTest {
         }
     }
 
-    private static void flood(Client client) {
+    private static void flood(TestClient client) {
         String many = "1 help\n".repeat(1000);
         try {
             while (true) {
@@ -311,7 +267,7 @@ class LineServerTest {
 
     @Test
     void aClientsStopGoesPastItsOwnFlood() throws IOException {
-        Client client = client().say("1 drive 100 0 for 60s")
+        TestClient client = client().say("1 drive 100 0 for 60s")
                 .sayRaw("1 get x\n".repeat(5000))
                 .say("1 stop");
         assertThat(client.await("lines not run: stopped")).isNotNull();
@@ -319,7 +275,28 @@ class LineServerTest {
     }
 
     @Test
-    void onlyThisComputerMayCommandTheRobots() {
+    void theLineCloseEndsTheConnectionAfterTheLastAnswer() throws IOException {
+        assertThat(client().say("1 move 30", "1 get x", "close", "1 move 50").untilItIsClosed())
+                .last()
+                .isEqualTo("1 x = 30 mm");
+        assertThat(bot.sent()).doesNotContain("move 50");
+    }
+
+    @Test
+    void controlCharactersOfALineReachNoClient() throws IOException {
+        assertThat(client().sayRaw("1 move 30\u001b[2J").all())
+                .contains("the last line has no line end and was not obeyed: 1 move 30\\u001b[2J");
+    }
+
+    @Test
+    void aLineOfTheLongestCharactersIsRefusedAsAWhole() throws IOException {
+        assertThat(client().say("1 move 30" + "\u2003".repeat(4000)).next())
+                .isEqualTo("the line is longer than 4000 characters");
+        assertThat(bot.sent()).doesNotContain("move 30");
+    }
+
+    @Test
+    void withoutTlsOnlyThisComputerMayCommandTheRobots() {
         assertThatThrownBy(() -> LineServer.open(new InetSocketAddress("0.0.0.0", 0), session, null))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("127.0.0.1");

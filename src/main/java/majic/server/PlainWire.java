@@ -1,0 +1,52 @@
+package majic.server;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SocketChannel;
+
+/**
+ * Bytes as they are, for programs on this computer.
+ *
+ * @param socket a connection in non-blocking mode
+ */
+record PlainWire(SocketChannel socket) implements Wire {
+    @Override
+    public int read(ByteBuffer target) throws IOException {
+        return socket.read(target);
+    }
+
+    @Override
+    public void write(ByteBuffer source) throws IOException {
+        socket.write(source);
+    }
+
+    @Override
+    public void flush() {
+        // nothing waits here
+    }
+
+    @Override
+    public boolean hasUnsent() {
+        return false;
+    }
+
+    @Override
+    public boolean isBusy() {
+        return false;
+    }
+
+    @Override
+    public void endOutput() throws IOException {
+        socket.shutdownOutput();
+    }
+
+    @Override
+    public boolean isOpen() {
+        return socket.isOpen();
+    }
+
+    @Override
+    public void close() throws IOException {
+        socket.close();
+    }
+}
