@@ -21,6 +21,7 @@ import majic.environment.Settings;
 import majic.log.SessionLog;
 import majic.script.Session;
 import majic.server.LineServer;
+import majic.server.ListenKey;
 import majic.server.ListenToken;
 import majic.team.BotFactory;
 import majic.team.Team;
@@ -38,7 +39,7 @@ class ClientProgramsTest {
     private Path folder;
 
     @ParameterizedTest
-    @ValueSource(strings = {"client.py", "client.m"})
+    @ValueSource(strings = {"client.py", "client.m", "tls_client.py", "tls_client.m"})
     void thePageShowsTheClientAsItIs(String client) throws IOException {
         assertThat(Page.of("docs/other-programs.md").text()).contains(Files.readString(EXAMPLES.resolve(client)));
     }
@@ -54,6 +55,30 @@ class ClientProgramsTest {
             assertThat(Tool.run("python3", client, port, token, "1 move 30", "1 get x"))
                     .containsSubsequence("1 move 30: done (30 mm", "1 x = 30 mm");
         }
+    }
+
+    @Test
+    void theClientInPythonOnAnotherComputerMovesARobotAndGetsItsAnswers() throws Exception {
+        Tool.require("python3");
+        ListenKey.create(folder);
+        InetSocketAddress all = new InetSocketAddress(0);
+        try (Team team = new Team(TimeSource.system());
+                LineServer server = LineServer.openTls(all, withARobotIn(team), this::token, ListenKey.in(folder))) {
+            server.ready();
+            String client = EXAMPLES.resolve("tls_client.py").toString();
+            String port = String.valueOf(server.port());
+            String token = server.token().orElseThrow().file().toString();
+            String certificate = folder.resolve(ListenKey.CERTIFICATE).toString();
+            assertThat(Tool.run("python3", client, "127.0.0.1", port, certificate, token, "1 move 30", "1 get x"))
+                    .containsSubsequence("1 move 30: done (30 mm", "1 x = 30 mm");
+        }
+    }
+
+    /** The client in MATLAB is not run. It sends what the one in Python sends. */
+    @Test
+    void theLastLineOfTheClientInMatlabOnAnotherComputerEndsTheConnection() throws IOException {
+        assertThat(Files.readString(EXAMPLES.resolve("tls_client.m")))
+                .contains("{strtrim(fileread(tokenFile))}, varargin, {'close', ''}");
     }
 
     /** The client in MATLAB is not run. It keeps the connection open and waits for the answer to its last line. */
@@ -78,14 +103,21 @@ class ClientProgramsTest {
     }
 
     private LineServer withARobot(Team team) throws IOException {
+        InetSocketAddress any = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+        LineServer server = LineServer.open(any, withARobotIn(team), this::token);
+        server.ready();
+        return server;
+    }
+
+    private ListenToken token(int port) throws IOException {
+        return ListenToken.create(folder, port);
+    }
+
+    private static Session withARobotIn(Team team) {
         BotFactory factory = new BotFactory(List.of(new FakeType()), Settings.inMemory());
         MajicBot bot = factory.create("fake://one");
         bot.connect();
         team.add(bot, OptionalInt.empty());
-        Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
-        InetSocketAddress any = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-        LineServer server = LineServer.open(any, session, port -> ListenToken.create(folder, port));
-        server.ready();
-        return server;
+        return new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
     }
 }
