@@ -1,5 +1,6 @@
 package majic.recorder;
 
+import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
 import java.util.Locale;
@@ -25,6 +26,10 @@ final class RecordingFormat {
     static final String VERSION = "1";
 
     private static final String TAB = "\t";
+
+    /** About four months. */
+    private static final double LONGEST_S = 1e7;
+
     private static final int ROBOT_COLUMNS = 12;
     private static final int PARAMETER_COLUMNS = 9;
 
@@ -100,7 +105,7 @@ final class RecordingFormat {
     static RecordedRobot robot(String[] columns, double seconds) {
         require(columns, ROBOT_COLUMNS);
         return new RecordedRobot(
-                Integer.parseInt(columns[2]),
+                robotNumber(columns[2]),
                 columns[3],
                 columns[4],
                 columns[5],
@@ -128,7 +133,7 @@ final class RecordingFormat {
         require(columns, PARAMETER_COLUMNS + 1);
         return new Parameter(
                 columns[3],
-                Parameter.Kind.valueOf(columns[4].toUpperCase(Locale.ROOT)),
+                constant(Parameter.Kind.class, columns[4]),
                 unit(columns[5]),
                 new Range(number(columns[7]), number(columns[8])),
                 false,
@@ -177,8 +182,7 @@ final class RecordingFormat {
 
     static Mark event(String[] columns, double seconds) {
         require(columns, 5);
-        Mark.Kind kind = Mark.Kind.valueOf(columns[3].toUpperCase(Locale.ROOT));
-        return new Mark(seconds, kind, Integer.parseInt(columns[2]), columns[4]);
+        return new Mark(seconds, constant(Mark.Kind.class, columns[3]), robotNumber(columns[2]), columns[4]);
     }
 
     static String line(Line line) {
@@ -187,7 +191,7 @@ final class RecordingFormat {
 
     static RecordedLine line(String[] columns, double seconds) {
         require(columns, 4);
-        return new RecordedLine(seconds, Line.Kind.valueOf(columns[2].toUpperCase(Locale.ROOT)), columns[3]);
+        return new RecordedLine(seconds, constant(Line.Kind.class, columns[2]), columns[3]);
     }
 
     static String missing(long lines) {
@@ -204,7 +208,35 @@ final class RecordingFormat {
     }
 
     static double number(String text) {
-        return Double.parseDouble(text);
+        try {
+            return Double.parseDouble(text);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("\"" + text + "\" is not a number", e);
+        }
+    }
+
+    /** A time of the recording, in seconds. */
+    static double time(String text) {
+        double seconds = number(text);
+        if (!(Math.abs(seconds) <= LONGEST_S)) {
+            throw new IllegalArgumentException("\"" + text + "\" is not a time");
+        }
+        return seconds;
+    }
+
+    static int robotNumber(String text) {
+        try {
+            return Integer.parseInt(text);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("\"" + text + "\" is not the number of a robot", e);
+        }
+    }
+
+    private static <E extends Enum<E>> E constant(Class<E> type, String word) {
+        return Arrays.stream(type.getEnumConstants())
+                .filter(one -> one.name().toLowerCase(Locale.ROOT).equals(word))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("\"" + word + "\" is not a known kind"));
     }
 
     /** Refuses a line that is too short. */

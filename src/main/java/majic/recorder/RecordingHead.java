@@ -2,8 +2,9 @@ package majic.recorder;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.DateTimeException;
 import java.time.Instant;
-import java.time.format.DateTimeParseException;
+import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,6 +16,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record RecordingHead(Instant begin, int part, double beginS) {
     private static final int COLUMNS = 5;
+    private static final Instant LATEST = Instant.parse("9999-01-01T00:00:00Z");
 
     /**
      * Reads the first line of a file. Blocks.
@@ -54,14 +56,21 @@ public record RecordingHead(Instant begin, int part, double beginS) {
             throw new IOException("it is no recording of MAJIC");
         }
         if (!columns[1].equals(RecordingFormat.VERSION)) {
-            throw new IOException("it was recorded by another version of MAJIC (format " + columns[1]
+            throw new IOException("it was recorded by another version of MAJIC (format " + VisibleText.of(columns[1])
                     + "; this one reads format " + RecordingFormat.VERSION + ")");
         }
         try {
-            return new RecordingHead(
-                    Instant.parse(columns[2]), Integer.parseInt(columns[3]), Double.parseDouble(columns[4]));
-        } catch (DateTimeParseException | NumberFormatException e) {
+            return new RecordingHead(begin(columns[2]), Integer.parseInt(columns[3]), RecordingFormat.time(columns[4]));
+        } catch (DateTimeException | IllegalArgumentException e) {
             throw new IOException("its first line is damaged", e);
         }
+    }
+
+    private static Instant begin(String text) {
+        Instant begin = Instant.parse(text);
+        if (begin.isBefore(Instant.EPOCH) || begin.isAfter(LATEST)) {
+            throw new IllegalArgumentException(text + " is not a time of day of a recording");
+        }
+        return begin;
     }
 }

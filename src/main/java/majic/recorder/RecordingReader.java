@@ -17,6 +17,7 @@ import java.util.stream.Collectors;
 import java.util.zip.GZIPInputStream;
 import java.util.zip.ZipException;
 import majic.recorder.RecordingFormat.Kind;
+import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,11 +27,13 @@ import org.jspecify.annotations.Nullable;
 final class RecordingReader {
     private static final Logger LOG = System.getLogger(RecordingReader.class.getName());
     private static final int BUFFER = 1 << 16;
+    private static final int LONGEST_LINE_BYTES = 1 << 20;
     private static final Map<String, Kind> KINDS =
             Arrays.stream(Kind.values()).collect(Collectors.toMap(Kind::word, kind -> kind));
 
     private final Path file;
     private final RecordingSink sink;
+    private CutInput input = new CutInput(InputStream.nullInputStream());
     private double seconds;
     private long number = 1;
 
@@ -72,16 +75,21 @@ final class RecordingReader {
     private BufferedReader open() throws IOException {
         InputStream compressed = Files.newInputStream(file);
         try {
-            InputStream bytes = new CutInput(new GZIPInputStream(compressed, BUFFER));
-            return new BufferedReader(new InputStreamReader(bytes, StandardCharsets.UTF_8), BUFFER);
+            input = new CutInput(new GZIPInputStream(compressed, BUFFER));
+            return new BufferedReader(new InputStreamReader(input, StandardCharsets.UTF_8), BUFFER);
         } catch (IOException e) {
             compressed.close();
             throw e;
         }
     }
 
-    /** Ends where the input is cut off, instead of failing there: a reader would drop what it has read ahead. */
+    /**
+     * Ends where the input is cut off, instead of failing there: a reader would drop what it has read ahead. Refuses a
+     * line that would fill the memory.
+     */
     private static final class CutInput extends FilterInputStream {
+        private int lineBytes;
+
         CutInput(InputStream in) {
             super(in);
         }
@@ -89,10 +97,26 @@ final class RecordingReader {
         @Override
         public int read(byte[] bytes, int from, int length) throws IOException {
             try {
-                return super.read(bytes, from, length);
+                int count = super.read(bytes, from, length);
+                countLine(bytes, from, count);
+                return count;
             } catch (EOFException e) {
                 return -1;
             }
+        }
+
+        private void countLine(byte[] bytes, int from, int count) throws IOException {
+            for (int at = from; at < from + count; at++) {
+                lineBytes = bytes[at] == '\n' ? 0 : lineBytes + 1;
+                if (lineBytes > LONGEST_LINE_BYTES) {
+                    throw new IOException("it is damaged: it has a line of more than 1 MB");
+                }
+            }
+        }
+
+        /** Returns whether what was read so far ends with the end of a line. */
+        boolean isAtLineEnd() {
+            return lineBytes == 0;
         }
     }
 
@@ -106,9 +130,9 @@ final class RecordingReader {
         takeLast(line);
     }
 
-    /** The last line may be cut off; then it is left out. */
+    /** The last line may be cut off, even in the middle of a number; then it is left out. */
     private void takeLast(@Nullable String line) {
-        if (line != null) {
+        if (line != null && input.isAtLineEnd()) {
             try {
                 take(line);
             } catch (IOException e) {
@@ -122,12 +146,13 @@ final class RecordingReader {
         try {
             RecordingFormat.require(columns, 2);
             if (!columns[0].isEmpty()) {
-                seconds = Math.max(seconds, RecordingFormat.number(columns[0]));
+                seconds = Math.max(seconds, RecordingFormat.time(columns[0]));
             }
             sink.time(seconds);
             take(columns);
         } catch (IllegalArgumentException e) {
-            throw new IOException("it is damaged in line " + number + ": " + e.getMessage(), e);
+            throw new IOException(
+                    "it is damaged in line " + number + ": " + VisibleText.of(String.valueOf(e.getMessage())), e);
         }
     }
 
@@ -165,6 +190,6 @@ final class RecordingReader {
 
     private static int robot(String[] columns) {
         RecordingFormat.require(columns, 3);
-        return Integer.parseInt(columns[2]);
+        return RecordingFormat.robotNumber(columns[2]);
     }
 }

@@ -188,14 +188,21 @@ public final class RobotTracks {
      * Returns the last picture of the camera before a time.
      *
      * @param seconds time of the recording
-     * @return when it came; empty if there was none
+     * @return when it came; empty if there was none, or if it is damaged
      */
     public Optional<Picture> picture(double seconds) {
         int index = pictures.indexAt(seconds);
         return index < 0
                 ? Optional.empty()
-                : Optional.of(
-                        new Picture(pictures.seconds(index), Base64.getDecoder().decode(pictures.text(index))));
+                : jpeg(pictures.text(index)).map(jpeg -> new Picture(pictures.seconds(index), jpeg));
+    }
+
+    private static Optional<byte[]> jpeg(String text) {
+        try {
+            return Optional.of(Base64.getDecoder().decode(text));
+        } catch (IllegalArgumentException e) {
+            return Optional.empty();
+        }
     }
 
     /**

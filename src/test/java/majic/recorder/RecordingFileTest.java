@@ -93,6 +93,24 @@ class RecordingFileTest {
     }
 
     @Test
+    void aNumberThatIsCutOffInTheLastLineIsNotAnother() throws Exception {
+        Recording recording = Recording.read(file(HEAD, ROBOT, X, "2.000\tvalue\t2\tx\t5\n", "3.000\tvalue\t2\tx\t12"));
+        assertThat(recording.series(2, "x", 0).values()).containsExactly(5);
+    }
+
+    @Test
+    void aLineThatWouldFillTheMemoryIsRefused() throws Exception {
+        Path bomb = file(HEAD, ROBOT, "x".repeat(1 << 21));
+        assertThatThrownBy(() -> Recording.read(bomb)).hasMessage("it is damaged: it has a line of more than 1 MB");
+    }
+
+    @Test
+    void aTimeThatIsNoneIsNamed() throws Exception {
+        Path damaged = file(HEAD, ROBOT, "NaN\tvalue\t2\tx\t5\n", X);
+        assertThatThrownBy(() -> Recording.read(damaged)).hasMessage("it is damaged in line 3: \"NaN\" is not a time");
+    }
+
+    @Test
     void linesOfAKindThatIsNotKnownAreSkipped() throws Exception {
         assertThat(Recording.read(file(HEAD, ROBOT, "2.000\tlaser\t2\t1 2 3\n")).robots())
                 .hasSize(1);
