@@ -158,11 +158,20 @@ public record ActArgument(Parameter parameter, Value initial) {
                 .within(bound(parts.group("from"), Range.ANY.min()), bound(parts.group("to"), Range.ANY.max()));
         return new ActArgument(
                 parts.group("whole") == null ? number : number.inWholes(),
-                Value.of(Double.parseDouble(parts.group("number")), unit));
+                Value.of(finite(parts.group("number")), unit));
+    }
+
+    /** Zero has no sign. */
+    private static double finite(String text) {
+        double number = Double.parseDouble(text) + 0.0;
+        if (Double.isInfinite(number)) {
+            throw new IllegalArgumentException("the number " + text + " is too large");
+        }
+        return number;
     }
 
     private static double bound(@Nullable String text, double otherwise) {
-        return text == null ? otherwise : Double.parseDouble(text);
+        return text == null ? otherwise : finite(text);
     }
 
     private static Unit unit(@Nullable String symbol) {
