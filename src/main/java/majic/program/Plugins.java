@@ -13,6 +13,7 @@ import java.util.stream.Stream;
 import majic.bot.BotType;
 import majic.team.BotFactory;
 import majic.text.IoReason;
+import majic.text.VisibleText;
 
 /**
  * The types of robots that there are: MAJIC's own and those of the plug-ins in a folder. A plug-in, or one of its
@@ -93,8 +94,9 @@ public record Plugins(List<BotType> types, List<String> problems) {
         }
 
         private void report(String sentence, Exception cause) {
-            problems.add(sentence);
-            LOG.log(Level.WARNING, sentence, cause);
+            String visible = VisibleText.of(sentence);
+            problems.add(visible);
+            LOG.log(Level.WARNING, visible, cause);
         }
     }
 }

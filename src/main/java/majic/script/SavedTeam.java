@@ -13,6 +13,7 @@ import majic.bot.BotType;
 import majic.script.run.ScriptFiles;
 import majic.team.BotFactory;
 import majic.team.Member;
+import majic.text.VisibleText;
 
 /**
  * A team that was saved: a script of {@code add} lines, each followed by the name, the calibration and the start pose
@@ -21,6 +22,10 @@ import majic.team.Member;
  */
 public final class SavedTeam {
     private static final String POSE = "pose";
+
+    /** Of a wrong line, characters. */
+    private static final int LONGEST_SHOWN = 200;
+
     private static final Pattern ADD = Pattern.compile("(?i)add\\s+(\"[^\"]+\"|\\S+)\\s+as\\s+(\\d{1,3})");
     private static final Pattern SET = Pattern.compile("(?i)(\\d{1,3})\\s+(?:set\\s+(\\w+)\\s+\\S.*|(name)\\s+(\\w+))");
 
@@ -96,12 +101,16 @@ public final class SavedTeam {
         for (int index = 0; index < lines.size(); index++) {
             String line = lines.get(index).strip();
             if (!line.isEmpty() && !line.startsWith("#") && !isTaken(line, robots)) {
-                throw new BotException(
-                        place + (index + 1) + ": \"" + line
-                                + "\" is no line of a saved team; it has \"add ADDRESS as N\" and then \"N name NAME\", \"N set P VALUE\" and \"lab place N X Y HEADING\"");
+                throw new BotException(place + (index + 1) + ": \"" + VisibleText.of(shortened(line))
+                        + "\" is no line of a saved team; it has \"add ADDRESS as N\" and then \"N name NAME\","
+                        + " \"N set P VALUE\" and \"lab place N X Y HEADING\"");
             }
         }
         return new SavedTeam(robots);
+    }
+
+    private static String shortened(String line) {
+        return line.length() > LONGEST_SHOWN ? line.substring(0, LONGEST_SHOWN) + "..." : line;
     }
 
     private static boolean isTaken(String line, List<Robot> robots) {
