@@ -163,6 +163,7 @@ final class MapParser {
         if (found == null) {
             return "an empty file";
         }
-        return "'" + (found.length() > 40 ? found.substring(0, 40) + "..." : found) + "'";
+        String visible = found.replaceAll("\\p{Cc}", "?");
+        return "'" + (visible.length() > 40 ? visible.substring(0, 40) + "..." : visible) + "'";
     }
 }
