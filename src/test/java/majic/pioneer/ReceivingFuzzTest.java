@@ -22,7 +22,7 @@ import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.StateTracker;
 
 /**
- * Arbitrary bytes from a robot: kept inputs in every build, new ones with {@code JAZZER_FUZZ=1} (see
+ * Arbitrary bytes from a robot: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see
  * CONTRIBUTING.md).
  */
 class ReceivingFuzzTest {

@@ -6,7 +6,7 @@ import com.code_intelligence.jazzer.junit.FuzzTest;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Whatever program a client runs: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see
+ * Whatever program a client runs: found and kept ones in every build, new ones with {@code mvn -Pfuzz test} (see
  * CONTRIBUTING.md).
  */
 class ConnectionFuzzTest {

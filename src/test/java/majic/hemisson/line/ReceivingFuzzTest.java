@@ -12,7 +12,7 @@ import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
 
 /**
- * Whatever bytes come from a robot: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see
+ * Whatever bytes come from a robot: found and kept ones in every build, new ones with {@code mvn -Pfuzz test} (see
  * CONTRIBUTING.md).
  */
 class ReceivingFuzzTest {

@@ -11,7 +11,7 @@ import majicsim.hemisson.options.Dialect;
 import majicsim.hemisson.options.HemissonOptions;
 
 /**
- * Whatever bytes come from a client: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see
+ * Whatever bytes come from a client: found and kept ones in every build, new ones with {@code mvn -Pfuzz test} (see
  * CONTRIBUTING.md).
  */
 class ReceivingFuzzTest {

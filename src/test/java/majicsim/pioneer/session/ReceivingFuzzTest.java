@@ -14,7 +14,7 @@ import majicsim.pioneer.packet.PacketReader;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**
- * Whatever bytes come from a client: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see
+ * Whatever bytes come from a client: found and kept ones in every build, new ones with {@code mvn -Pfuzz test} (see
  * CONTRIBUTING.md).
  */
 class ReceivingFuzzTest {

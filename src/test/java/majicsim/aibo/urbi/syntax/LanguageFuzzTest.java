@@ -8,7 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Whatever text comes from a client: found and kept ones in every build, new ones with {@code JAZZER_FUZZ=1} (see
+ * Whatever text comes from a client: found and kept ones in every build, new ones with {@code mvn -Pfuzz test} (see
  * CONTRIBUTING.md).
  */
 class LanguageFuzzTest {
