@@ -3,7 +3,6 @@ import java.util.Locale;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.drivertest.ScriptedPeer;
-import majic.drivertest.TestClock;
 import majic.drivertest.TestedRobot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -21,20 +20,6 @@ final class CartPeer implements TestedRobot, ScriptedPeer.Robot {
     private volatile boolean blocked;
     private double mmPerSec;
     private double degPerSec;
-
-    /** Sends no more reports, though the connection stays open. */
-    void fallSilent() {
-        silent = true;
-    }
-
-    /** Stands before an obstacle from now on: its wheels do not turn. */
-    void block() {
-        blocked = true;
-    }
-
-    TestClock clock() {
-        return peer.clock();
-    }
 
     @Override
     public void received(ScriptedPeer client, byte[] bytes) {
@@ -86,6 +71,22 @@ final class CartPeer implements TestedRobot, ScriptedPeer.Robot {
     public void cut() {
         peer.hangUp();
         left(false);
+    }
+
+    @Override
+    public void fallSilent() {
+        silent = true;
+    }
+
+    /** An obstacle prevents the wheels of a cart from turning. */
+    @Override
+    public void block() {
+        blocked = true;
+    }
+
+    @Override
+    public void unblock() {
+        blocked = false;
     }
 
     @Override

@@ -2,7 +2,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import majic.bot.MajicBot;
+import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import majic.drivertest.DriverConformance;
 import majic.drivertest.TestedRobot;
@@ -24,7 +24,7 @@ class CartTest extends DriverConformance {
 
         cart.fallSilent();
 
-        cart.clock().until(() -> cart.bot().connection() == MajicBot.Connection.LOST);
+        assertThrows(LinkLost.class, () -> cart.bot().move(300));
         assertEquals("no report for 1 s", cart.bot().lostReason().orElseThrow());
     }
 

@@ -25,8 +25,11 @@ import org.junit.jupiter.api.Test;
  */
 class ApiTest {
     private static final Path LIST = Path.of("src/test/resources/api.txt");
+    /** The driver test kit is compiled with the tests. */
+    private static final String KIT = "majic.drivertest";
+
     private static final List<String> PACKAGES =
-            List.of("majic.act", "majic.bot", "majic.driver", "majic.environment", "majic.link", "majic.time");
+            List.of("majic.act", "majic.bot", "majic.driver", KIT, "majic.environment", "majic.link", "majic.time");
 
     @Test
     void theApiIsTheListedOne() throws IOException {
@@ -44,7 +47,7 @@ class ApiTest {
     private static List<String> api() throws IOException {
         List<Class<?>> types = new ArrayList<>();
         for (String name : PACKAGES) {
-            try (Stream<Path> files = Files.list(Path.of("target/classes", name.split("\\.")))) {
+            try (Stream<Path> files = Files.list(folder(name))) {
                 files.map(file -> file.getFileName().toString())
                         .filter(file -> file.endsWith(".class") && !file.startsWith("package-info"))
                         .map(file -> type(name + "." + file.replace(".class", "")))
@@ -54,6 +57,10 @@ class ApiTest {
         }
         types.sort(Comparator.comparing(Class::getName));
         return types.stream().flatMap(ApiTest::lines).toList();
+    }
+
+    private static Path folder(String name) {
+        return Path.of(name.equals(KIT) ? "target/test-classes" : "target/classes", name.split("\\."));
     }
 
     private static Class<?> type(String name) {
@@ -76,15 +83,24 @@ class ApiTest {
     }
 
     private static Stream<String> lines(Class<?> type) {
-        Stream<Member> members = Stream.of(
-                        type.getDeclaredFields(), type.getDeclaredConstructors(), type.getDeclaredMethods())
-                .flatMap(Stream::of);
+        Stream<Member> members = Stream.concat(
+                Stream.of(type.getDeclaredConstructors()),
+                withHiddenBases(type)
+                        .flatMap(each -> Stream.of(each.getDeclaredFields(), each.getDeclaredMethods()))
+                        .flatMap(Stream::of));
         return Stream.concat(
                 Stream.of(head(type)),
                 members.filter(member -> isVisible(member.getModifiers()) && !member.isSynthetic())
                         .filter(member -> !isImplied(type, member))
                         .map(member -> "    " + text(member))
                         .sorted());
+    }
+
+    /** A type has the members of a base class that other programs cannot use. */
+    private static Stream<Class<?>> withHiddenBases(Class<?> type) {
+        Class<?> base = type.getSuperclass();
+        boolean hidden = base != null && base.getPackage() == type.getPackage() && !isPublic(base);
+        return Stream.concat(Stream.of(type), hidden ? withHiddenBases(base) : Stream.empty());
     }
 
     /** The compiler adds these to each record and each enumeration. */

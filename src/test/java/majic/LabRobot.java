@@ -6,6 +6,10 @@ import majic.drivertest.TestedRobot;
 
 /** A robot of an exact lab and its driver, for the conformance tests. */
 public final class LabRobot implements TestedRobot {
+    private static final double FOR_EVER_S = 1e6;
+    private static final double WALL_X_MM = 4500;
+    private static final double GAP_MM = 30;
+
     private final LabRig rig = LabRig.exact();
     private final String type;
     private final MajicBot bot;
@@ -35,6 +39,22 @@ public final class LabRobot implements TestedRobot {
     @Override
     public void cut() {
         rig.lab().simulators().faults(type).cut();
+    }
+
+    @Override
+    public void fallSilent() {
+        rig.lab().simulators().faults(type).outage(FOR_EVER_S);
+    }
+
+    /** Moves the robot by hand to a wall. */
+    @Override
+    public void block() {
+        at(WALL_X_MM - bot.profile().bodyMm() - GAP_MM, 0, 0);
+    }
+
+    @Override
+    public void unblock() {
+        at(WALL_X_MM / 2, 0, 0);
     }
 
     @Override

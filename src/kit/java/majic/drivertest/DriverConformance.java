@@ -276,6 +276,53 @@ public abstract class DriverConformance extends RobotTest {
     }
 
     @Test
+    void aMovingRobotThatFallsSilentEndsItsMotionAndIsLost() {
+        bot.connect();
+        Running motion = begin(() -> bot.move(2 * moveMm()));
+        awaitMotion();
+
+        robot.fallSilent();
+
+        awaitLoss();
+        assertInstanceOf(BotException.class, motion.end());
+        assertThrows(LinkLost.class, () -> bot.move(moveMm()));
+    }
+
+    @Test
+    void aStationaryRobotThatFallsSilentIsLost() {
+        bot.connect();
+        pass(1);
+
+        robot.fallSilent();
+
+        awaitLoss();
+        assertFalse(bot.lostReason().orElse("").isBlank(), "the loss has no reason");
+    }
+
+    private void awaitLoss() {
+        double start = seconds();
+        while (bot.connection() != MajicBot.Connection.LOST) {
+            assertWithin(0, lostWithinS(), seconds() - start, "s without a report, and the robot is not lost");
+            pass(0.05);
+        }
+    }
+
+    @Test
+    void aMotionThatAnObstaclePreventsEndsAndTheMotorsStop() {
+        connectReady();
+        robot.block();
+        Running motion = begin(() -> bot.move(moveMm()));
+
+        Throwable end = motion.end();
+
+        if (noticesObstacles()) {
+            assertInstanceOf(MotionFailed.class, end);
+        }
+        robot.unblock();
+        assertStaysAt(robot.truePose(), 2);
+    }
+
+    @Test
     void closingStopsTheRobotForGood() {
         bot.connect();
         Running motion = begin(() -> bot.move(2 * moveMm()));

@@ -66,6 +66,25 @@ abstract class RobotTest {
     }
 
     /**
+     * Returns within which time the driver reports the connection as lost if the robot sends nothing, moving or not.
+     *
+     * @return seconds, as the page about the robot states them
+     */
+    protected double lostWithinS() {
+        return PROMPT_S;
+    }
+
+    /**
+     * Returns whether a motion that an obstacle prevents fails. Override this for a robot that cannot notice it; its motion
+     * must end nevertheless.
+     *
+     * @return true unless overridden
+     */
+    protected boolean noticesObstacles() {
+        return true;
+    }
+
+    /**
      * Returns the parameters of sensors that must have readings when {@code connect()} returns.
      *
      * @return names, such as {@code distanceFront}

@@ -27,6 +27,18 @@ public interface TestedRobot extends AutoCloseable {
      */
     void cut();
 
+    /**
+     * Sends nothing more until it is closed, though all connections stay open, as a robot does that was switched off or is
+     * out of reach.
+     */
+    void fallSilent();
+
+    /** Puts something immovable in front of the robot. */
+    void block();
+
+    /** Takes away what {@link #block} has put there. The robot may be at another place afterwards. */
+    void unblock();
+
     /** Closes the driver, if the test has not done so, then the robot and its clock. */
     @Override
     void close();

@@ -16,4 +16,16 @@ class AiboConformanceTest extends DriverConformance {
     protected List<String> sensors() {
         return List.of("distanceFront");
     }
+
+    /** The driver gives the dog up 4 s after the last reading (docs/robots/aibo.md). */
+    @Override
+    protected double lostWithinS() {
+        return 4.5;
+    }
+
+    /** A dog that walks on the spot in front of a wall does not notice it. */
+    @Override
+    protected boolean noticesObstacles() {
+        return false;
+    }
 }

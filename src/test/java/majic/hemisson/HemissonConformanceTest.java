@@ -16,4 +16,16 @@ class HemissonConformanceTest extends DriverConformance {
     protected List<String> sensors() {
         return List.of("distanceFront");
     }
+
+    /** 4 s behind a serial server (docs/robots/hemisson.md). */
+    @Override
+    protected double lostWithinS() {
+        return 4.5;
+    }
+
+    /** A Hemisson has no wheel encoders: its motions are timed. */
+    @Override
+    protected boolean noticesObstacles() {
+        return false;
+    }
 }

@@ -21,4 +21,10 @@ class PioneerConformanceTest extends DriverConformance {
     protected double brakingMm() {
         return 150;
     }
+
+    /** 1 s while it moves, 3 s while it is stationary (docs/robots/pioneer.md). */
+    @Override
+    protected double lostWithinS() {
+        return 3.5;
+    }
 }
