@@ -4,7 +4,8 @@ setlocal
 set "HERE=%~dp0"
 set "JAR=%HERE%target\majic.jar"
 
-where java <nul >nul 2>nul || (
+where java <nul >nul 2>nul
+if errorlevel 1 (
   echo majic: a JDK 17 or newer is missing; type: winget install EclipseAdoptium.Temurin.21.JDK 1>&2
   exit /b 1
 )
@@ -17,13 +18,15 @@ if errorlevel 3 goto build
 goto built
 
 :build
-where mvn <nul >nul 2>nul || (
+where mvn <nul >nul 2>nul
+if errorlevel 1 (
   echo majic: Maven is missing; get it from maven.apache.org and put its bin folder on the PATH 1>&2
   exit /b 1
 )
 echo majic: building; the first time this fetches libraries and takes a minute or two 1>&2
 pushd "%HERE%"
-call mvn -q -B -Dmaven.test.skip -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package <nul || (
+call mvn -q -B -Dmaven.test.skip -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package <nul
+if errorlevel 1 (
   echo majic: the build failed 1>&2
   popd
   exit /b 1
