@@ -249,6 +249,14 @@ public final class Session {
         }
 
         @Override
+        public void stopOverdue(Collection<Member> members, double seconds) {
+            members.forEach(member -> output.send(
+                    Line.Kind.ALARM,
+                    member.number() + ": " + member.label() + " has not confirmed its stop within " + seconds
+                            + " s; it may still move"));
+        }
+
+        @Override
         public void noticed(int robot, String message) {
             output.send(Line.Kind.NOTICE, message);
         }

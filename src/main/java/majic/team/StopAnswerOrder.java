@@ -4,7 +4,6 @@ import java.util.Collection;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
-import majic.time.OrderedEvents;
 import majic.time.TimeSource;
 
 /**
@@ -21,7 +20,6 @@ final class StopAnswerOrder {
     private final AtomicInteger open;
     private final TreeSet<Integer> unanswered = new TreeSet<>();
     private final TreeMap<Integer, Answer> waiting = new TreeMap<>();
-    private final OrderedEvents delivery = new OrderedEvents();
     private boolean timing;
     private boolean late;
 
@@ -42,7 +40,7 @@ final class StopAnswerOrder {
         if (add(answer) && !time.tryRunAsync("order of stop answers", this::timeOut)) {
             endWaiting();
         }
-        delivery.deliver();
+        events.deliver();
     }
 
     /** Returns whether the time limit has to be started. */
@@ -67,13 +65,9 @@ final class StopAnswerOrder {
     }
 
     private void publish(Answer answer) {
-        delivery.put(() -> {
-            try {
-                events.answer(answer);
-            } finally {
-                open.decrementAndGet();
-                events.changes().raise();
-            }
+        events.put(listener -> listener.answered(answer), () -> {
+            open.decrementAndGet();
+            events.changes().raise();
         });
     }
 
@@ -84,7 +78,7 @@ final class StopAnswerOrder {
             Thread.currentThread().interrupt();
         }
         endWaiting();
-        delivery.deliver();
+        events.deliver();
     }
 
     private synchronized void endWaiting() {

@@ -2,10 +2,10 @@ package majic.team;
 
 import java.util.Collection;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import majic.time.OrderedEvents;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,7 +15,6 @@ import org.jspecify.annotations.Nullable;
 final class StopReceipts {
     private final TeamEvents events;
     private final Roster roster;
-    private final OrderedEvents changes = new OrderedEvents();
     private final Map<Member, Receipt> receipts = new LinkedHashMap<>();
     private StopStatus status = StopStatus.NONE;
     private long stops;
@@ -26,13 +25,19 @@ final class StopReceipts {
      * @param stop its number
      * @param latched whether the robot counts among those that the latched STOP was meant for
      * @param confirmed whether the robot has confirmed it
+     * @param pending whether it is unknown yet whether the robot confirms it
      * @param problem why this stop, or while it is pending an earlier one, was not confirmed; null if there is no reason
      */
     private record Receipt(
             long stop,
             boolean latched,
             boolean confirmed,
-            @Nullable String problem) {}
+            boolean pending,
+            @Nullable String problem) {
+        boolean isPending(long number) {
+            return stop == number && pending;
+        }
+    }
 
     StopReceipts(TeamEvents events, Roster roster) {
         this.events = events;
@@ -50,7 +55,7 @@ final class StopReceipts {
         for (Member member : members) {
             Receipt last = receipts.get(member);
             boolean latched = latches || (last != null && last.latched);
-            receipts.put(member, new Receipt(stops, latched, false, last == null ? null : last.problem));
+            receipts.put(member, new Receipt(stops, latched, false, true, last == null ? null : last.problem));
         }
         changed();
         return stops;
@@ -58,13 +63,30 @@ final class StopReceipts {
 
     synchronized void confirmed(Member member, long stop) {
         receipts.computeIfPresent(
-                member, (key, last) -> last.stop == stop ? new Receipt(stop, last.latched, true, null) : last);
+                member, (key, last) -> last.stop == stop ? new Receipt(stop, last.latched, true, false, null) : last);
         changed();
     }
 
     synchronized void failed(Member member, long stop, String reason) {
         receipts.computeIfPresent(
-                member, (key, last) -> last.stop == stop ? new Receipt(stop, last.latched, false, reason) : last);
+                member,
+                (key, last) -> last.stop == stop ? new Receipt(stop, last.latched, false, false, reason) : last);
+        changed();
+    }
+
+    /** The robots of which it is not known yet whether they confirm a stop. */
+    synchronized List<Member> pending(long stop) {
+        return receipts.entrySet().stream()
+                .filter(entry -> entry.getValue().isPending(stop))
+                .map(Map.Entry::getKey)
+                .toList();
+    }
+
+    /** Marks a stop that is neither confirmed nor failed, but should be; either may follow. */
+    synchronized void overdue(Member member, long stop, String problem) {
+        receipts.computeIfPresent(
+                member,
+                (key, last) -> last.isPending(stop) ? new Receipt(stop, last.latched, false, true, problem) : last);
         changed();
     }
 
@@ -75,7 +97,8 @@ final class StopReceipts {
 
     /** Counts no robot as stopped by STOP any more; those that have not confirmed their stop are kept. */
     synchronized void released() {
-        receipts.replaceAll((member, last) -> new Receipt(last.stop, false, last.confirmed, last.problem));
+        receipts.replaceAll(
+                (member, last) -> new Receipt(last.stop, false, last.confirmed, last.pending, last.problem));
         changed();
     }
 
@@ -100,12 +123,12 @@ final class StopReceipts {
         StopStatus now = new StopStatus(asked, confirmed, unconfirmed);
         if (!now.equals(status)) {
             status = now;
-            changes.put(() -> events.publish(listener -> listener.stopStatusChanged(now)));
+            events.put(listener -> listener.stopStatusChanged(now));
         }
     }
 
     /** Calls the listeners for each change, in order, on this thread or on one that does so already. */
     void publish() {
-        changes.deliver();
+        events.deliver();
     }
 }

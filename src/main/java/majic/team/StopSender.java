@@ -7,10 +7,12 @@ import java.util.List;
 final class StopSender {
     private final StopReceipts receipts;
     private final StopAnswers answers;
+    private final OverdueStops overdue;
 
-    StopSender(StopReceipts receipts, StopAnswers answers) {
+    StopSender(StopReceipts receipts, StopAnswers answers, OverdueStops overdue) {
         this.receipts = receipts;
         this.answers = answers;
+        this.overdue = overdue;
     }
 
     /**
@@ -22,13 +24,17 @@ final class StopSender {
     void send(Collection<Member> members, boolean latches) {
         long stop = receipts.begin(members, latches);
         StopAnswerOrder order = answers.order(members);
+        Runnable watch = overdue.watch(members, stop);
         List<Member> left = members.stream()
                 .filter(member -> !member.time()
                         .tryRunAsync(
                                 "stopping robot " + member.number(),
                                 () -> write(member, stop, order).run()))
                 .toList();
-        left.stream().map(member -> write(member, stop, order)).toList().forEach(Runnable::run);
+        List<Runnable> confirmations =
+                left.stream().map(member -> write(member, stop, order)).toList();
+        watch.run();
+        confirmations.forEach(Runnable::run);
     }
 
     /** Writes a stop; the returned task waits for its confirmation and reports it. */

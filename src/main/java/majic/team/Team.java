@@ -10,7 +10,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.driver.BotDriver;
-import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -33,7 +32,7 @@ public final class Team implements AutoCloseable {
     private final Signal changes;
     private final TeamEvents events;
     private final Roster roster;
-    private final OrderedEvents latchEvents = new OrderedEvents();
+    private final Object latching = new Object();
     private final StopCount stops = new StopCount();
     private final StopAnswers stopAnswers;
     private final StopReceipts stopReceipts;
@@ -62,7 +61,7 @@ public final class Team implements AutoCloseable {
         this.stopAnswers = new StopAnswers(events, time);
         this.roster = new Roster(maxBots);
         this.stopReceipts = new StopReceipts(events, roster);
-        this.stopSender = new StopSender(stopReceipts, stopAnswers);
+        this.stopSender = new StopSender(stopReceipts, stopAnswers, new OverdueStops(events, stopReceipts));
     }
 
     /**
@@ -203,7 +202,7 @@ public final class Team implements AutoCloseable {
         List<Member> all = members();
         Runnable announcement = announcement(all);
         stop(all, null, true, () -> {
-            latchEvents.deliver();
+            events.deliver();
             announcement.run();
         });
     }
@@ -273,15 +272,14 @@ public final class Team implements AutoCloseable {
         latch(false);
         members().forEach(Member::release);
         stopReceipts.released();
-        latchEvents.deliver();
-        stopReceipts.publish();
+        events.deliver();
     }
 
     /** Queues the event together with each change, so that listeners receive events in the order of the changes. */
     private void latch(boolean on) {
-        synchronized (latchEvents) {
+        synchronized (latching) {
             latched = on;
-            latchEvents.put(() -> events.publish(listener -> listener.latchChanged(on)));
+            events.put(listener -> listener.latchChanged(on));
         }
     }
 

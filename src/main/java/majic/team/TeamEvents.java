@@ -4,17 +4,22 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
 
-/** Calls the listeners of a team, and wakes the threads that wait for a change in it. Thread-safe. */
+/**
+ * Calls the listeners of a team, and wakes the threads that wait for a change in it. Events about stops are put into a
+ * queue for each listener: a listener that blocks does not keep the others from the events that follow. Thread-safe.
+ */
 final class TeamEvents {
     private static final Logger LOG = System.getLogger(TeamEvents.class.getName());
 
     private final TimeSource time;
     private final Signal changes;
-    private final List<TeamListener> listeners = new CopyOnWriteArrayList<>();
+    private final List<Receiver> receivers = new CopyOnWriteArrayList<>();
     private final List<CommandListener> commandListeners = new CopyOnWriteArrayList<>();
 
     /**
@@ -37,11 +42,14 @@ final class TeamEvents {
     }
 
     void add(TeamListener listener) {
-        listeners.add(listener);
+        receivers.add(new Receiver(listener, new OrderedEvents()));
     }
 
     void remove(TeamListener listener) {
-        listeners.remove(listener);
+        receivers.stream()
+                .filter(receiver -> receiver.listener.equals(listener))
+                .findFirst()
+                .ifPresent(receivers::remove);
     }
 
     /** The listeners to the beginning of commands; changes when listeners are added and removed. */
@@ -51,16 +59,50 @@ final class TeamEvents {
 
     /** Calls all listeners on this thread; one that fails does not keep the others from being called. */
     void publish(Consumer<TeamListener> event) {
-        for (TeamListener listener : listeners) {
+        receivers.forEach(receiver -> receiver.call(event));
+    }
+
+    /** Queues an event for all listeners, in order with the others that are queued; calls none. */
+    void put(Consumer<TeamListener> event) {
+        put(event, () -> {});
+    }
+
+    /**
+     * Queues an event for all listeners, in order with the others that are queued; calls none.
+     *
+     * @param afterwards runs when every listener has returned from it
+     */
+    void put(Consumer<TeamListener> event, Runnable afterwards) {
+        List<Receiver> present = List.copyOf(receivers);
+        AtomicInteger open = new AtomicInteger(present.size());
+        if (present.isEmpty()) {
+            afterwards.run();
+        }
+        present.forEach(receiver -> receiver.events.put(() -> {
+            receiver.call(event);
+            if (open.decrementAndGet() == 0) {
+                afterwards.run();
+            }
+        }));
+    }
+
+    /** Calls the listeners for the queued events, on this thread; leaves out a listener that another thread is calling. */
+    void deliver() {
+        receivers.forEach(receiver -> receiver.events.deliver());
+    }
+
+    void answer(Answer answer) {
+        publish(listener -> listener.answered(answer));
+    }
+
+    /** A listener, with the events that it has not received yet. */
+    private record Receiver(TeamListener listener, OrderedEvents events) {
+        void call(Consumer<TeamListener> event) {
             try {
                 event.accept(listener);
             } catch (RuntimeException | Error e) {
                 LOG.log(Level.WARNING, "a listener of the team failed", e);
             }
         }
-    }
-
-    void answer(Answer answer) {
-        publish(listener -> listener.answered(answer));
     }
 }

@@ -75,6 +75,15 @@ public interface TeamListener {
     default void drivenManually(Member member, List<ManualCommand> commands) {}
 
     /**
+     * Some robots have not confirmed a stop yet, and do not report that they slow down; their drivers still wait for
+     * the confirmation. Whether they confirm it is reported later, as for every stop.
+     *
+     * @param members the robots, at least one
+     * @param seconds the time since the stop was written
+     */
+    default void stopOverdue(Collection<Member> members, double seconds) {}
+
+    /**
      * A person has stopped robots, some of them or all by STOP; called when the stops are being written to the robots.
      *
      * @param members the stopped robots

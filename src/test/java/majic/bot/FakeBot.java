@@ -255,6 +255,11 @@ public final class FakeBot extends BotDriver {
         }
     }
 
+    /** Makes the robot report a speed, mm/s. */
+    public void reportSpeed(double speed) {
+        report(speed, speed != 0);
+    }
+
     private void report(double speed, boolean moving) {
         publish(new BotState(pose, speed, 0, moving, time().nanos()));
     }

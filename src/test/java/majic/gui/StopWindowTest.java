@@ -1,14 +1,17 @@
 package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.mockito.Mockito.mock;
 
 import java.awt.Dialog;
 import java.awt.Frame;
 import java.awt.event.KeyEvent;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.CountDownLatch;
 import javax.swing.JButton;
 import javax.swing.MenuSelectionManager;
+import majic.team.TeamListener;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -50,6 +53,25 @@ class StopWindowTest {
         two.confirmStops(true);
         window.click("stopAgain");
         window.await("the alarm to go", () -> !window.isShowing("stopAlarm"));
+    }
+
+    @Test
+    void f12ReachesARobotWhileTheLinkOfAnotherAndAListenerBlockAndNamesTheOther() {
+        CountDownLatch testIsOver = new CountDownLatch(1);
+        ToyBot one = window.add("one");
+        ToyBot two = window.add("two");
+        two.jam(testIsOver);
+        window.team.addListener(mock(TeamListener.class, call -> {
+            testIsOver.await();
+            return null;
+        }));
+
+        window.press(KeyEvent.VK_F12);
+
+        window.await("the name", () -> window.text("stopAlarm").equals("Stop not confirmed by robot 2"));
+        assertThat(one.told).contains("halt");
+        assertThat(two.told).doesNotContain("halt");
+        testIsOver.countDown();
     }
 
     @Test

@@ -30,6 +30,7 @@ public final class ToyBot extends BotDriver {
     public final List<String> told = new CopyOnWriteArrayList<>();
     public final CountDownLatch closed = new CountDownLatch(1);
     private final String address;
+    private volatile CountDownLatch jam = new CountDownLatch(0);
     private volatile boolean deaf;
     private volatile boolean refuses;
 
@@ -106,8 +107,22 @@ public final class ToyBot extends BotDriver {
     }
 
     @Override
+    protected void haltAhead() {
+        try {
+            jam.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
     protected void halt() {
         told.add("halt");
+    }
+
+    /** Makes every stop block until a latch is released. */
+    public void jam(CountDownLatch until) {
+        jam = until;
     }
 
     /** Chooses whether the robot confirms its stops. */

@@ -211,6 +211,22 @@ class StopOrderTest {
     }
 
     @Test
+    void aListenerThatBlocksDoesNotKeepTheAnswersFromTheOthers() {
+        List<Integer> answered = new CopyOnWriteArrayList<>();
+        team.addListener(blocked(TeamListener.class));
+        team.addListener(new TeamListener() {
+            @Override
+            public void answered(Answer answer) {
+                answered.add(answer.robot());
+            }
+        });
+
+        team.stopAll();
+
+        until(() -> answered.containsAll(List.of(1, 2)));
+    }
+
+    @Test
     void listenersReceiveALatchBeforeItsRelease() {
         List<Boolean> told = new CopyOnWriteArrayList<>();
         CountDownLatch telling = new CountDownLatch(1);

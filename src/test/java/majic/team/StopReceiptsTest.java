@@ -3,6 +3,7 @@ package majic.team;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.Test;
 /** Tests what the team reports about the confirmation of stops. */
 class StopReceiptsTest {
     private static final String STUCK = "takes no more data";
+    private static final String OVERDUE = "not confirmed within 0.8 s";
 
     private final TestClock clock = new TestClock();
 
@@ -71,6 +73,34 @@ class StopReceiptsTest {
 
         awaitStatus(2, 1, Map.of());
         awaitStatus(2, 2, Map.of());
+    }
+
+    @Test
+    void aRobotThatHasNotConfirmedInTimeIsNamedUntilItConfirms() throws InterruptedException {
+        List<Integer> overdue = Collections.synchronizedList(new ArrayList<>());
+        team.addListener(new TeamListener() {
+            @Override
+            public void stopOverdue(Collection<Member> members, double seconds) {
+                members.forEach(member -> overdue.add(member.number()));
+            }
+        });
+        second.standAfter(2);
+        team.stopAll();
+
+        awaitStatus(2, 1, Map.of(2, OVERDUE));
+        awaitStatus(2, 2, Map.of());
+        assertThat(overdue).containsExactly(2);
+    }
+
+    @Test
+    void aRobotThatReportsThatItSlowsDownIsNotNamedYet() throws InterruptedException {
+        second.reportSpeed(300);
+        second.standAfter(2);
+        second.whenStoppedAhead(() -> second.reportSpeed(200));
+        team.stopAll();
+
+        awaitStatus(2, 2, Map.of());
+        assertThat(reported).allMatch(status -> status.unconfirmed().isEmpty());
     }
 
     @Test
@@ -152,6 +182,7 @@ class StopReceiptsTest {
                 .containsExactly(
                         new StopStatus(2, 0, new TreeMap<>()),
                         new StopStatus(2, 1, new TreeMap<>()),
+                        new StopStatus(2, 1, new TreeMap<>(Map.of(2, OVERDUE))),
                         new StopStatus(2, 1, new TreeMap<>(Map.of(2, STUCK))),
                         new StopStatus(0, 0, new TreeMap<>(Map.of(2, STUCK))));
     }
