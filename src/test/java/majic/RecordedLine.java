@@ -8,13 +8,16 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.OptionalLong;
+import java.util.TreeMap;
 import majic.link.PseudoTerminal;
 
 /** Forwards a TCP port or a serial port of the system to a simulated robot and records the data sent to the robot. */
-final class RecordedLine implements AutoCloseable {
+public final class RecordedLine implements AutoCloseable {
     private static final int NO_ROBOT = 0;
 
     private final StringBuilder sent = new StringBuilder();
+    private final TreeMap<Integer, Long> arrivalNanos = new TreeMap<>();
     private final AutoCloseable plug;
     private final String address;
 
@@ -29,7 +32,7 @@ final class RecordedLine implements AutoCloseable {
     }
 
     /** Creates a TCP port in front of a robot's. */
-    static RecordedLine tcp(int robotPort) throws IOException {
+    public static RecordedLine tcp(int robotPort) throws IOException {
         ServerSocket server = new ServerSocket(0, 8, InetAddress.getLoopbackAddress());
         RecordedLine line = new RecordedLine(server, "//127.0.0.1:" + server.getLocalPort());
         begin(() -> {
@@ -84,6 +87,7 @@ final class RecordedLine implements AutoCloseable {
     private void pass(String text, Sink robot) throws IOException {
         synchronized (sent) {
             sent.append(text);
+            arrivalNanos.put(sent.length(), System.nanoTime());
             sent.notifyAll();
         }
         robot.take(text);
@@ -120,12 +124,12 @@ final class RecordedLine implements AutoCloseable {
     }
 
     /** Returns the part of a driver's address behind the type of robot. */
-    String address() {
+    public String address() {
         return address;
     }
 
     /** Returns the number of bytes sent so far. */
-    int length() {
+    public int length() {
         synchronized (sent) {
             return sent.length();
         }
@@ -144,6 +148,17 @@ final class RecordedLine implements AutoCloseable {
             while (sent.indexOf(text, from) < 0) {
                 sent.wait();
             }
+        }
+    }
+
+    /** Returns when a text arrived that was sent after the first bytes, ns of the system's clock; empty if it was not. */
+    public OptionalLong arrivalNanos(String text, int from) {
+        synchronized (sent) {
+            int at = sent.indexOf(text, from);
+            return at < 0
+                    ? OptionalLong.empty()
+                    : OptionalLong.of(
+                            arrivalNanos.ceilingEntry(at + text.length()).getValue());
         }
     }
 

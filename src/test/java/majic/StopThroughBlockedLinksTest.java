@@ -101,7 +101,7 @@ class StopThroughBlockedLinksTest {
     @Test
     void stopAtASocketReachesTheOtherRobotsAndNamesTheBlockedOnes() throws Exception {
         InetSocketAddress anyPort = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-        LineServer server = program.listen(anyPort, true);
+        LineServer server = program.listen(anyPort, null);
         server.ready();
         try (Socket client = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
             Thread reading = new Thread(() -> showAll(client));

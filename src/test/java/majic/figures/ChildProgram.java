@@ -5,7 +5,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 
 /** Starts the measured programs with the options of MAJIC's launcher, in an empty user folder. */
 final class ChildProgram {
@@ -66,11 +68,11 @@ final class ChildProgram {
         }
     }
 
-    /** Starts the simulators alone, on free ports. */
-    Lab lab(String... arguments) throws IOException {
-        List<String> rest = new ArrayList<>(List.of("-jar", JAR.toString(), "lab", "--pioneer-port=0"));
-        rest.addAll(List.of(arguments));
-        return new Lab(process(List.of(JAVA, "@" + OPTIONS), rest).start());
+    /** Starts the simulators alone, on free ports and without transmission times: an Aibo, a Hemisson and some Pioneers. */
+    Lab lab(int pioneers) throws IOException {
+        List<String> lab =
+                List.of("-jar", JAR.toString(), "lab", "--exact", "--pioneer-port=0", "--pioneers=" + pioneers);
+        return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), pioneers + 2);
     }
 
     private Process measured(String task, String... arguments) throws IOException {
@@ -97,25 +99,30 @@ final class ChildProgram {
     /** A lab in a process of its own. */
     static final class Lab implements AutoCloseable {
         private final Process process;
-        private final List<String> pioneers = new ArrayList<>();
+        private final Map<String, String> addresses = new LinkedHashMap<>();
 
-        private Lab(Process process) throws IOException {
+        private Lab(Process process, int robots) throws IOException {
             this.process = process;
             BufferedReader out = process.inputReader();
-            for (String line = out.readLine(); line != null; line = out.readLine()) {
-                String[] words = line.split(" ");
-                if (words[0].equals("hemisson")) {
-                    return;
-                }
-                if (words[0].matches("pioneer\\d*")) {
-                    pioneers.add(words[1]);
-                }
+            while (addresses.size() < robots) {
+                String[] words = out.readLine().split(" ");
+                addresses.put(words[0], words[1]);
             }
         }
 
         /** Returns the addresses of its Pioneers. */
         List<String> pioneers() {
-            return pioneers;
+            return addresses.entrySet().stream()
+                    .filter(robot -> robot.getKey().startsWith("pioneer"))
+                    .map(Map.Entry::getValue)
+                    .toList();
+        }
+
+        /** Returns all its robots, each as its type and its address. */
+        List<String> robots() {
+            return addresses.entrySet().stream()
+                    .map(robot -> robot.getKey().replaceFirst("\\d+$", "") + "=" + robot.getValue())
+                    .toList();
         }
 
         @Override

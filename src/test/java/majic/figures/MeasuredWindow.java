@@ -21,18 +21,17 @@ final class MeasuredWindow {
 
     /** Runs the task of the first argument; the others are MAJIC's. */
     public static void main(String[] arguments) {
-        Thread measuring = new Thread(() -> measure(arguments[0]), "figures");
-        measuring.setDaemon(true);
+        Thread measuring = new Thread(() -> measure(arguments), "figures");
         measuring.start();
         if (arguments[0].equals("bare")) {
             SwingUtilities.invokeLater(MeasuredWindow::showBareFrame);
-        } else {
+        } else if (!arguments[0].equals("stop")) {
             Majic.main(Arrays.copyOfRange(arguments, 1, arguments.length));
         }
     }
 
     /** Waits for a visible window without loading the toolkit, then until it is painted by the events that follow. */
-    private static void awaitWindow() throws InterruptedException, InvocationTargetException {
+    static void awaitWindow() throws InterruptedException, InvocationTargetException {
         while (Window.getWindows().length == 0 || !Window.getWindows()[0].isShowing()) {
             Thread.sleep(LOOK_MS);
         }
@@ -49,16 +48,20 @@ final class MeasuredWindow {
         frame.setVisible(true);
     }
 
-    private static void measure(String task) {
+    private static void measure(String... arguments) {
         try {
-            awaitWindow();
-            List<String> result = switch (task) {
+            List<String> rest = List.of(arguments).subList(1, arguments.length);
+            if (!arguments[0].equals("stop")) {
+                awaitWindow();
+            }
+            List<String> result = switch (arguments[0]) {
                 case "bare", "majic" -> List.of(SHOWN);
                 case "idle" -> ThreadLoads.idle();
                 case "events" -> EventDelays.measure(frame());
                 case "line" -> LineTimes.measure(frame());
+                case "stop" -> StopTimes.measure(rest);
                 case "memory" -> MemoryInUse.overAnHour(frame());
-                default -> List.of("no task " + task);
+                default -> List.of("no task " + arguments[0]);
             };
             result.forEach(System.out::println);
             System.out.flush();
