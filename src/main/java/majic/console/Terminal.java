@@ -6,6 +6,7 @@ import majic.program.Program;
 import majic.script.MajicParser;
 import majic.script.help.Completion;
 import majic.script.help.Completions;
+import majic.text.VisibleText;
 import org.jline.reader.Candidate;
 import org.jline.reader.EndOfFileException;
 import org.jline.reader.LineReader;
@@ -62,8 +63,9 @@ final class Terminal implements Console.Source {
     private static Candidate candidate(Completion entry, String line, int word, int start) {
         String text = entry.text();
         String value = start >= word ? line.substring(word, start) + text : text.substring(word - start);
-        String note = (entry.values() + "  " + entry.explanation()).strip();
-        return new Candidate(value, text, null, note.isEmpty() ? null : note, null, null, !Completion.goesOn(text));
+        String note = VisibleText.of((entry.values() + "  " + entry.explanation()).strip());
+        return new Candidate(
+                value, VisibleText.of(text), null, note.isEmpty() ? null : note, null, null, !Completion.goesOn(text));
     }
 
     @Override

@@ -44,6 +44,11 @@ final class LineFile implements Closeable {
         }
     }
 
+    /** Returns the size of the file in bytes. */
+    long size() {
+        return end;
+    }
+
     @Override
     public void close() throws IOException {
         channel.close();

@@ -12,20 +12,35 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.Value;
+import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Holds readings of parameters with their time, to be saved as comma-separated values. Keeps a few thousand in memory,
- * the rest in a temporary file that is deleted with the program's end. Thread-safe.
+ * the rest in a temporary file of limited size that is deleted with the program's end. Thread-safe.
  */
 public final class ParameterLog {
     private static final Logger LOG = System.getLogger(ParameterLog.class.getName());
     private static final String HEADER = "time_s,robot,parameter,value,unit";
     private static final int MOST_IN_MEMORY = 4096;
 
+    /** About 400 MB: 11 days of ten readings a second. */
+    private static final long MOST_ROWS = 10_000_000;
+
+    private final long mostRows;
     private final List<String> rows = new ArrayList<>();
     private @Nullable Path spilled;
+    private long written;
     private long lost;
+
+    /** Creates a log without readings. */
+    public ParameterLog() {
+        this(MOST_ROWS);
+    }
+
+    ParameterLog(long mostRows) {
+        this.mostRows = mostRows;
+    }
 
     /**
      * Adds a reading.
@@ -55,7 +70,8 @@ public final class ParameterLog {
      * Writes all readings so far into a file, replacing its content.
      *
      * @param file the file to write
-     * @throws IOException if it cannot be written; the readings are kept
+     * @throws IOException if it cannot be written; the readings are kept. Also if readings are missing in the file,
+     *     because the disk was full or the log had reached its limit
      */
     public synchronized void save(Path file) throws IOException {
         if (spilled == null) {
@@ -70,6 +86,11 @@ public final class ParameterLog {
     }
 
     private void spill() {
+        if (written + rows.size() > mostRows) {
+            lost += rows.size();
+            rows.clear();
+            return;
+        }
         try {
             Path file = spilled == null ? newFile() : spilled;
             spilled = file;
@@ -79,6 +100,7 @@ public final class ParameterLog {
                     out.newLine();
                 }
             }
+            written += rows.size();
         } catch (IOException e) {
             lost += rows.size();
             LOG.log(Level.WARNING, "no room for the parameter log", e);
@@ -97,7 +119,7 @@ public final class ParameterLog {
         if (value instanceof Value.Number number) {
             return number.amount() + "," + number.unit().symbol();
         }
-        return value instanceof Value.Unknown ? "unknown," : quoted(value.toString()) + ",";
+        return value instanceof Value.Unknown ? "unknown," : quoted(VisibleText.of(value.toString())) + ",";
     }
 
     private static String quoted(String text) {

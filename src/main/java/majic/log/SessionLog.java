@@ -4,13 +4,12 @@ import java.io.IOException;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.channels.SeekableByteChannel;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardOpenOption;
 import java.time.Clock;
 import java.time.LocalDateTime;
 import java.time.format.DateTimeFormatter;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -24,11 +23,10 @@ import org.jspecify.annotations.Nullable;
  * Writes every line of the session, with the time of day, to a file that is complete at every moment. Uses its own
  * thread, so that a slow disk delays neither a robot nor the window. If the file cannot be written, as on a full disk,
  * that is reported once; lines are lost until it can be written again, and the log then continues with a line that
- * gives the number of lost lines. Thread-safe.
+ * gives the number of lost lines. A long log goes on in further files, and the oldest logs are deleted. Thread-safe.
  */
 public final class SessionLog implements AutoCloseable {
     private static final Logger LOG = System.getLogger(SessionLog.class.getName());
-    private static final DateTimeFormatter FILE_TIME = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);
     private static final DateTimeFormatter LINE_TIME =
             DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS", Locale.ROOT);
     private static final int MOST_UNWRITTEN = 10_000;
@@ -40,30 +38,30 @@ public final class SessionLog implements AutoCloseable {
     private static final String NOTHING_NEW = "\n";
 
     private final Clock clock;
-    private final @Nullable Path file;
-    private final @Nullable LineFile lines;
+    private final @Nullable SessionLogFiles files;
+    private volatile @Nullable Path file;
+    private @Nullable LineFile lines;
     private final AtomicLong missing = new AtomicLong();
     private volatile Consumer<String> alarm = text -> LOG.log(Level.WARNING, text);
     private boolean failing;
     private final BlockingQueue<String> unwritten = new LinkedBlockingQueue<>(MOST_UNWRITTEN);
     private final Thread writer = new Thread(this::writeAll, "session log");
 
-    private SessionLog(Clock clock, @Nullable Path file, @Nullable LineFile lines) {
+    private SessionLog(Clock clock, @Nullable SessionLogFiles files, @Nullable Path file, @Nullable LineFile lines) {
         this.clock = clock;
+        this.files = files;
         this.file = file;
         this.lines = lines;
     }
 
     /** Creates a log that writes to a channel. */
     static SessionLog to(SeekableByteChannel channel, Path file, Clock clock) {
-        SessionLog log = new SessionLog(clock, file, new LineFile(channel));
-        log.writer.setDaemon(true);
-        log.writer.start();
-        return log;
+        return new SessionLog(clock, null, file, new LineFile(channel)).start();
     }
 
     /**
-     * Starts a log in a directory, which is created if it is missing.
+     * Starts a log in a directory, which is created if it is missing. Its files and those of earlier sessions may have
+     * 200 MB; the oldest are deleted.
      *
      * @param directory the directory of the session logs
      * @param clock the time of day
@@ -71,13 +69,18 @@ public final class SessionLog implements AutoCloseable {
      * @throws IOException if the file cannot be made
      */
     public static SessionLog in(Path directory, Clock clock) throws IOException {
-        Files.createDirectories(directory);
-        String stem = "session-" + FILE_TIME.format(LocalDateTime.now(clock));
-        Path file = directory.resolve(stem + ".log");
-        for (int again = 2; Files.exists(file); again++) {
-            file = directory.resolve(stem + "-" + again + ".log");
-        }
-        return to(Files.newByteChannel(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE), file, clock);
+        return in(SessionLogFiles.of(directory, LocalDateTime.now(clock)), clock);
+    }
+
+    static SessionLog in(SessionLogFiles files, Clock clock) throws IOException {
+        Path file = files.next();
+        return new SessionLog(clock, files, file, SessionLogFiles.open(file)).start();
+    }
+
+    private SessionLog start() {
+        writer.setDaemon(true);
+        writer.start();
+        return this;
     }
 
     /**
@@ -86,7 +89,7 @@ public final class SessionLog implements AutoCloseable {
      * @return the log
      */
     public static SessionLog none() {
-        return new SessionLog(Clock.systemDefaultZone(), null, null);
+        return new SessionLog(Clock.systemDefaultZone(), null, null, null);
     }
 
     /**
@@ -116,7 +119,7 @@ public final class SessionLog implements AutoCloseable {
     }
 
     /**
-     * Returns the file of the log.
+     * Returns the file of the log that is written now.
      *
      * @return its file; empty if nothing is kept
      */
@@ -127,7 +130,7 @@ public final class SessionLog implements AutoCloseable {
     /** Writes the remaining lines, for one second at most, and ends the log. */
     @Override
     public void close() {
-        if (lines == null) {
+        if (file == null) {
             return;
         }
         try {
@@ -140,15 +143,51 @@ public final class SessionLog implements AutoCloseable {
     }
 
     private void writeAll() {
-        try (LineFile out = lines) {
+        makeRoom();
+        try {
             for (String line = next(); !line.equals(END); line = next()) {
-                append(out, line.equals(NOTHING_NEW) ? "" : line);
+                append(line.equals(NOTHING_NEW) ? "" : line);
+                continueIfFull();
             }
-            append(out, "");
+            append("");
+            lines().close();
         } catch (IOException e) {
             LOG.log(Level.WARNING, "the session log could not be closed", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private LineFile lines() {
+        return Objects.requireNonNull(lines);
+    }
+
+    private void makeRoom() {
+        try {
+            if (files != null) {
+                files.makeRoom();
+            }
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "old session logs cannot be deleted", e);
+        }
+    }
+
+    /** Goes on in another file, or if none can be made, in this one. */
+    private void continueIfFull() {
+        if (files == null || lines().size() < files.mostBytesPerFile()) {
+            return;
+        }
+        makeRoom();
+        try (LineFile full = lines()) {
+            Path next = files.next();
+            LineFile fresh = SessionLogFiles.open(next);
+            fresh.append(stamped(
+                    "notice", "continued from " + Objects.requireNonNull(file).getFileName()));
+            full.append(stamped("notice", "continued in " + next.getFileName()));
+            lines = fresh;
+            file = next;
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "the session log cannot go on in another file", e);
         }
     }
 
@@ -161,14 +200,14 @@ public final class SessionLog implements AutoCloseable {
         return line == null ? NOTHING_NEW : line;
     }
 
-    private void append(LineFile out, String line) {
+    private void append(String line) {
         long lost = missing.get();
         String gap = lost == 0 ? "" : stamped("notice", count(lost) + " missing here");
         if (gap.isEmpty() && line.isEmpty()) {
             return;
         }
         try {
-            out.append(gap + line);
+            lines().append(gap + line);
             missing.addAndGet(-lost);
             recovered(lost);
         } catch (IOException e) {

@@ -17,6 +17,7 @@ import java.util.logging.Level;
 import java.util.logging.LogManager;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -108,7 +109,10 @@ public final class LogFile extends Handler {
         }
     }
 
-    /** Writes time, level, thread, logger and message in one line, and the stack of an error below it. */
+    /**
+     * Writes time, level, thread, logger and message in one line, and the stack of an error below it, indented. Control
+     * characters are made visible, so that no text of a robot or a file can look like a line of the log.
+     */
     private static final class OneLine extends Formatter {
         private final DateTimeFormatter time =
                 DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS").withZone(ZoneId.systemDefault());
@@ -121,12 +125,18 @@ public final class LogFile extends Handler {
                     "%s %-7s [%s] %s - %s%n",
                     time.format(line.getInstant()),
                     line.getLevel().getName(),
-                    Thread.currentThread().getName(),
+                    VisibleText.of(Thread.currentThread().getName()),
                     line.getLoggerName(),
-                    formatMessage(line));
+                    VisibleText.of(formatMessage(line)));
             if (line.getThrown() != null) {
-                line.getThrown().printStackTrace(out);
+                stack(line.getThrown()).lines().forEach(each -> out.println("    " + VisibleText.of(each)));
             }
+            return text.toString();
+        }
+
+        private static String stack(Throwable thrown) {
+            StringWriter text = new StringWriter();
+            thrown.printStackTrace(new PrintWriter(text));
             return text.toString();
         }
     }

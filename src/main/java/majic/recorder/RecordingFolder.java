@@ -1,21 +1,16 @@
 package majic.recorder;
 
 import java.io.IOException;
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.FileTime;
 import java.time.Duration;
 import java.time.Instant;
 import java.time.LocalDateTime;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.Stream;
+import majic.log.BoundedFolder;
 
 /**
  * The folder of the recordings. Before a new file is begun, the oldest files are deleted: those older than 30 days, and
@@ -29,7 +24,6 @@ public record RecordingFolder(Path path, long mostBytes, long mostBytesPerFile) 
     /** The end of the names of recordings. */
     public static final String ENDING = ".majicrec";
 
-    private static final Logger LOG = System.getLogger(RecordingFolder.class.getName());
     private static final long MOST_BYTES = 200_000_000;
     private static final long MOST_BYTES_PER_FILE = 15_000_000;
     private static final Duration OLDEST = Duration.ofDays(30);
@@ -47,7 +41,7 @@ public record RecordingFolder(Path path, long mostBytes, long mostBytesPerFile) 
     /** Deletes what is too old or too much, and returns a file that does not exist yet. */
     Path next(RecordingHead head) throws IOException {
         Files.createDirectories(path);
-        makeRoom();
+        folder().makeRoom(mostBytesPerFile, Instant.now().minus(OLDEST));
         String stem = "majic-" + NAME_TIME.format(LocalDateTime.ofInstant(head.begin(), ZoneId.systemDefault()));
         Path file = path.resolve(stem + "-" + head.part() + ENDING);
         for (int again = 2; Files.exists(file); again++) {
@@ -56,29 +50,8 @@ public record RecordingFolder(Path path, long mostBytes, long mostBytesPerFile) 
         return file;
     }
 
-    /** Deletes the oldest files until there is room for another one. */
-    private void makeRoom() throws IOException {
-        List<Path> files = files();
-        long bytes = 0;
-        for (Path file : files) {
-            bytes += Files.size(file);
-        }
-        Instant oldest = Instant.now().minus(OLDEST);
-        for (Path file : files) {
-            boolean isOld = Files.getLastModifiedTime(file).toInstant().isBefore(oldest);
-            if (isOld || bytes > mostBytes - mostBytesPerFile) {
-                bytes -= Files.size(file);
-                delete(file);
-            }
-        }
-    }
-
-    private static void delete(Path file) {
-        try {
-            Files.deleteIfExists(file);
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "an old recording is in use: " + file, e);
-        }
+    private BoundedFolder folder() {
+        return new BoundedFolder(path, ENDING, mostBytes);
     }
 
     /**
@@ -88,26 +61,10 @@ public record RecordingFolder(Path path, long mostBytes, long mostBytesPerFile) 
      * @throws IOException if the folder cannot be read
      */
     public List<Path> files() throws IOException {
-        if (!Files.isDirectory(path)) {
-            return List.of();
-        }
-        List<Path> found;
-        try (Stream<Path> all = Files.list(path)) {
-            found = new ArrayList<>(all.filter(RecordingFolder::isRecording).toList());
-        }
-        found.sort(Comparator.comparing(RecordingFolder::modified).thenComparing(Path::toString));
-        return found;
+        return folder().files();
     }
 
     static boolean isRecording(Path file) {
         return file.toString().endsWith(ENDING);
-    }
-
-    private static FileTime modified(Path file) {
-        try {
-            return Files.getLastModifiedTime(file);
-        } catch (IOException e) {
-            return FileTime.fromMillis(0);
-        }
     }
 }

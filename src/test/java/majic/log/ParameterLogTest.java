@@ -1,6 +1,7 @@
 package majic.log;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -24,6 +25,7 @@ class ParameterLogTest {
         log.add(0.3, 2, "sonar", Value.many(List.of(Value.of(1, Unit.MM), Value.of(2, Unit.MM))));
         log.add(0.4, 2, "title", Value.text("a \"b\""));
         log.add(0.5, 2, "x", Value.unknown("no word, yet"));
+        log.add(0.6, 2, "title", Value.text("two\nlines\u001b[2J"));
         Path file = folder.resolve("log.csv");
         log.save(file);
         assertThat(Files.readAllLines(file))
@@ -33,7 +35,8 @@ class ParameterLogTest {
                         "0.200,1,distanceFront,clear,",
                         "0.300,2,sonar,\"1 mm, 2 mm\",",
                         "0.400,2,title,\"a \"\"b\"\"\",",
-                        "0.500,2,x,unknown,");
+                        "0.500,2,x,unknown,",
+                        "0.600,2,title,two\\nlines\\u001b[2J,");
     }
 
     @Test
@@ -46,5 +49,16 @@ class ParameterLogTest {
         log.save(file);
         log.save(file);
         assertThat(Files.readAllLines(file)).hasSize(10_001).contains("9999.000,1,x,9999.0,mm", "0.000,1,x,0.0,mm");
+    }
+
+    @Test
+    void readingsBeyondItsLimitAreReportedAsMissing() {
+        ParameterLog log = new ParameterLog(5000);
+        for (int reading = 0; reading < 10_000; reading++) {
+            log.add(reading, 1, "x", Value.of(reading, Unit.MM));
+        }
+        assertThatThrownBy(() -> log.save(folder.resolve("log.csv")))
+                .isInstanceOf(IOException.class)
+                .hasMessage("4096 readings are missing, there was no room for them");
     }
 }

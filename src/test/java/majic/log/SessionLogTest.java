@@ -8,9 +8,12 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileTime;
 import java.time.Clock;
+import java.time.Duration;
 import java.time.Instant;
 import java.time.ZoneOffset;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -67,6 +70,47 @@ class SessionLogTest {
         assertThat(lines.get(1)).matches("2007-09-01 12:00:00.250 notice  (1 line is|2 lines are) missing here");
         assertThat(lines.get(lines.size() - 1)).isEqualTo("2007-09-01 12:00:00.250 command 1 move 700");
         assertThat(lines).allMatch(line -> line.startsWith("2007-09-01 12:00:00.250 "));
+    }
+
+    @Test
+    void aFullFileIsContinuedInAnotherOneAndNoLineIsLost() throws IOException {
+        SessionLogFiles files = new SessionLogFiles(new BoundedFolder(folder, ".log", 1_000_000), "session", 200);
+        SessionLog log = SessionLog.in(files, NOON);
+        for (int line = 1; line <= 10; line++) {
+            log.write("answer", "line " + line);
+        }
+        log.close();
+        List<String> all = linesOf(files);
+        while (all.stream().noneMatch(line -> line.endsWith("line 10"))) {
+            all = linesOf(files);
+        }
+        assertThat(Files.readAllLines(folder.resolve("session.log")))
+                .last()
+                .isEqualTo("2007-09-01 12:00:00.250 notice  continued in session-2.log");
+        assertThat(Files.readAllLines(folder.resolve("session-2.log")))
+                .first()
+                .isEqualTo("2007-09-01 12:00:00.250 notice  continued from session.log");
+        assertThat(all).filteredOn(line -> line.contains(" answer ")).hasSize(10);
+    }
+
+    private static List<String> linesOf(SessionLogFiles files) throws IOException {
+        List<String> all = new ArrayList<>();
+        for (Path file : files.folder().files()) {
+            all.addAll(Files.readAllLines(file));
+        }
+        return all;
+    }
+
+    @Test
+    void theOldestLogsAreDeletedWhenThereIsNoRoomForAnotherFile() throws IOException {
+        for (int age = 1; age <= 4; age++) {
+            Path old = Files.writeString(folder.resolve("session-" + age + "-days-ago.log"), "x".repeat(100));
+            Files.setLastModifiedTime(old, FileTime.from(NOON.instant().minus(Duration.ofDays(age))));
+        }
+        Files.writeString(folder.resolve("mine.txt"), "x".repeat(1000));
+        new SessionLogFiles(new BoundedFolder(folder, ".log", 300), "session", 100).makeRoom();
+        assertThat(folder.toFile().list())
+                .containsExactlyInAnyOrder("session-1-days-ago.log", "session-2-days-ago.log", "mine.txt");
     }
 
     @Test

@@ -45,6 +45,22 @@ class LogFileTest {
     }
 
     @Test
+    void noTextCanLookLikeALineOfTheLogOrControlATerminal() {
+        String forged = "2026-01-01 00:00:00.000 SEVERE [main] forged";
+        LogFile log = new LogFile(folder, ROOMY);
+        LogRecord line = new LogRecord(Level.WARNING, "robot\n" + forged + "\u001b[2J");
+        line.setThrown(new IllegalStateException("why\n" + forged + "\u001b[2J"));
+        log.publish(line);
+        log.close();
+
+        assertThat(folder.resolve("majic.0.log"))
+                .content()
+                .contains("robot\\n" + forged + "\\u001b[2J")
+                .contains("    " + forged + "\\u001b[2J")
+                .doesNotContain("\u001b", "\n2026-01-01");
+    }
+
+    @Test
     void noFileIsMadeBeforeTheFirstLine() {
         new LogFile(folder, ROOMY).close();
 

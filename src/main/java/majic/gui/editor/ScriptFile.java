@@ -17,6 +17,7 @@ import majic.bot.BotException;
 import majic.script.ScriptAct;
 import majic.text.IoReason;
 import majic.text.Texts;
+import majic.text.VisibleText;
 
 /**
  * A script's file as it was last read or written. Keeps its line ends and its byte order mark. Immutable; its methods
@@ -149,7 +150,7 @@ record ScriptFile(Path path, String text, String lineEnd, boolean mark, boolean 
 
     /** The name without its folder. */
     String name() {
-        return String.valueOf(path.getFileName());
+        return VisibleText.of(String.valueOf(path.getFileName()));
     }
 
     /** Whether a file can be opened as a script, by its name. */

@@ -9,8 +9,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.bot.Pose;
+import majic.gui.kit.Html;
 import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapContent;
 import majic.panel.map.MapView;
@@ -132,7 +134,7 @@ final class TeamFloor implements MapContent {
         return switch (robots.size()) {
             case 0 -> MapContent.super.tip(xMm, yMm, view);
             case 1 -> robots.get(0);
-            default -> "<html>" + String.join("<br>", robots);
+            default -> "<html>" + robots.stream().map(Html::escaped).collect(Collectors.joining("<br>"));
         };
     }
 
