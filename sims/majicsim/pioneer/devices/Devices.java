@@ -117,10 +117,16 @@ public final class Devices {
 
     /** Whether only time passes on them, so that a long step has the same effect as many short ones. */
     public boolean isAtRest() {
-        return !gripper.isMoving()
-                && !buzzer.isPlaying()
-                && !hostBaud.isOnTrial()
-                && auxPorts.stream().noneMatch(AuxPort::isTransmitting);
+        return !gripper.isMoving() && !buzzer.isPlaying() && !hostBaud.isOnTrial() && !isTransmitting();
+    }
+
+    private boolean isTransmitting() {
+        for (AuxPort port : auxPorts) {
+            if (port.isTransmitting()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
@@ -137,6 +143,8 @@ public final class Devices {
         buzzer.step(nanos);
         alarm.step(nanos);
         hostBaud.step(nanos);
-        auxPorts.forEach(port -> port.step(seconds));
+        for (AuxPort port : auxPorts) {
+            port.step(seconds);
+        }
     }
 }

@@ -5,7 +5,11 @@ import java.nio.charset.StandardCharsets;
 
 /** Builds one packet to the client: numbers low byte first, strings ended by NUL, checksum high byte first (ARCOS sheet 2, 3). */
 public final class PacketWriter {
-    private final ByteArrayOutputStream body = new ByteArrayOutputStream();
+    private static final int HEADER = 3;
+    private static final int AROUND_CONTENT = HEADER + 2;
+    private static final int USUAL_BYTES = 64;
+
+    private final ByteArrayOutputStream body = new ByteArrayOutputStream(USUAL_BYTES);
 
     public PacketWriter(int type) {
         uint8(type);
@@ -42,13 +46,13 @@ public final class PacketWriter {
     public byte[] toBytes() {
         byte[] content = body.toByteArray();
         int checksum = Checksum.of(content, 0, content.length);
-        ByteArrayOutputStream whole = new ByteArrayOutputStream();
-        whole.write(0xFA);
-        whole.write(0xFB);
-        whole.write(content.length + 2);
-        whole.writeBytes(content);
-        whole.write(checksum >> 8);
-        whole.write(checksum);
-        return whole.toByteArray();
+        byte[] whole = new byte[content.length + AROUND_CONTENT];
+        whole[0] = (byte) 0xFA;
+        whole[1] = (byte) 0xFB;
+        whole[2] = (byte) (content.length + 2);
+        System.arraycopy(content, 0, whole, HEADER, content.length);
+        whole[HEADER + content.length] = (byte) (checksum >> 8);
+        whole[HEADER + content.length + 1] = (byte) checksum;
+        return whole;
     }
 }

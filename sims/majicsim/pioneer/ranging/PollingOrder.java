@@ -9,6 +9,8 @@ import java.util.stream.IntStream;
  * @param discs disc numbers 0 to 31; those of one array fire in the order in which they stand here
  */
 record PollingOrder(List<Integer> discs) {
+    static final int ARRAYS = 4;
+
     private static final int DISCS = 32;
     private static final int DISCS_PER_ARRAY = 8;
 
@@ -30,8 +32,12 @@ record PollingOrder(List<Integer> discs) {
         return discs.isEmpty() ? USUAL : new PollingOrder(discs);
     }
 
-    /** The discs of one array, in order; none if the array must not fire. */
-    List<Integer> ofArray(int array) {
+    /** The discs of each array, in order; none for an array that must not fire. */
+    List<List<Integer>> ofArrays() {
+        return IntStream.range(0, ARRAYS).mapToObj(this::ofArray).toList();
+    }
+
+    private List<Integer> ofArray(int array) {
         return discs.stream().filter(disc -> disc / DISCS_PER_ARRAY == array).toList();
     }
 }

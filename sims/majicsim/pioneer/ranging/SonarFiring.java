@@ -1,16 +1,19 @@
 package majicsim.pioneer.ranging;
 
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import majicsim.pioneer.model.PioneerModel;
+import majicsim.pioneer.model.SonarDisc;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Fires the discs: one of each array at a time, every 40 ms unless set otherwise, so that a SIP carries only the few
  * readings that are new (ARCOS sheet 8.2).
  */
 public final class SonarFiring {
-    private static final int ARRAYS = 4;
+    private static final int ARRAYS = PollingOrder.ARRAYS;
     private static final int SLOTS = 8;
     private static final int USUAL_CYCLE_MS = 40;
     private static final long NANOS_PER_MS = 1_000_000;
@@ -18,7 +21,8 @@ public final class SonarFiring {
     private final PioneerModel model;
     private final SonarCone cone;
     private final Map<Integer, Integer> fresh = new LinkedHashMap<>();
-    private PollingOrder order = PollingOrder.USUAL;
+    private final @Nullable SonarDisc[] discs = new SonarDisc[SonarDisc.MOST];
+    private List<List<Integer>> firing = PollingOrder.USUAL.ofArrays();
     private int arraysOn;
     private long cycleNanos;
     private long untilFiringNanos;
@@ -27,6 +31,7 @@ public final class SonarFiring {
     public SonarFiring(PioneerModel model, SonarCone cone) {
         this.model = model;
         this.cone = cone;
+        model.sonars().forEach(disc -> discs[disc.number()] = disc);
         stop();
     }
 
@@ -39,7 +44,7 @@ public final class SonarFiring {
     public void stop() {
         arraysOn = 0;
         turn = 0;
-        order = PollingOrder.USUAL;
+        firing = PollingOrder.USUAL.ofArrays();
         fresh.clear();
         cycleMs(0);
         untilFiringNanos = cycleNanos;
@@ -57,8 +62,8 @@ public final class SonarFiring {
     }
 
     /** POLLING: another firing order. */
-    public void order(byte[] discs) {
-        order = PollingOrder.of(discs);
+    public void order(byte[] numbers) {
+        firing = PollingOrder.of(numbers).ofArrays();
         turn = 0;
     }
 
@@ -91,27 +96,27 @@ public final class SonarFiring {
 
     /** The readings since the last call, in the order of firing. */
     public List<SonarReading> takeFresh() {
-        List<SonarReading> readings = fresh.entrySet().stream()
-                .map(entry -> new SonarReading(entry.getKey(), entry.getValue()))
-                .toList();
+        List<SonarReading> readings = new ArrayList<>(fresh.size());
+        fresh.forEach((disc, range) -> readings.add(new SonarReading(disc, range)));
         fresh.clear();
         return readings;
     }
 
     private void fire() {
         for (int array = 0; array < ARRAYS; array++) {
-            List<Integer> discs = order.ofArray(array);
-            if (isOn(array) && !discs.isEmpty()) {
-                fire(discs.get(turn % discs.size()));
+            List<Integer> numbers = firing.get(array);
+            if (isOn(array) && !numbers.isEmpty()) {
+                fire(numbers.get(turn % numbers.size()));
             }
         }
         turn++;
     }
 
     private void fire(int number) {
-        model.sonars().stream()
-                .filter(disc -> disc.number() == number)
-                .forEach(disc -> fresh.put(number, model.scaling().range(cone.rangeMm(disc))));
+        SonarDisc disc = discs[number];
+        if (disc != null) {
+            fresh.put(number, model.scaling().range(cone.rangeMm(disc)));
+        }
     }
 
     private boolean isOn(int array) {
