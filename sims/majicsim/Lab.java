@@ -24,11 +24,10 @@ import majicsim.world.Pose;
 import majicsim.world.Room;
 import majicsim.world.Segment;
 import majicsim.world.World;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The simulated lab: one room, its robots, and their ports on loopback. It answers clients as soon as it is open; its clock
- * advances only in {@link #step()} and {@link #run}. All methods may be called from any thread.
+ * advances only in {@link #step()}. All methods may be called from any thread.
  */
 public final class Lab implements AutoCloseable {
     /** Lab time of one step. */
@@ -40,7 +39,6 @@ public final class Lab implements AutoCloseable {
     private final World world;
     private final List<LabRobot> robots;
     private volatile long nanos;
-    private @Nullable Pacer pacer;
 
     private Lab(ReentrantLock lock, World world, List<LabRobot> robots) {
         this.lock = lock;
@@ -83,21 +81,6 @@ public final class Lab implements AutoCloseable {
      */
     public long nanos() {
         return nanos;
-    }
-
-    /**
-     * Runs the lab's clock on a daemon thread until the lab is closed. A further call changes the speed.
-     *
-     * @param speed lab seconds per real second, above 0; a computer that is too slow runs it at a lower speed
-     * @throws IllegalArgumentException if the speed is not above 0 and finite; the clock goes on as before
-     */
-    public synchronized void run(double speed) {
-        if (!(speed > 0) || Double.isInfinite(speed)) {
-            throw new IllegalArgumentException("the lab's speed must be above 0, not " + speed);
-        }
-        endPacer();
-        pacer = new Pacer(this, speed);
-        pacer.start();
     }
 
     /**
@@ -233,18 +216,10 @@ public final class Lab implements AutoCloseable {
         return lines;
     }
 
-    /** Stops the clock and closes all ports and lines. */
+    /** Closes all ports and lines. */
     @Override
     public synchronized void close() {
-        endPacer();
         robots.forEach(LabRobot::close);
-    }
-
-    private void endPacer() {
-        if (pacer != null) {
-            pacer.end();
-            pacer = null;
-        }
     }
 
     private LabRobot named(String robot) {

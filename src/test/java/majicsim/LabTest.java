@@ -20,7 +20,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 @Timeout(value = 180, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class LabTest {
@@ -68,23 +67,6 @@ class LabTest {
         Pose first = poseAfterDriving(7);
         assertThat(poseAfterDriving(7)).isEqualTo(first);
         assertThat(poseAfterDriving(8)).isNotEqualTo(first);
-    }
-
-    @Test
-    void itRunsByItselfUntilItIsClosed() {
-        lab.run(50);
-        while (lab.nanos() < 1_000_000_000) {
-            Thread.onSpinWait();
-        }
-        lab.close();
-        long stopped = lab.nanos();
-        assertThat(stopped).isGreaterThanOrEqualTo(1_000_000_000).isEqualTo(lab.nanos());
-    }
-
-    @ParameterizedTest
-    @ValueSource(doubles = {0, -1, Double.NaN, Double.POSITIVE_INFINITY})
-    void aSpeedThatIsNoneIsRefused(double speed) {
-        assertThatThrownBy(() -> lab.run(speed)).hasMessageStartingWith("the lab's speed must be above 0, not ");
     }
 
     @Test

@@ -1,11 +1,12 @@
 package majic.cli;
 
 import java.io.IOException;
+import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import majic.program.Version;
-import majicsim.Lab;
+import majic.simulation.SimulatedLab;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParentCommand;
@@ -25,11 +26,12 @@ public final class LabCommand implements Callable<Integer> {
     public Integer call() throws IOException, InterruptedException {
         LabChoice choice = Objects.requireNonNull(majic).start().labAlone();
         double speed = choice.speed();
-        try (Lab lab = Lab.open(choice.options())) {
-            choice.tellTakenPorts(lab.addresses());
-            lab.addresses().forEach((robot, address) -> System.out.println(robot + " " + address));
+        try (SimulatedLab lab = SimulatedLab.scaled(choice.options(), speed)) {
+            Map<String, String> addresses = lab.simulators().addresses();
+            choice.tellTakenPorts(addresses);
+            addresses.forEach((robot, address) -> System.out.println(robot + " " + address));
             System.out.flush();
-            lab.run(speed);
+            lab.onTooSlow(sentence -> System.err.println("majic: " + sentence));
             new CountDownLatch(1).await();
             return 0;
         }

@@ -13,6 +13,10 @@ final class ClockMember {
         becomes(true);
     }
 
+    boolean hasRunLessThan(long nanos) {
+        return !waiting && System.nanoTime() - sinceNanos < nanos;
+    }
+
     private void becomes(boolean nowWaiting) {
         waiting = nowWaiting;
         sinceNanos = System.nanoTime();

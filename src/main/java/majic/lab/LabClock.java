@@ -180,7 +180,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
         try {
             while (!closed && ended == null) {
                 long seen = awaitMembers();
-                if (!closed && pacing.mayStep(nowNanos)) {
+                if (!closed && pacing.mayStep(nowNanos, this::membersWait)) {
                     advance(seen);
                 } else if (pacing.awaitsMembers()) {
                     endIfStuck();
@@ -300,6 +300,16 @@ public final class LabClock implements TimeSource, AutoCloseable {
             }
             wake(waiting.first());
             return true;
+        } finally {
+            lock.unlock();
+        }
+    }
+
+    /** Whether all members wait, except those that have run for so long that they do more than follow the lab. */
+    private boolean membersWait() {
+        lock.lock();
+        try {
+            return running == 0 || members.values().stream().noneMatch(member -> member.hasRunLessThan(LOOK_NANOS));
         } finally {
             lock.unlock();
         }

@@ -3,6 +3,7 @@ package majic.lab;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 
 /**
  * Decides when a lab's clock may take its next step. Called repeatedly on the clock's own thread. Its {@code toString}
@@ -13,9 +14,10 @@ public interface Pacing {
      * Returns whether the next step may be taken; may block briefly before it returns false.
      *
      * @param nowNanos the lab's time
+     * @param membersWait whether all members wait, but for those that have been running for 250 ms of real time
      * @return true to take the step now
      */
-    boolean mayStep(long nowNanos);
+    boolean mayStep(long nowNanos, BooleanSupplier membersWait);
 
     /**
      * Returns whether the clock must not advance while one of its members runs.
@@ -28,7 +30,7 @@ public interface Pacing {
     static Pacing stepped(BooleanSupplier quiet) {
         return new Pacing() {
             @Override
-            public boolean mayStep(long nowNanos) {
+            public boolean mayStep(long nowNanos, BooleanSupplier membersWait) {
                 for (int attempt = 0; attempt < 20; attempt++) {
                     if (quiet.getAsBoolean()) {
                         return true;
@@ -52,36 +54,23 @@ public interface Pacing {
     }
 
     /**
-     * Creates a pacing that follows the wall clock, multiplied by a speed. A lab that is late does not run faster to
-     * make up for it.
+     * Creates a pacing that follows the wall clock, multiplied by a speed.
+     *
+     * @param speed how many times as fast as real time, above 0
+     * @param quiet whether no byte is in transit on any connection; above real time the lab waits for that now and then
+     * @param report receives a sentence, once, if the lab does not reach its speed
      */
-    static Pacing scaled(double speed) {
-        return new Pacing() {
-            private static final long MOST_BEHIND_NANOS = 200_000_000;
-
-            /** Steps due within so much lab time are taken together, because each waking takes longer than a step. */
-            private static final long TOGETHER_NANOS = 20_000_000;
-
-            private long originNanos = System.nanoTime();
-
+    static Pacing scaled(double speed, BooleanSupplier quiet, Consumer<String> report) {
+        return new ScaledPacing(speed, quiet, new SpeedWatch(speed, report), new ScaledPacing.RealTime() {
             @Override
-            public boolean mayStep(long nowNanos) {
-                long due = originNanos + (long) (nowNanos / speed);
-                long ahead = due - System.nanoTime();
-                if (ahead > 0) {
-                    LockSupport.parkNanos(Math.max(ahead, (long) (TOGETHER_NANOS / speed)));
-                    return System.nanoTime() >= due;
-                }
-                if (-ahead > MOST_BEHIND_NANOS) {
-                    originNanos += -ahead;
-                }
-                return true;
+            public long nanos() {
+                return System.nanoTime();
             }
 
             @Override
-            public boolean awaitsMembers() {
-                return false;
+            public void pause(long nanos) {
+                LockSupport.parkNanos(nanos);
             }
-        };
+        });
     }
 }

@@ -77,6 +77,9 @@ public final class Program implements AutoCloseable {
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
         recorder = records ? record() : null;
+        if (lab != null) {
+            lab.onTooSlow(session::alarm);
+        }
     }
 
     private Recorder record() {
@@ -116,6 +119,7 @@ public final class Program implements AutoCloseable {
             SimulatedLab started = SimulatedLab.scaled(LabOptions.standard(), 1);
             lab = started;
             factory.useLab(started);
+            started.onTooSlow(session::alarm);
         } catch (IOException e) {
             throw new BotException("the lab cannot start: " + e.getMessage(), e);
         }

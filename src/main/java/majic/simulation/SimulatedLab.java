@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -29,9 +30,11 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
 
     private final Lab lab;
     private final LabClock clock;
+    private final Notice tooSlow;
 
-    private SimulatedLab(Lab lab, Pacing pacing) {
+    private SimulatedLab(Lab lab, Pacing pacing, Notice tooSlow) {
         this.lab = lab;
+        this.tooSlow = tooSlow;
         this.clock = new LabClock(Lab.STEP_NANOS, () -> step(lab), pacing);
     }
 
@@ -45,15 +48,18 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     }
 
     /**
-     * Opens a lab whose clock follows the wall clock.
+     * Opens a lab whose clock follows the wall clock. At most 0.1 s of its time passes before drivers in this program
+     * have handled what it sent, except at real time and below.
      *
      * @param options the options of the lab
-     * @param speed how many times as fast
+     * @param speed how many times as fast; a computer that is too slow runs it at a lower speed
      * @return the running lab
      * @throws IOException if a port is taken or the room does not hold the robots
      */
     public static SimulatedLab scaled(LabOptions options, double speed) throws IOException {
-        return started(Lab.open(options), Pacing.scaled(speed));
+        Lab lab = Lab.open(options);
+        Notice tooSlow = new Notice();
+        return started(lab, Pacing.scaled(speed, transit(lab), tooSlow), tooSlow);
     }
 
     /**
@@ -65,14 +71,27 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
      */
     public static SimulatedLab stepped(LabOptions options) throws IOException {
         Lab lab = Lab.open(options);
-        Set<String> addresses = Set.copyOf(lab.addresses().values());
-        return started(lab, Pacing.stepped(new TransitCheck(Links::traffic, lab::lines, addresses)));
+        return started(lab, Pacing.stepped(transit(lab)), new Notice());
     }
 
-    private static SimulatedLab started(Lab lab, Pacing pacing) {
-        SimulatedLab simulated = new SimulatedLab(lab, pacing);
+    private static TransitCheck transit(Lab lab) {
+        return new TransitCheck(
+                Links::traffic, lab::lines, Set.copyOf(lab.addresses().values()));
+    }
+
+    private static SimulatedLab started(Lab lab, Pacing pacing, Notice tooSlow) {
+        SimulatedLab simulated = new SimulatedLab(lab, pacing, tooSlow);
         simulated.clock.start();
         return simulated;
+    }
+
+    /**
+     * Sets what is informed when the lab does not reach its speed, which happens once at most.
+     *
+     * @param listener receives a sentence, on the clock's thread; at once if it was reported before
+     */
+    public void onTooSlow(Consumer<String> listener) {
+        tooSlow.deliverTo(listener);
     }
 
     /** Returns the simulators themselves, for functions that only a lab has: faults, positions. */
