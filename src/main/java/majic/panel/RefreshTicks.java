@@ -56,7 +56,7 @@ public final class RefreshTicks {
     private static void attempt(Runnable update) {
         try {
             update.run();
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             Thread thread = Thread.currentThread();
             thread.getUncaughtExceptionHandler().uncaughtException(thread, e);
         }

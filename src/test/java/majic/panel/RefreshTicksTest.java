@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.Test;
 
@@ -65,14 +66,27 @@ class RefreshTicksTest {
 
     @Test
     void anUpdateThatFailsDelaysNoOther() throws Exception {
-        AtomicInteger reported = new AtomicInteger();
+        assertThat(reportedWhile(() -> {
+                    throw new IllegalStateException("an update that fails");
+                }))
+                .isInstanceOf(IllegalStateException.class);
+    }
+
+    @Test
+    void anUpdateThatFailsWithAnErrorDelaysNoOther() throws Exception {
+        assertThat(reportedWhile(() -> {
+                    throw new NoClassDefFoundError("a class of a plug-in");
+                }))
+                .isInstanceOf(NoClassDefFoundError.class);
+    }
+
+    /** Returns what is reported for an update that fails; another update must run at the same tick. */
+    private static Throwable reportedWhile(Runnable failing) throws Exception {
+        AtomicReference<Throwable> reported = new AtomicReference<>();
         CountDownLatch other = new CountDownLatch(1);
         SwingUtilities.invokeAndWait(() -> {
             Thread thread = Thread.currentThread();
-            thread.setUncaughtExceptionHandler((where, problem) -> reported.incrementAndGet());
-            Runnable failing = () -> {
-                throw new IllegalStateException("an update that fails");
-            };
+            thread.setUncaughtExceptionHandler((where, problem) -> reported.set(problem));
             RefreshTicks.add(failing);
             RefreshTicks.once(() -> {
                 RefreshTicks.remove(failing);
@@ -82,7 +96,7 @@ class RefreshTicksTest {
         });
 
         await(other);
-        assertThat(reported).hasValue(1);
+        return reported.get();
     }
 
     private static void await(CountDownLatch latch) throws InterruptedException {
