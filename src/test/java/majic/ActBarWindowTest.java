@@ -10,12 +10,14 @@ import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import majic.environment.Settings;
 import majic.gui.MajicFrame;
+import majic.gui.kit.EventThreadChecks;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.script.MajicParser;
 import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -24,6 +26,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class ActBarWindowTest {
     private static final List<String> DISTANCES =
             List.of("distanceFront", "distanceBack", "distanceLeft", "distanceRight");
+
+    @AutoClose
+    private final EventThreadChecks checks = new EventThreadChecks();
 
     private final Locale before = Locale.getDefault();
 
@@ -40,6 +45,7 @@ class ActBarWindowTest {
         try (Program program = new Program(new UserFolder(home), lab, false)) {
             MajicParser parser = new MajicParser(program.session(), true);
             MajicFrame frame = PictureWindow.open(program, parser, Settings.inMemory());
+            checks.windowIsOpen();
             SwingUtilities.invokeAndWait(() -> frame.setSize(1280, 800));
             PictureWindow.add(program, parser, List.of("pioneer"));
             parser.parseText("1 act PioneerWander");

@@ -17,6 +17,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 import majic.bot.BotAddress;
 import majic.gui.WindowWait;
+import majic.gui.kit.EventThreadChecks;
 import majic.panel.PictureView;
 import majic.team.Member;
 import majic.team.Owner;
@@ -25,12 +26,16 @@ import majic.team.TeamListener;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** The panel on a tab of a real window, before a scripted dog. */
 class AiboPanelWindowTest {
     private static final String ASKED = "camera.val";
+
+    @AutoClose
+    private final EventThreadChecks checks = new EventThreadChecks();
 
     private final Team team = new Team(TimeSource.system());
     private final BlockingQueue<String> notices = new LinkedBlockingQueue<>();
@@ -62,6 +67,7 @@ class AiboPanelWindowTest {
             frame.setSize(700, 450);
             frame.setVisible(true);
         });
+        checks.windowIsOpen();
     }
 
     @AfterEach

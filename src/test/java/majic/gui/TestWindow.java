@@ -31,8 +31,7 @@ import majic.act.NoActs;
 import majic.act.file.ActCatalog;
 import majic.bot.BotType;
 import majic.environment.Settings;
-import majic.gui.kit.EventThreadGuard;
-import majic.gui.kit.EventThreadWatch;
+import majic.gui.kit.EventThreadChecks;
 import majic.gui.kit.ProgramServices;
 import majic.lab.LabAccess;
 import majic.log.SessionLog;
@@ -70,8 +69,7 @@ public final class TestWindow implements AutoCloseable {
     private final Robot robot;
     private final java.awt.Robot input = input();
     private final ArrivedInput arrived = ArrivedInput.count();
-    private final EventThreadGuard guard = EventThreadGuard.install();
-    private final EventThreadWatch watch;
+    private final EventThreadChecks checks = new EventThreadChecks();
 
     private TestWindow(ActCatalog acts, Map<String, String> kept, @Nullable Path history) {
         this.history = history;
@@ -87,7 +85,7 @@ public final class TestWindow implements AutoCloseable {
         await("the keys", frame::isFocused);
         await("the menus to have entries", () -> frame.getJMenuBar().getMenu(0).getItemCount() > 0);
         settle();
-        watch = EventThreadWatch.start();
+        checks.windowIsOpen();
     }
 
     private static java.awt.Robot input() {
@@ -421,10 +419,6 @@ public final class TestWindow implements AutoCloseable {
         robot.cleanUp();
         arrived.close();
         team.close();
-        try {
-            watch.checkAndEnd();
-        } finally {
-            guard.checkAndRemove();
-        }
+        checks.close();
     }
 }

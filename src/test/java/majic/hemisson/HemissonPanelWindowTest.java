@@ -9,17 +9,22 @@ import javax.swing.JComponent;
 import javax.swing.JFrame;
 import majic.bot.BotAddress;
 import majic.gui.WindowWait;
+import majic.gui.kit.EventThreadChecks;
 import majic.hemisson.panel.LedButton;
 import majic.panel.Banner;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.Robot;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** The Hemisson's tab in a real window, clicked with a real mouse, before a peer with scripted answers. */
 class HemissonPanelWindowTest {
+
+    @AutoClose
+    private final EventThreadChecks checks = new EventThreadChecks();
 
     private final Robot mouse = BasicRobot.robotWithNewAwtHierarchyWithoutScreenLock();
     private ScriptedHemisson peer;
@@ -40,6 +45,7 @@ class HemissonPanelWindowTest {
         });
         mouse.showWindow(frame);
         mouse.waitForIdle();
+        checks.windowIsOpen();
     }
 
     @AfterEach

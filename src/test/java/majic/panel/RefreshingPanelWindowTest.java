@@ -8,12 +8,18 @@ import majic.bot.BotState;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
 import majic.environment.BotEnvironment;
+import majic.gui.kit.EventThreadChecks;
+import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
 class RefreshingPanelWindowTest {
+    @AutoClose
+    private final EventThreadChecks checks = new EventThreadChecks();
+
     private final FakeBot bot = new FakeBot(new FakeType(), BotEnvironment.plain());
-    private final Counting panel = new Counting(bot);
+    private final Counting panel = GuiActionRunner.execute(() -> new Counting(bot));
     private JFrame frame;
 
     @AfterEach
@@ -30,6 +36,7 @@ class RefreshingPanelWindowTest {
             frame.pack();
             panel.refreshIfChanged();
         });
+        checks.windowIsOpen();
         bot.connect();
         SwingUtilities.invokeAndWait(() -> {
             panel.refreshIfChanged();
@@ -47,6 +54,7 @@ class RefreshingPanelWindowTest {
             panel.refreshIfChanged();
             frame.remove(panel);
         });
+        checks.windowIsOpen();
         bot.connect();
         SwingUtilities.invokeAndWait(panel::refreshIfChanged);
         assertThat(panel.refreshed).isEqualTo(1);

@@ -10,14 +10,20 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
+import majic.gui.kit.EventThreadChecks;
+import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class VisibilityWatchWindowTest {
+    @AutoClose
+    private final EventThreadChecks checks = new EventThreadChecks();
+
     private final List<Boolean> reported = new ArrayList<>();
-    private final JPanel panel = new JPanel();
-    private final VisibilityWatch watch = new VisibilityWatch(panel, reported::add);
+    private final JPanel panel = GuiActionRunner.execute(() -> new JPanel());
+    private final VisibilityWatch watch = GuiActionRunner.execute(() -> new VisibilityWatch(panel, reported::add));
     private JTabbedPane tabs;
     private JFrame frame;
 
@@ -32,6 +38,7 @@ class VisibilityWatchWindowTest {
             frame.pack();
             frame.setVisible(true);
         });
+        checks.windowIsOpen();
     }
 
     @AfterEach
