@@ -9,6 +9,7 @@ import majic.log.Line;
 import majic.script.conditions.Selection;
 import majic.script.help.Completion;
 import majic.script.help.Completions;
+import majic.script.help.VariableCompletion;
 import majic.script.help.WordPlace;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
@@ -81,6 +82,18 @@ public final class ScriptRunner {
      */
     public Completions complete(String line, int caret) {
         return session.completer().complete(line, caret, List.of());
+    }
+
+    /**
+     * Returns the names of the script's arguments, such as {@code $speed}, that could be typed at a place. Reads no files.
+     *
+     * @param text the script
+     * @param line one line of it
+     * @param caret where the name ends that is to be completed, 0 to the length of the line
+     * @return empty if no name that begins with {@code $} ends there
+     */
+    public Optional<Completions> completeVariable(String text, String line, int caret) {
+        return VariableCompletion.complete(text, line.substring(0, caret));
     }
 
     /**

@@ -345,6 +345,16 @@ class ScriptEditorWindowTest {
         window.await("the stop", () -> bot.told.contains("halt"));
     }
 
+    @Test
+    void theNamesOfTheScriptsArgumentsAreCompleted() throws IOException {
+        RSyntaxTextArea area = drop(script("lap.majic", "argument far = 300mm", ""));
+        window.pressWithCtrl(KeyEvent.VK_END);
+        window.type("me move $");
+        awaitCompletions(true);
+        window.press(KeyEvent.VK_ENTER);
+        window.await("the name", () -> area.getText().contains("me move $far"));
+    }
+
     private void awaitCompletions(boolean open) {
         window.await(
                 "the completions",

@@ -2,7 +2,9 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import majic.script.help.Completion;
+import majic.script.help.Completions;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -81,6 +83,37 @@ class CompletionTest {
         String typed = text.replace('~', ' ');
         assertThat(fixture.prompt.complete(typed, typed.length()).entries())
                 .containsExactly(new Completion("", values, explanation));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 move $ | $far $fast",
+                "1 move -$FA | $far $fast",
+                "1 drive $fas | $fast",
+                "1 move $x | ''",
+                "1 mo | -"
+            })
+    void theNamesOfAScriptsArgumentsFollowADollarSign(String line, String names) {
+        String script =
+                "argument far = 300mm \"how far\"\nargument fast = 60mm/s from 0 to 200\n1 mvoe\n" + line + "\n";
+        assertThat(new ScriptRunner(fixture.session)
+                        .completeVariable(script, line, line.length())
+                        .map(found -> String.join(" ", found.words()))
+                        .orElse("-"))
+                .isEqualTo(names);
+    }
+
+    @Test
+    void anArgumentShowsItsRangeDefaultAndExplanation() {
+        String script = "argument fast = 60mm/s from 0 to 200 \"how fast\"\n1 drive $\n";
+        assertThat(new ScriptRunner(fixture.session).completeVariable(script, "1 drive $", 9))
+                .contains(new Completions(
+                        8, List.of(new Completion("$fast", "0 … 200 mm/s, default 60 mm/s", "how fast"))));
+        assertThat(fixture.prompt.complete("1 act AiboSquare s", 18).entries())
+                .singleElement()
+                .satisfies(entry -> assertThat(entry.values()).endsWith(" mm, default 500 mm"));
     }
 
     @ParameterizedTest

@@ -5,6 +5,7 @@ import java.awt.Dimension;
 import java.awt.Point;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import javax.swing.UIManager;
 import javax.swing.text.JTextComponent;
@@ -78,7 +79,7 @@ final class ScriptCompletion extends CompletionProviderBase {
     ScriptCompletion(RSyntaxTextArea area, ScriptRunner runner) {
         this.area = area;
         this.runner = runner;
-        setAutoActivationRules(true, "");
+        setAutoActivationRules(true, "$");
         popup.setAutoActivationEnabled(true);
         popup.setAutoActivationDelay(DELAY_MS);
         popup.setAutoCompleteSingleChoices(false);
@@ -99,12 +100,13 @@ final class ScriptCompletion extends CompletionProviderBase {
 
     private Completions completions(ScriptPlace place) {
         if (!place.equals(found)) {
-            if (place.readsFiles()) {
+            Optional<Completions> variables = runner.completeVariable(area.getText(), place.line(), place.index());
+            if (variables.isEmpty() && place.readsFiles()) {
                 search(place);
                 return NONE;
             }
             found = place;
-            there = runner.complete(place.line(), place.index());
+            there = variables.orElseGet(() -> runner.complete(place.line(), place.index()));
         }
         return there;
     }

@@ -7,6 +7,7 @@ import majic.bot.BotAddress;
 import majic.bot.BotCommand;
 import majic.bot.BotType;
 import majic.bot.Parameter;
+import majic.bot.Value;
 import majic.lab.LabAccess;
 import majic.script.syntax.LineParser;
 import majic.script.syntax.ScriptParser;
@@ -93,9 +94,18 @@ final class Explained {
 
     /** The name of an act's argument, ready for a value. */
     static Completion argument(ActArgument argument) {
-        String values = Help.values(argument.parameter()) + ", " + argument.typed();
-        return new Completion(
-                argument.name() + "=", values, argument.parameter().help());
+        Parameter parameter = argument.parameter();
+        return new Completion(parameter.name() + "=", withDefault(parameter, argument.initial()), parameter.help());
+    }
+
+    /** The name that stands for the value of a script's argument. */
+    static Completion variable(Parameter parameter, Value initial) {
+        return new Completion("$" + parameter.name(), withDefault(parameter, initial), parameter.help());
+    }
+
+    private static String withDefault(Parameter parameter, Value initial) {
+        boolean text = parameter.kind() == Parameter.Kind.TEXT;
+        return Help.values(parameter) + ", default " + (text ? ActArgument.typed(initial) : initial);
     }
 
     /** The words that the value of an act's argument may be, the default among them; and what it is for. */
