@@ -13,6 +13,7 @@ import majic.cli.RunCommand;
 import majic.program.Failures;
 import majic.program.LogFile;
 import majic.program.UserFolder;
+import majic.program.Window;
 import picocli.CommandLine;
 
 /** Starts MAJIC. */
@@ -26,6 +27,10 @@ public final class Majic {
      * @param args the command line; see {@code --help}
      */
     public static void main(String[] args) {
+        LogFile.useManager();
+        if (MajicCommand.isUsual(args)) {
+            Window.preload();
+        }
         UserFolder folder = UserFolder.standard();
         LogFile.install(folder.path(), System.getProperty("majic.log", "INFO"));
         int status = run(folder, args);

@@ -44,19 +44,23 @@ public final class MajicCommand implements Callable<Integer> {
         this.folder = folder;
     }
 
+    /** Returns whether these are the usual arguments: none or {@code --lab}. */
+    public static boolean isUsual(String... arguments) {
+        return arguments.length == 0 || (arguments.length == 1 && arguments[0].equals("--lab"));
+    }
+
     /**
-     * Returns the command for the usual arguments, none or {@code --lab}, without the parser of command lines: its
-     * classes cannot be in the class-data archive, and loading them delays the window by a third.
+     * Returns the command for the usual arguments, without the parser of command lines: its classes cannot be in the
+     * class-data archive, and loading them delays the window by a third.
      *
      * @return empty for any other arguments
      */
     public static Optional<MajicCommand> usual(UserFolder folder, String... arguments) {
-        boolean lab = List.of(arguments).equals(List.of("--lab"));
-        if (arguments.length > 0 && !lab) {
+        if (!isUsual(arguments)) {
             return Optional.empty();
         }
         MajicCommand command = new MajicCommand(folder);
-        command.start.withLab(lab);
+        command.start.withLab(arguments.length > 0);
         return Optional.of(command);
     }
 

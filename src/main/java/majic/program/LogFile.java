@@ -39,13 +39,17 @@ public final class LogFile extends Handler {
         setErrorManager(new OneSentence());
     }
 
+    /** Chooses the manager of all loggers; must be called before the first logger is created. */
+    public static void useManager() {
+        System.setProperty("java.util.logging.manager", OpenUntilTheEnd.class.getName());
+    }
+
     /**
-     * Logs to this folder from now on; must be called before the first logger is created.
+     * Logs to this folder from now on; must be called after {@link #useManager}.
      *
      * @param level the least level to log, a name such as {@code INFO} or {@code DEBUG}; another text counts as {@code INFO}
      */
     public static void install(Path folder, String level) {
-        System.setProperty("java.util.logging.manager", OpenUntilTheEnd.class.getName());
         Logger root = Logger.getLogger("");
         root.setLevel(level(level));
         root.addHandler(new LogFile(folder, MOST_BYTES));

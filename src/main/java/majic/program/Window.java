@@ -27,7 +27,10 @@ public final class Window {
         this.parser = new MajicParser(program.session(), true);
     }
 
-    /** Begins to load in the background what every window needs; to be called before the program is built. */
+    /**
+     * Begins to load in the background what every window needs; to be called before the program is built. Has no effect
+     * without a display, and when called again.
+     */
     public static void preload() {
         WindowPreloader.start();
     }

@@ -26,7 +26,10 @@ public final class Texts {
     /** Finds the bundle of the package of a class; tests use another function for a while. */
     static volatile BiFunction<Class<?>, Locale, ResourceBundle> bundles = Texts::bundle;
 
-    private static final Map<Key, ResourceBundle> READ = new ConcurrentHashMap<>();
+    /** The bundles that have been read, by package; plug-ins have packages of their own. */
+    private static final Map<Package, ResourceBundle> ENGLISH = new ConcurrentHashMap<>();
+
+    private static final Map<Package, ResourceBundle> GERMAN = new ConcurrentHashMap<>();
 
     private final Class<?> user;
 
@@ -70,28 +73,25 @@ public final class Texts {
     /** Returns the bundle of a package in a language, which is read once. */
     private static ResourceBundle bundle(Class<?> user, Locale language) {
         boolean german = language.getLanguage().equals(Locale.GERMAN.getLanguage());
-        Key key = new Key(user.getClassLoader(), user.getPackageName(), german);
-        ResourceBundle known = READ.get(key);
-        return known == null ? READ.computeIfAbsent(key, made -> made.read(user)) : known;
+        Map<Package, ResourceBundle> read = german ? GERMAN : ENGLISH;
+        ResourceBundle known = read.get(user.getPackage());
+        return known == null ? read.computeIfAbsent(user.getPackage(), made -> read(user, german)) : known;
     }
 
-    /** Tells the bundles apart; plug-ins have class loaders and packages of their own. */
-    private record Key(ClassLoader loader, String in, boolean german) {
-        ResourceBundle read(Class<?> user) {
-            ResourceBundle english = read(user, "Texts.properties", null);
-            if (english == null) {
-                throw new MissingResourceException("there are no texts in " + in, in, "");
-            }
-            ResourceBundle own = german ? read(user, "Texts_de.properties", english) : null;
-            return own == null ? english : own;
+    private static ResourceBundle read(Class<?> user, boolean german) {
+        ResourceBundle english = read(user, "Texts.properties", null);
+        if (english == null) {
+            throw new MissingResourceException("there are no texts in " + user.getPackageName(), user.getName(), "");
         }
+        ResourceBundle own = german ? read(user, "Texts_de.properties", english) : null;
+        return own == null ? english : own;
+    }
 
-        private static @Nullable ResourceBundle read(Class<?> user, String file, @Nullable ResourceBundle otherwise) {
-            try (InputStream bytes = user.getResourceAsStream(file)) {
-                return bytes == null ? null : new Bundle(bytes, otherwise);
-            } catch (IOException e) {
-                throw new UncheckedIOException(file + " of " + user, e);
-            }
+    private static @Nullable ResourceBundle read(Class<?> user, String file, @Nullable ResourceBundle otherwise) {
+        try (InputStream bytes = user.getResourceAsStream(file)) {
+            return bytes == null ? null : new Bundle(bytes, otherwise);
+        } catch (IOException e) {
+            throw new UncheckedIOException(file + " of " + user, e);
         }
     }
 

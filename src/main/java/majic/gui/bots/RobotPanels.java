@@ -23,6 +23,7 @@ import majic.team.Team;
 import majic.team.TeamListener;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The panel of the selected robot, or those of two side by side, above the pad that drives the selected robots. A panel
@@ -47,7 +48,7 @@ public final class RobotPanels extends JPanel implements TeamListener {
     private final CardLayout cards = new CardLayout();
     private final JPanel row = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fill", "", "[fill]"));
     private final JLabel notice = new PlainLabel("panelNotice", "");
-    private final DrivePad pad;
+    private @Nullable DrivePad pad;
     private final transient Map<Member, BotPanel> panels = new HashMap<>();
     private final transient Map<Member, PanelWindow> windows = new HashMap<>();
     private boolean comparing;
@@ -61,25 +62,33 @@ public final class RobotPanels extends JPanel implements TeamListener {
         this.team = team;
         this.selection = selection;
         this.actions = actions;
-        pad = new DrivePad("", actions::showError);
         setLayout(cards);
         setName("robotPanels");
+        add(whenEmpty, EMPTY);
+        selection.addListener(this::showSelection);
+        team.members().forEach(this::added);
+    }
+
+    /** Creates what surrounds the panels; the program starts without a robot, and sooner without this. */
+    private void placePanels() {
+        DrivePad made = new DrivePad("", actions::showError);
         notice.setHorizontalAlignment(SwingConstants.CENTER);
         notice.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
         JPanel robots = new JPanel(new BorderLayout());
         robots.add(notice, BorderLayout.NORTH);
         robots.add(row, BorderLayout.CENTER);
-        robots.add(pad, BorderLayout.SOUTH);
-        add(whenEmpty, EMPTY);
+        robots.add(made, BorderLayout.SOUTH);
         add(robots, ROBOTS);
-        selection.addListener(this::showSelection);
-        team.members().forEach(this::added);
+        pad = made;
     }
 
     /** Adds the panel, in the order of the numbers; it is visible while its robot is selected. */
     @Override
     public void added(Member member) {
         if (team.members().contains(member) && !panels.containsKey(member)) {
+            if (pad == null) {
+                placePanels();
+            }
             panels.put(member, new BotPanel(team, member, actions, this::move, () -> changed(member)));
             dock(member);
             cards.show(this, ROBOTS);
@@ -165,7 +174,9 @@ public final class RobotPanels extends JPanel implements TeamListener {
         });
         notice.setText(notice(chosen, shown));
         notice.setVisible(!notice.getText().isEmpty());
-        pad.choose(chosen);
+        if (pad != null) {
+            pad.choose(chosen);
+        }
         revalidate();
         repaint();
         boolean before = comparing;
@@ -195,7 +206,7 @@ public final class RobotPanels extends JPanel implements TeamListener {
     }
 
     private void changed(Member member) {
-        if (selection.contains(member)) {
+        if (pad != null && selection.contains(member)) {
             pad.update();
         }
         Optional.ofNullable(windows.get(member)).ifPresent(PanelWindow::update);

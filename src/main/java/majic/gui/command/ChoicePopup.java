@@ -6,25 +6,18 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
-import javax.swing.DefaultListModel;
-import javax.swing.JList;
 import javax.swing.JScrollPane;
 import javax.swing.JWindow;
-import javax.swing.ListSelectionModel;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.JTextComponent;
-import majic.gui.kit.CompletionCell;
 import majic.script.help.Completion;
-import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -32,7 +25,6 @@ import org.jspecify.annotations.Nullable;
  * takes the focus. Nothing is chosen until {@link #move} or {@link #choose}. Must be used on the event dispatch thread.
  */
 final class ChoicePopup {
-    private static final Texts TEXTS = Texts.of(ChoicePopup.class);
     private static final int MOST_ROWS = 8;
     private static final int LEAST_ROWS = 4;
     private static final int GAP = 2;
@@ -42,17 +34,8 @@ final class ChoicePopup {
     private static final int LEAST_WIDTH = 45;
 
     private final JTextComponent field;
-    private final DefaultListModel<Completion> entries = new DefaultListModel<>();
-    private final JList<Completion> list = new JList<>(entries) {
-        private static final long serialVersionUID = 1L;
-
-        /** Returns true: a list that is made narrower shortens the explanations. */
-        @Override
-        public boolean getScrollableTracksViewportWidth() {
-            return true;
-        }
-    };
-    private final CompletionCell cell = new CompletionCell();
+    private final Consumer<Completion> clicked;
+    private @Nullable ChoiceList list;
     private @Nullable MessageArea messages;
     private @Nullable JWindow window;
     private boolean chosen;
@@ -64,20 +47,7 @@ final class ChoicePopup {
      */
     ChoicePopup(JTextComponent field, Consumer<Completion> clicked) {
         this.field = field;
-        list.setName("choices");
-        list.getAccessibleContext().setAccessibleName(TEXTS.get("completions"));
-        list.setFocusable(false);
-        list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
-        list.setCellRenderer(cell);
-        list.addMouseListener(new MouseAdapter() {
-            @Override
-            public void mousePressed(MouseEvent event) {
-                int index = list.locationToIndex(event.getPoint());
-                if (index >= 0 && !entries.get(index).isHint()) {
-                    clicked.accept(entries.get(index));
-                }
-            }
-        });
+        this.clicked = clicked;
     }
 
     /** Keeps the newest messages in view while the list is above the field. */
@@ -101,28 +71,33 @@ final class ChoicePopup {
             return;
         }
         chosen = false;
-        entries.clear();
-        entries.addAll(choices);
-        cell.measure(choices, field.getFont());
-        list.setFixedCellHeight(cell.getPreferredSize().height);
-        list.setFixedCellWidth(cell.getPreferredSize().width);
-        list.setVisibleRowCount(Math.min(rows(list.getFixedCellHeight()), choices.size()));
-        list.clearSelection();
-        list.ensureIndexIsVisible(0);
-        JWindow shown = window(owner);
+        ChoiceList shownList = list();
+        shownList.show(choices, field.getFont());
+        shownList.setVisibleRowCount(Math.min(rows(shownList.getFixedCellHeight()), choices.size()));
+        JWindow shown = window(owner, shownList);
         shown.pack();
-        place(shown, index);
+        place(shown, index, MOST_ROWS * shownList.getFixedCellHeight());
         shown.setVisible(true);
     }
 
-    private JWindow window(Window owner) {
+    /** Returns the list, which is created for the first entries, because the start of the program need not wait for it. */
+    private ChoiceList list() {
+        ChoiceList made = list;
+        if (made == null) {
+            made = new ChoiceList(clicked);
+            list = made;
+        }
+        return made;
+    }
+
+    private JWindow window(Window owner, ChoiceList content) {
         JWindow made = window;
         if (made == null || made.getOwner() != owner) {
             made = new JWindow(owner);
             made.setName("choicesWindow");
             made.setType(Window.Type.POPUP);
             made.setFocusableWindowState(false);
-            JScrollPane pane = new JScrollPane(list);
+            JScrollPane pane = new JScrollPane(content);
             pane.setHorizontalScrollBarPolicy(JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
             pane.setBorder(BorderFactory.createLineBorder(UIManager.getColor("Component.borderColor")));
             made.setContentPane(pane);
@@ -137,7 +112,7 @@ final class ChoicePopup {
         return above == null ? MOST_ROWS : Math.max(LEAST_ROWS, Math.min(MOST_ROWS, above.getHeight() / rowHeight));
     }
 
-    private void place(Window shown, int index) {
+    private void place(Window shown, int index, int largestHeight) {
         Point corner = field.getLocationOnScreen();
         Rectangle screen = screen(field.getGraphicsConfiguration());
         int width = Math.min(shown.getWidth(), screen.width);
@@ -146,7 +121,7 @@ final class ChoicePopup {
         int y = corner.y + field.getHeight() + GAP;
         if (y + height > screen.y + screen.height) {
             y = corner.y - GAP - height;
-            x = Math.max(x, besideMessages());
+            x = Math.max(x, besideMessages(largestHeight));
             int right = Math.min(screen.x + screen.width, corner.x + field.getWidth());
             width = Math.min(width, Math.max(right - x, leastWidth()));
             x = Math.min(x, right - width);
@@ -155,12 +130,12 @@ final class ChoicePopup {
     }
 
     /** Returns where on the screen no text of the messages that the largest list would cover is any more. */
-    private int besideMessages() {
+    private int besideMessages(int largestHeight) {
         MessageArea above = messages;
         if (above == null || !above.isShowing()) {
             return 0;
         }
-        return above.getLocationOnScreen().x + above.textEnd(MOST_ROWS * list.getFixedCellHeight()) + BESIDE;
+        return above.getLocationOnScreen().x + above.textEnd(largestHeight) + BESIDE;
     }
 
     private int leastWidth() {
@@ -201,12 +176,12 @@ final class ChoicePopup {
      * @return false if there is none to choose
      */
     boolean move(int step) {
-        int last = entries.size() - 1;
-        while (last >= 0 && entries.get(last).isHint()) {
-            last--;
+        if (!isShowing()) {
+            return false;
         }
-        int index = (chosen ? list.getSelectedIndex() : -1) + step;
-        if (!isShowing() || last < 0 || index < -1) {
+        int last = list().lastChoice();
+        int index = (chosen ? list().getSelectedIndex() : -1) + step;
+        if (last < 0 || index < -1) {
             return false;
         }
         choose(Math.min(index, last));
@@ -222,15 +197,11 @@ final class ChoicePopup {
     /** Shows which entry stands in the field, without choosing it. */
     void highlight(int index) {
         chosen = false;
-        list.clearSelection();
-        if (index >= 0 && index < entries.size()) {
-            list.setSelectedIndex(index);
-            list.ensureIndexIsVisible(index);
-        }
+        list().select(index);
     }
 
     /** Returns the chosen entry. */
     Optional<Completion> chosen() {
-        return isShowing() && chosen ? Optional.ofNullable(list.getSelectedValue()) : Optional.empty();
+        return isShowing() && chosen ? Optional.ofNullable(list().getSelectedValue()) : Optional.empty();
     }
 }

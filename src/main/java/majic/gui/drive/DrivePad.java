@@ -61,7 +61,6 @@ public final class DrivePad extends JPanel {
         placeArrows();
         listen();
         showState(false);
-        update();
     }
 
     /** Chooses the robots to drive; those that are driven at the moment and are not among them stop. */
