@@ -9,6 +9,7 @@ import java.nio.file.AccessDeniedException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.concurrent.TimeoutException;
+import org.jspecify.annotations.Nullable;
 
 /** A robot could not be connected. Nothing was moved, and nothing stays open. */
 public class ConnectFailed extends BotException {
@@ -52,9 +53,9 @@ public class ConnectFailed extends BotException {
      *
      * @param reason the kind of failure
      * @param message what went wrong and what to try
-     * @param cause the exception of the system
+     * @param cause the exception of the system; null if there is none
      */
-    public ConnectFailed(Reason reason, String message, Throwable cause) {
+    public ConnectFailed(Reason reason, String message, @Nullable Throwable cause) {
         super(message, cause);
         this.reason = reason;
     }

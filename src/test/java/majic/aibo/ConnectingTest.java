@@ -2,8 +2,10 @@ package majic.aibo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -22,6 +24,16 @@ class ConnectingTest {
     void aConnectionClosedBeforeTheBannerIsReported(int connection) {
         refusedThenConnected(
                 connection, ScriptedDog.Trouble.HANGS_UP, expected(connection, "closed the connection at once"));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, 1, 2})
+    void aDogWithoutRoomForAllConnectionsIsBusy(int connection) {
+        dog.trouble(connection, ScriptedDog.Trouble.HANGS_UP);
+
+        ConnectFailed failure = catchThrowableOfType(ConnectFailed.class, aibo::connect);
+
+        assertThat(failure.reason()).isEqualTo(ConnectFailed.Reason.BUSY);
     }
 
     @ParameterizedTest

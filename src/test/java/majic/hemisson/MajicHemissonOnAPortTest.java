@@ -2,13 +2,16 @@ package majic.hemisson;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.util.List;
 import majic.bot.BotAddress;
-import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
+import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
+import majic.pioneer.MajicPioneer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -61,13 +64,19 @@ class MajicHemissonOnAPortTest {
 
     @Test
     void aSecondDriverFailsBecauseThePortIsInUse() {
-        try (MajicHemisson second = new MajicHemisson("hemisson:" + robot.name())) {
-            assertThatThrownBy(second::connect)
-                    .isInstanceOf(BotException.class)
-                    .hasMessageContaining("does another program use it?");
-        }
+        assertFindsThePortBusy(new MajicHemisson("hemisson:" + robot.name()));
+        assertFindsThePortBusy(new MajicPioneer("pioneer:" + robot.name()));
         bot.move(5);
         assertThat(bot.isConnected()).isTrue();
+    }
+
+    private static void assertFindsThePortBusy(MajicBot second) {
+        try (second) {
+            ConnectFailed failure = catchThrowableOfType(ConnectFailed.class, second::connect);
+
+            assertThat(failure.reason()).isEqualTo(ConnectFailed.Reason.BUSY);
+            assertThat(failure).hasMessageContaining("does another program use it?");
+        }
     }
 
     @Test

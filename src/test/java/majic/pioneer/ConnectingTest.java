@@ -2,9 +2,11 @@ package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
 
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.bot.MajicBot;
 import org.junit.jupiter.api.Test;
 
@@ -144,7 +146,10 @@ class ConnectingTest {
         ScriptedPioneer robot = ScriptedPioneer.robot();
         robot.hangsUpAtSync = true;
         try (PioneerRig stage = new PioneerRig(robot)) {
-            assertThatThrownBy(stage.bot::connect).hasMessageContaining("one program at a time");
+            ConnectFailed failure = catchThrowableOfType(ConnectFailed.class, stage.bot::connect);
+
+            assertThat(failure.reason()).isEqualTo(ConnectFailed.Reason.BUSY);
+            assertThat(failure).hasMessageContaining("one program at a time");
         }
     }
 

@@ -78,29 +78,39 @@ public final class AiboConnections implements UrbiConnection.Owner {
             connection.open(OPEN_TIMEOUT_MS);
             waiting.awaitConnecting(() -> connection.isIdentified() || connection.isEnded(), IDENT_TIMEOUT_S);
         } catch (IOException e) {
-            throw ConnectFailed.of(
-                    e, refusal(e.getMessage() + "; is the dog on, in the network, and URBI on its stick?"));
+            throw granted() > 0
+                    ? tooFew(e)
+                    : ConnectFailed.of(e, e.getMessage() + "; is the dog on, in the network, and URBI on its stick?");
         }
-        if (connection.isEnded()) {
-            throw new ConnectFailed(
-                    Reason.BUSY,
-                    refusal("the dog closed the connection at once; are there too many clients connected to it?"));
-        }
-        if (!connection.isIdentified()) {
-            throw new ConnectFailed(
-                    Reason.WRONG_DEVICE,
-                    refusal("something answers there, but not as an URBI server within " + (int) IDENT_TIMEOUT_S
-                            + " s; is this the dog, and is 54000 the right port?"));
+        if (connection.isEnded() || !connection.isIdentified()) {
+            throw granted() > 0 ? tooFew(null) : refusal(connection);
         }
     }
 
+    private long granted() {
+        return all().stream().filter(UrbiConnection::isIdentified).count();
+    }
+
     /** If the dog has identified itself on one connection, the address is right, but the dog has no room for another client. */
-    private String refusal(String otherwise) {
-        long granted = all().stream().filter(UrbiConnection::isIdentified).count();
-        return granted == 0
-                ? otherwise
-                : "the dog grants only " + granted + " of the three connections that it takes to drive and stop it; "
-                        + "end other programs that use it, or restart it";
+    private ConnectFailed tooFew(@Nullable IOException cause) {
+        return new ConnectFailed(
+                Reason.BUSY,
+                "the dog grants only " + granted() + " of the three connections that it takes to drive and stop it; "
+                        + "end other programs that use it, or restart it",
+                cause);
+    }
+
+    private static ConnectFailed refusal(UrbiConnection connection) {
+        String said = connection.foreignText();
+        if (connection.isEnded() && said == null) {
+            return new ConnectFailed(
+                    Reason.BUSY, "the dog closed the connection at once; are there too many clients connected to it?");
+        }
+        return new ConnectFailed(
+                Reason.WRONG_DEVICE,
+                "something answers there, but not as an URBI server within " + (int) IDENT_TIMEOUT_S + " s"
+                        + (said == null ? "" : "; it says \"" + said + "\"")
+                        + "; is this the dog, and is 54000 the right port?");
     }
 
     /**

@@ -6,7 +6,9 @@ import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import majic.bot.LinkLost;
+import majic.driver.FirstBytes;
 import majic.driver.RobotWait;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One connection to an URBI server: writes commands, passes each answer to its request, and all other messages to the
@@ -32,6 +34,7 @@ public final class UrbiConnection {
     private final Owner owner;
     private final RobotWait waiting;
     private final PendingRequests pending = new PendingRequests();
+    private final FirstBytes foreign = new FirstBytes();
     private volatile boolean identified;
     private volatile boolean ended;
     private volatile boolean endExpected;
@@ -79,6 +82,11 @@ public final class UrbiConnection {
     }
 
     private void handleUnasked(UrbiMessage message) {
+        if (message.body() instanceof UrbiMessage.Continued line
+                && message.tag().equals(UrbiMessage.NO_TAG)) {
+            byte[] text = (line.text() + "\n").getBytes(StandardCharsets.ISO_8859_1);
+            foreign.received(text, text.length);
+        }
         if (message.tag().equals("start") && message.body() instanceof UrbiMessage.Info line) {
             version = UrbiVersion.of(line.text(), version);
         }
@@ -198,6 +206,12 @@ public final class UrbiConnection {
 
     boolean isIdentified() {
         return identified;
+    }
+
+    /** The first line of text that came before any message of an URBI server; null if there is none. */
+    @Nullable
+    String foreignText() {
+        return foreign.line();
     }
 
     public boolean isEnded() {

@@ -37,10 +37,7 @@ public final class Handshake {
         Reply version = ask(Question.VERSION);
         refuseDeadLine();
         if (version == null) {
-            throw new ConnectFailed(
-                    Reason.NO_ANSWER,
-                    "no Hemisson answered, though asked twice; one that has gone deaf hears again when it was off: switch it off, wait 5 s, switch it on. "
-                            + "Or is it another port, or the robot off, or in the Pgm position?");
+            throw noVersion();
         }
         Reply switches = ask(Question.SWITCHES);
         Reply speeds = ask(Question.SPEEDS);
@@ -108,15 +105,50 @@ public final class Handshake {
 
     private void refuseDeadLine() {
         if (session.isClosed()) {
-            String end = session.end();
-            throw new BotException(end == null ? "closed while connecting" : "the connection was lost at once: " + end);
+            throw closed();
         }
-        if (session.isTelnet()) {
+        if (session.firstBytes().isTelnet()) {
             throw new ConnectFailed(
                     Reason.WRONG_DEVICE,
                     "what answers there speaks telnet (RFC 2217), not a raw serial line; can the serial server be set to "
                             + "raw TCP?");
         }
+    }
+
+    private BotException closed() {
+        String end = session.end();
+        if (end == null) {
+            return new BotException("closed while connecting");
+        }
+        if (!session.isOnNetwork()) {
+            return new BotException("the connection was lost at once: " + end);
+        }
+        return session.firstBytes().isWebServer() ? wrongDevice() : busy(end);
+    }
+
+    private ConnectFailed busy(String end) {
+        String line = session.firstBytes().line();
+        return new ConnectFailed(
+                Reason.BUSY,
+                "the connection was lost at once: " + end + (line == null ? "" : ", saying \"" + line + "\"")
+                        + "; is another program connected to it?");
+    }
+
+    private ConnectFailed noVersion() {
+        if (session.firstBytes().line() != null && !session.isRecognised()) {
+            return wrongDevice();
+        }
+        return new ConnectFailed(
+                Reason.NO_ANSWER,
+                "no Hemisson answered, though asked twice; one that has gone deaf hears again when it was off: switch it off, wait 5 s, switch it on. "
+                        + "Or is it another port, or the robot off, or in the Pgm position?");
+    }
+
+    private ConnectFailed wrongDevice() {
+        return new ConnectFailed(
+                Reason.WRONG_DEVICE,
+                "something answers there, but not as a Hemisson does; it says \""
+                        + session.firstBytes().line() + "\"; is it the right port?");
     }
 
     /** Asks again if the robot was switched on in between. */
@@ -137,7 +169,10 @@ public final class Handshake {
 
     private boolean await(BooleanSupplier condition) {
         return waiting.awaitConnecting(
-                () -> condition.getAsBoolean() || session.isClosed() || session.isTelnet(), timeoutSeconds());
+                () -> condition.getAsBoolean()
+                        || session.isClosed()
+                        || session.firstBytes().isTelnet(),
+                timeoutSeconds());
     }
 
     /** Long enough for both tries and the pause between them, seconds. */

@@ -1,8 +1,8 @@
 package majic.hemisson.line;
 
 import java.io.IOException;
-import java.util.List;
 import java.util.function.Consumer;
+import majic.driver.FirstBytes;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
 import majic.link.Link;
@@ -15,9 +15,10 @@ public final class HemissonSession {
     private final ConversationListener listener;
     private final Conversation conversation;
     private final LineTimes times;
+    private final FirstBytes firstBytes = new FirstBytes();
     private volatile boolean closed;
     private volatile @Nullable String end;
-    private volatile boolean telnet;
+    private volatile boolean recognised;
 
     HemissonSession(Link link, TimeSource time, ConversationListener listener) {
         this.link = link;
@@ -39,9 +40,19 @@ public final class HemissonSession {
         return times.answerSeconds();
     }
 
-    /** Whether the peer negotiates telnet options, so that what it sends is no raw serial line. */
-    boolean isTelnet() {
-        return telnet;
+    /** The first bytes received, from which another device can be identified. */
+    FirstBytes firstBytes() {
+        return firstBytes;
+    }
+
+    /** Whether a line was received as a Hemisson sends it. */
+    boolean isRecognised() {
+        return recognised;
+    }
+
+    /** Whether the robot is behind a serial server, not at a port of this computer. */
+    boolean isOnNetwork() {
+        return link.address().startsWith("tcp:");
     }
 
     public boolean isClosed() {
@@ -67,14 +78,15 @@ public final class HemissonSession {
         @Override
         public void decode(byte[] bytes, int count, Consumer<String> messages) {
             conversation.bytesReceived();
-            List<String> lines = decoder.feed(bytes, count);
-            telnet = decoder.isTelnet();
-            lines.forEach(messages);
+            firstBytes.received(bytes, count);
+            decoder.feed(bytes, count).forEach(messages);
         }
 
         @Override
         public void received(String line) {
-            conversation.received(Reply.of(line));
+            Reply reply = Reply.of(line);
+            recognised |= reply.kind() != Reply.Kind.OTHER;
+            conversation.received(reply);
         }
 
         @Override

@@ -12,16 +12,9 @@ final class ReplyDecoder {
     /** The longest reply there is, a full camera reading, has 411 characters (sheet 9). */
     static final int LONGEST = 1024;
 
-    private static final int TELNET_IAC = 0xFF;
-    private static final int TELNET_WILL = 0xFB;
-    private static final int TELNET_DONT = 0xFE;
-
     private final byte[] line = new byte[LONGEST];
     private int length;
     private boolean tooLong;
-    private long seen;
-    private boolean startsWithIac;
-    private boolean telnet;
 
     /**
      * Takes in what arrived.
@@ -31,7 +24,6 @@ final class ReplyDecoder {
     List<String> feed(byte[] bytes, int count) {
         List<String> lines = new ArrayList<>();
         for (int index = 0; index < count; index++) {
-            lookForTelnet(bytes[index] & 0xFF);
             if (bytes[index] == '\n') {
                 complete(lines);
             } else {
@@ -39,20 +31,6 @@ final class ReplyDecoder {
             }
         }
         return lines;
-    }
-
-    /** Whether the first bytes were a telnet negotiation, as an RFC 2217 serial server begins with. */
-    boolean isTelnet() {
-        return telnet;
-    }
-
-    private void lookForTelnet(int value) {
-        if (seen == 0) {
-            startsWithIac = value == TELNET_IAC;
-        } else if (seen == 1) {
-            telnet = startsWithIac && value >= TELNET_WILL && value <= TELNET_DONT;
-        }
-        seen++;
     }
 
     private void append(byte value) {

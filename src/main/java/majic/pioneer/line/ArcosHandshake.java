@@ -4,6 +4,7 @@ import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
+import majic.driver.FirstBytes;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PioneerIdentity;
@@ -69,7 +70,13 @@ public final class ArcosHandshake {
         if (closedASession) {
             return new SessionClosed(line.address() + " closed the connection with the session left open on it", cause);
         }
-        return new ConnectFailed(Reason.BUSY, ConnectErrors.hungUp(line.address(), line.firstBytes()), cause);
+        FirstBytes received = line.firstBytes();
+        return received.isWebServer()
+                ? new ConnectFailed(
+                        Reason.WRONG_DEVICE,
+                        ConnectErrors.nothingCameOfIt(line.address(), received, (int) limitS),
+                        cause)
+                : new ConnectFailed(Reason.BUSY, ConnectErrors.hungUp(line.address(), received), cause);
     }
 
     /**

@@ -6,6 +6,7 @@ import java.lang.System.Logger.Level;
 import java.util.function.Consumer;
 import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
+import majic.driver.FirstBytes;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
 import majic.link.Link;

@@ -1,5 +1,7 @@
 package majic.pioneer.line;
 
+import majic.driver.FirstBytes;
+
 /** Messages about a handshake that failed, by what was received instead of a Pioneer's answers. */
 final class ConnectErrors {
     private ConnectErrors() {}

@@ -45,25 +45,6 @@ class ReplyDecoderTest {
         assertThat(decode("&\u0000\u0003\u00ff\rz\r\n", 1)).containsExactly("&\u0000\u0003\u00ff\rz");
     }
 
-    @Test
-    void aTelnetPeerIsRecognisedByItsFirstBytes() {
-        ReplyDecoder decoder = new ReplyDecoder();
-
-        decoder.feed(new byte[] {(byte) 0xFF}, 1);
-        decoder.feed(new byte[] {(byte) 0xFB, 0x2C}, 2);
-
-        assertThat(decoder.isTelnet()).isTrue();
-    }
-
-    @Test
-    void laterTelnetBytesAreNoise() {
-        ReplyDecoder decoder = new ReplyDecoder();
-
-        decoder.feed(new byte[] {'d', '\r', '\n', (byte) 0xFF, (byte) 0xFB}, 5);
-
-        assertThat(decoder.isTelnet()).isFalse();
-    }
-
     private static List<String> decode(String text, int chunkSize) {
         byte[] wire = text.getBytes(StandardCharsets.ISO_8859_1);
         ReplyDecoder decoder = new ReplyDecoder();

@@ -1,4 +1,4 @@
-package majic.pioneer.line;
+package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -61,6 +61,24 @@ class FirstBytesTest {
     void aPacketIsNoTelnetNegotiation() {
         receive(SYNC0);
         assertThat(words.isTelnet()).isFalse();
+    }
+
+    @Test
+    void telnetBytesBehindOthersAreNoNegotiation() {
+        receive(new byte[] {'d', '\r', '\n', (byte) 0xFF, (byte) 0xFB});
+        assertThat(words.isTelnet()).isFalse();
+    }
+
+    @Test
+    void anAnswerOfAWebServerIsRecognised() {
+        receive(WEB_SERVER.getBytes(StandardCharsets.US_ASCII));
+        assertThat(words.isWebServer()).isTrue();
+    }
+
+    @Test
+    void otherTextIsNoWebServers() {
+        receive("Port already in use\r\n".getBytes(StandardCharsets.US_ASCII));
+        assertThat(words.isWebServer()).isFalse();
     }
 
     private void receive(byte[] bytes) {

@@ -1,10 +1,13 @@
-package majic.pioneer.line;
+package majic.driver;
 
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
-/** The first bytes received on a line, from which a device that is no Pioneer can be identified. Thread-safe. */
-final class FirstBytes {
+/**
+ * The first bytes received on a link, from which a device of another kind than the expected robot can be identified.
+ * Thread-safe.
+ */
+public final class FirstBytes {
     private static final int MOST = 400;
     private static final int LONGEST_LINE = 80;
 
@@ -18,24 +21,56 @@ final class FirstBytes {
     private final byte[] bytes = new byte[MOST];
     private int filled;
 
-    /** Adds received bytes; called by the reader thread. */
-    synchronized void received(byte[] chunk, int count) {
+    /** Creates an empty record. */
+    public FirstBytes() {}
+
+    /**
+     * Adds received bytes; for the reader thread.
+     *
+     * @param chunk the bytes
+     * @param count how many of them were received
+     */
+    public synchronized void received(byte[] chunk, int count) {
         int taken = Math.min(count, MOST - filled);
         System.arraycopy(chunk, 0, bytes, filled, taken);
         filled += taken;
     }
 
-    synchronized boolean isEmpty() {
+    /**
+     * Returns whether nothing was received.
+     *
+     * @return true until the first byte
+     */
+    public synchronized boolean isEmpty() {
         return filled == 0;
     }
 
-    /** Whether they begin a telnet negotiation, as those of an RFC 2217 serial server do. */
-    synchronized boolean isTelnet() {
+    /**
+     * Returns whether the bytes begin a telnet negotiation, as those of an RFC 2217 serial server do: what follows is no
+     * raw serial line.
+     *
+     * @return true if they do
+     */
+    public synchronized boolean isTelnet() {
         return filled >= 2 && at(0) == TELNET_IAC && at(1) >= TELNET_WILL && at(1) <= TELNET_DONT;
     }
 
-    /** The first line of readable text, cut to 80 characters; null if there is none. */
-    synchronized @Nullable String line() {
+    /**
+     * Returns whether the bytes are the answer of a web server.
+     *
+     * @return true if they are
+     */
+    public boolean isWebServer() {
+        String line = line();
+        return line != null && line.startsWith("HTTP/");
+    }
+
+    /**
+     * Returns the first line of readable text.
+     *
+     * @return the line, cut to 80 characters; null if there is none
+     */
+    public synchronized @Nullable String line() {
         return new String(bytes, 0, filled, StandardCharsets.ISO_8859_1)
                 .lines()
                 .map(String::strip)
