@@ -14,10 +14,12 @@ public final class Faults {
     private final Noise noise;
     private final List<Runnable> watchers = new CopyOnWriteArrayList<>();
     private final List<Runnable> cutters = new CopyOnWriteArrayList<>();
+    private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private volatile double delayMs;
     private volatile double garbleProbability;
     private volatile boolean halving;
     private volatile boolean readingStopped;
+    private volatile boolean unreachable;
     private volatile long outageUntilNanos = Long.MIN_VALUE;
     private volatile double jitterFromMs;
     private volatile double jitterToMs;
@@ -36,6 +38,18 @@ public final class Faults {
     /** Cuts all present lines; what was not delivered is lost. New lines are accepted. A pseudo-terminal loses bytes and stays open. */
     public void cut() {
         cutters.forEach(Runnable::run);
+    }
+
+    /**
+     * Cuts all present lines and refuses new ones, as a robot does that is switched off. {@link #none()} brings it back at the
+     * same ports. A pseudo-terminal stays open and loses all bytes meanwhile. Do not call it, nor {@link #none()}, with
+     * the lab's lock held.
+     */
+    public void unreachable() {
+        unreachable = true;
+        cut();
+        changed();
+        listeners.forEach(Runnable::run);
     }
 
     /**
@@ -102,13 +116,23 @@ public final class Faults {
         halving = false;
         readingStopped = false;
         outageUntilNanos = Long.MIN_VALUE;
+        boolean returns = unreachable;
+        unreachable = false;
         changed();
+        if (returns) {
+            listeners.forEach(Runnable::run);
+        }
     }
 
     /** A port that is notified when reading stops or continues, and when its lines are to be cut. */
     void attach(Runnable watcher, Runnable cutter) {
         watchers.add(watcher);
         cutters.add(cutter);
+    }
+
+    /** A port that closes its listener while the robot is unreachable; the action waits until that is so. */
+    void attachListener(Runnable await) {
+        listeners.add(await);
     }
 
     void tick(long nowNanos) {
@@ -125,6 +149,10 @@ public final class Faults {
 
     boolean isReading() {
         return !readingStopped && !isOutage();
+    }
+
+    boolean isReachable() {
+        return !unreachable;
     }
 
     boolean isOutage() {

@@ -41,7 +41,7 @@ abstract class RobotLine implements Line {
 
     @Override
     public final void send(byte[] message) {
-        if (isOpen() && message.length > 0) {
+        if (isOpen() && message.length > 0 && wiring.faults().isReachable()) {
             out.enter(message);
         }
     }
@@ -65,7 +65,9 @@ abstract class RobotLine implements Line {
     final void receive(byte[] bytes) {
         wiring.lock().lock();
         try {
-            in.enter(bytes);
+            if (wiring.faults().isReachable()) {
+                in.enter(bytes);
+            }
         } catch (RuntimeException e) {
             LOG.log(Level.ERROR, "the simulated robot could not deal with what " + peer + " sent", e);
         } finally {

@@ -1,25 +1,21 @@
 package majicsim.net;
 
 import java.io.IOException;
-import java.lang.System.Logger.Level;
-import java.net.InetAddress;
-import java.net.InetSocketAddress;
-import java.nio.channels.ServerSocketChannel;
+import java.nio.channels.Selector;
 import java.util.List;
 
 /** A TCP port on loopback behind which a firmware listens; served by one daemon thread. */
 public final class TcpPort implements Port {
-    private static final System.Logger LOG = System.getLogger(TcpPort.class.getName());
     private static final int JOIN_MS = 1000;
 
-    private final ServerSocketChannel server;
+    private final int number;
     private final TcpService service;
     private final Thread thread;
 
-    private TcpPort(ServerSocketChannel server, TcpService service) {
-        this.server = server;
+    private TcpPort(int number, TcpService service) {
+        this.number = number;
         this.service = service;
-        this.thread = new Thread(service, "lab-port-" + server.socket().getLocalPort());
+        this.thread = new Thread(service, "lab-port-" + number);
         thread.setDaemon(true);
     }
 
@@ -33,15 +29,14 @@ public final class TcpPort implements Port {
      * @throws IOException if the port is taken ({@link java.net.BindException}) or cannot be opened
      */
     public static TcpPort open(int port, Clients clients, Wiring wiring) throws IOException {
-        ServerSocketChannel server = ServerSocketChannel.open();
+        Selector selector = Selector.open();
         try {
-            server.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port));
-            server.configureBlocking(false);
-            TcpPort opened = new TcpPort(server, new TcpService(server, clients, wiring));
+            TcpListener listener = TcpListener.open(port, selector);
+            TcpPort opened = new TcpPort(listener.port(), new TcpService(selector, listener, clients, wiring));
             opened.thread.start();
             return opened;
         } catch (IOException e) {
-            server.close();
+            selector.close();
             throw e;
         }
     }
@@ -52,12 +47,12 @@ public final class TcpPort implements Port {
      * @return 1 to 65535
      */
     public int number() {
-        return server.socket().getLocalPort();
+        return number;
     }
 
     @Override
     public String address() {
-        return "127.0.0.1:" + number();
+        return "127.0.0.1:" + number;
     }
 
     @Override
@@ -72,12 +67,7 @@ public final class TcpPort implements Port {
 
     @Override
     public void close() {
-        try {
-            server.close();
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "closing {0}: {1}", thread.getName(), e.getMessage());
-        }
-        service.wakeup();
+        service.end();
         try {
             thread.join(JOIN_MS);
         } catch (InterruptedException e) {

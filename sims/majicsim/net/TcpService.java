@@ -5,7 +5,6 @@ import java.lang.System.Logger.Level;
 import java.nio.ByteBuffer;
 import java.nio.channels.SelectionKey;
 import java.nio.channels.Selector;
-import java.nio.channels.ServerSocketChannel;
 import java.nio.channels.SocketChannel;
 import java.util.ArrayList;
 import java.util.List;
@@ -18,20 +17,21 @@ import java.util.concurrent.CopyOnWriteArrayList;
 final class TcpService implements Runnable {
     private static final System.Logger LOG = System.getLogger(TcpService.class.getName());
 
-    private final ServerSocketChannel server;
     private final Selector selector;
+    private final TcpListener listener;
     private final Clients clients;
     private final Wiring wiring;
     private final List<TcpLine> lines = new CopyOnWriteArrayList<>();
     private final ByteBuffer chunk = ByteBuffer.allocate(4096);
+    private volatile boolean ended;
 
-    TcpService(ServerSocketChannel server, Clients clients, Wiring wiring) throws IOException {
-        this.server = server;
+    TcpService(Selector selector, TcpListener listener, Clients clients, Wiring wiring) {
+        this.selector = selector;
+        this.listener = listener;
         this.clients = clients;
         this.wiring = wiring;
-        this.selector = Selector.open();
-        server.register(selector, SelectionKey.OP_ACCEPT);
-        wiring.faults().attach(selector::wakeup, this::cutAll);
+        wiring.faults().attach(this::wakeup, this::cutAll);
+        wiring.faults().attachListener(this::awaitListening);
     }
 
     void step(long labNanos) {
@@ -56,16 +56,31 @@ final class TcpService implements Runnable {
         selector.wakeup();
     }
 
+    /** Ends the thread, which closes everything. */
+    void end() {
+        ended = true;
+        wakeup();
+    }
+
+    private void awaitListening() {
+        if (!ended) {
+            wakeup();
+            listener.awaitListening(wiring.faults().isReachable());
+        }
+    }
+
     @Override
     public void run() {
         try (Selector open = selector) {
-            while (server.isOpen()) {
+            while (!ended) {
+                listener.listen(wiring.faults().isReachable());
                 lines.forEach(this::setInterest);
                 open.select();
                 readAndWrite();
                 endThoseThatAreOver();
                 acceptAll();
             }
+            listener.close();
         } catch (IOException e) {
             LOG.log(Level.WARNING, "a port of the lab is lost: {0}", e.getMessage());
         } finally {
@@ -133,12 +148,10 @@ final class TcpService implements Runnable {
 
     private void acceptAll() throws IOException {
         makePlace();
-        while (server.isOpen()) {
-            SocketChannel channel = server.accept();
-            if (channel == null) {
-                return;
-            }
-            if (isTaken()) {
+        for (SocketChannel channel = listener.accept(); channel != null; channel = listener.accept()) {
+            if (!wiring.faults().isReachable()) {
+                channel.close();
+            } else if (isTaken()) {
                 LOG.log(Level.INFO, "a second client is turned away: {0}", channel.getRemoteAddress());
                 channel.close();
             } else {

@@ -89,6 +89,22 @@ class PtyPortTest {
     }
 
     @Test
+    void anUnreachableRobotLosesWhatItIsSent() throws IOException {
+        exchange("a", 5);
+        faults.unreachable();
+        try (FileOutputStream out = new FileOutputStream(opened.orElseThrow().address())) {
+            out.write('b');
+        }
+        while (opened.orElseThrow().lines().get(0).consumed() < 2) {
+            Thread.onSpinWait();
+        }
+
+        faults.none();
+
+        assertThat(exchange("c", 3)).isEqualTo("[c]");
+    }
+
+    @Test
     void closingEndsTheLine() {
         opened.orElseThrow().close();
         assertThat(firmware.events).endsWith("disconnected");

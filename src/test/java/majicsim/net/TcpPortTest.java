@@ -5,6 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.net.BindException;
+import java.net.ConnectException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
 import java.util.List;
 import java.util.concurrent.locks.ReentrantLock;
 import majicsim.world.Noise;
@@ -116,6 +120,45 @@ class TcpPortTest {
         }
         awaitEvent("disconnected");
         assertThat(port.lines()).isEmpty();
+    }
+
+    @Test
+    void anUnreachableRobotRefusesClientsAndComesBackAtTheSamePort() throws Exception {
+        try (Client before = new Client(port.address())) {
+            before.read(2);
+            faults.unreachable();
+            assertThatThrownBy(before::readAll).isInstanceOf(IOException.class);
+        }
+        assertThatThrownBy(() -> new Client(port.address())).isInstanceOf(ConnectException.class);
+
+        faults.none();
+
+        try (Client after = new Client(port.address())) {
+            assertThat(after.read(2)).isEqualTo("hi");
+        }
+    }
+
+    @Test
+    void anUnreachableRobotKeepsItsPort() throws IOException {
+        faults.unreachable();
+
+        try (ServerSocket other = new ServerSocket()) {
+            other.setReuseAddress(false);
+            assertThatThrownBy(() -> other.bind(new InetSocketAddress(InetAddress.getLoopbackAddress(), port.number())))
+                    .isInstanceOf(BindException.class);
+        }
+    }
+
+    @Test
+    void aPortClosesWhileTheRobotIsUnreachable() throws IOException {
+        TcpPort other = open(Clients.ONE);
+        faults.unreachable();
+
+        other.close();
+
+        try (TcpPort again = TcpPort.open(other.number(), Clients.ONE, new Wiring(lock, firmware, faults))) {
+            assertThat(again.number()).isEqualTo(other.number());
+        }
     }
 
     @Test
