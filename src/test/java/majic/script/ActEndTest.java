@@ -157,6 +157,21 @@ class ActEndTest {
         System.setProperty("deaf.hears", "now");
     }
 
+    @Test
+    void actOffIsAnsweredOnceThoughAStopEndsTheWaitForTheAct() throws Exception {
+        driver.standAfter(1);
+        fixture.prompt.parseText("1 act " + file("repeat", "me move 100", "end"));
+        fixture.pause(3);
+        MajicParser pipe = new MajicParser(fixture.session, false);
+        pipe.parseText("1 act off");
+        fixture.pause(0.2);
+        fixture.prompt.parseText("stop");
+        pipe.awaitAll();
+        assertThat(fixture.answers())
+                .filteredOn(line -> line.startsWith("1 act off:"))
+                .containsExactly("1 act off: done");
+    }
+
     /** The file of an act that pays no attention to anything until a property is set, and waits on no clock. */
     private String deaf() throws IOException {
         System.clearProperty("deaf.hears");

@@ -302,11 +302,14 @@ public class Execution {
         return ready;
     }
 
-    /** As {@link #runNow}; in a pipe or script the next command waits for the answers. */
+    /**
+     * As {@link #runNow}; in a pipe or script the next command waits for the answers. If a stop ends the wait, the commands
+     * are still answered, so this line is not.
+     */
     public final void runToEnd(List<Member> members, Function<Member, QueuedCommand> commands) {
         List<QueuedCommand> begun = runNow(members, commands);
         if (manner == Manner.IN_TURN) {
-            await(() -> begun.stream().allMatch(QueuedCommand::hasEnded), Double.POSITIVE_INFINITY);
+            awaitOrEnd(() -> begun.stream().allMatch(QueuedCommand::hasEnded), Double.POSITIVE_INFINITY);
         }
     }
 
@@ -349,13 +352,17 @@ public class Execution {
 
     /** Waits for a condition, unless this has to end before. */
     final void await(BooleanSupplier condition, double seconds) {
+        awaitOrEnd(condition, seconds);
+        checkAlive();
+    }
+
+    private void awaitOrEnd(BooleanSupplier condition, double seconds) {
         try {
             team().changes().await(() -> condition.getAsBoolean() || isOver(), seconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new ExecutionEnded(Answer.Outcome.STOPPED, "stopped");
         }
-        checkAlive();
     }
 
     /** Whether it has to end, looked at while it waits. */
