@@ -15,6 +15,9 @@ final class ConnectionLife {
     private volatile Connection now = Connection.NEW;
     private volatile @Nullable LinkLost lostBecause;
 
+    /** Whether an attempt to connect has not ended yet, also after its connection was lost: two would use one robot's link. */
+    private boolean attempting;
+
     /**
      * The connection of a robot that has not been connected yet.
      *
@@ -43,6 +46,9 @@ final class ConnectionLife {
      * @throws BotException if it is connected, being connected or closed
      */
     synchronized boolean begin(String name) {
+        if (attempting) {
+            throw new BotException(name + " is already connecting");
+        }
         if (now != Connection.NEW && now != Connection.LOST) {
             throw new BotException(name
                     + (now == Connection.CLOSED
@@ -51,12 +57,14 @@ final class ConnectionLife {
         }
         boolean first = now == Connection.NEW;
         lostBecause = null;
+        attempting = true;
         become(Connection.CONNECTING);
         return first;
     }
 
     /** Takes the outcome of connecting; false if the robot was closed meanwhile, and then stays so. */
     synchronized boolean end(Connection outcome) {
+        attempting = false;
         if (now == Connection.CONNECTING) {
             become(outcome);
         }

@@ -2,6 +2,7 @@ package majic.driver;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.BotException;
@@ -274,6 +275,27 @@ class BotDriverTest {
         other.breakDownWhileConnecting(null);
         other.connect();
 
+        assertThat(other.isConnected()).isTrue();
+        other.close();
+    }
+
+    @Test
+    void anAttemptToConnectThatWasLostEndsBeforeTheNextOneBegins() throws InterruptedException {
+        FakeBot other = FakeBot.on(clock.time());
+        other.connectIn(2);
+        AtomicReference<String> first = new AtomicReference<>();
+        clock.time()
+                .runAsync(
+                        "first attempt",
+                        () -> first.set(catchThrowable(other::connect).getMessage()));
+        clock.time().sleep(1);
+        other.cut();
+
+        assertThatThrownBy(other::connect).hasMessage("the Fake is already connecting");
+
+        clock.time().sleep(1.5);
+        assertThat(first).hasValue("connection lost");
+        other.connect();
         assertThat(other.isConnected()).isTrue();
         other.close();
     }
