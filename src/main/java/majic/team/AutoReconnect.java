@@ -111,8 +111,10 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
         enable(false);
     }
 
+    /** A robot that a user is connecting already counts as lost: that may fail. */
     private void begin(Member member) {
-        if (member.bot().connection() == Connection.LOST) {
+        Connection now = member.bot().connection();
+        if (now == Connection.LOST || now == Connection.CONNECTING) {
             attempts.compute(member, (same, before) -> {
                         int step = before == null ? 0 : before.replaced();
                         return new Attempts(member, step);

@@ -2,6 +2,7 @@ package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -123,6 +124,31 @@ class AutoReconnectTest {
 
         assertThat(reconnect.status(member())).isEmpty();
         assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
+    void aRobotThatAUserTriesToConnectFirstIsConnectedAgain() throws InterruptedException {
+        reconnect.close();
+        team.addListener(new TeamListener() {
+            @Override
+            public void lost(Member member, String reason) {
+                clock.time().runAsync("a user", () -> catchThrowable(bot::connect));
+                while (bot.connection() != Connection.CONNECTING) {
+                    Thread.onSpinWait();
+                }
+            }
+        });
+        try (AutoReconnect behind = new AutoReconnect(team, member -> {})) {
+            behind.enable(true);
+            bot.connectIn(0.5);
+            bot.refuse(ABSENT);
+            bot.cut();
+            let(0.8);
+            bot.breakDownWhileConnecting(null);
+            let(2);
+
+            assertThat(bot.isConnected()).isTrue();
+        }
     }
 
     @Test
