@@ -16,6 +16,7 @@ import majic.script.Session;
 import majic.simulation.SimulatedLab;
 import majic.team.AutoReconnect;
 import majic.team.BotFactory;
+import majic.team.Member;
 import majic.team.Team;
 import majic.time.TimeSource.Membership;
 import majicsim.LabOptions;
@@ -71,6 +72,11 @@ final class SoakLab implements AutoCloseable {
 
     Team team() {
         return team;
+    }
+
+    /** Returns whether and when a lost robot is connected again by itself, in words. */
+    String reconnecting(Member member) {
+        return reconnect.status(member).map(AutoReconnect.Status::toString).orElse("no");
     }
 
     Session session() {

@@ -10,6 +10,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import majic.bot.BotException;
 import majic.log.SessionListener;
 import majic.script.MajicParser;
 import majic.team.Member;
@@ -182,13 +183,25 @@ final class SoakRound {
         soak.team().changes().await(() -> soak.team().members().stream().allMatch(SoakRound::isReady), RETURN_BOUND_S);
         for (Member member : soak.team().members()) {
             if (!isReady(member)) {
-                problems.add("robot " + member.number() + " is not ready " + RETURN_BOUND_S
-                        + " s after the last fault: " + member.bot().connection() + ", owner " + member.owner());
+                problems.add(notReady(soak, member));
             }
             send(parser, script.check(member.number()));
         }
         if (!parser.awaitAll()) {
             problems.add("a robot does not obey after the last fault");
+        }
+    }
+
+    /** Connects a robot that is still lost, so that the reason is known. */
+    private static String notReady(SoakLab soak, Member member) {
+        String state = "robot " + member.number() + " is not ready " + RETURN_BOUND_S + " s after the last fault: "
+                + member.bot().connection() + ", owner " + member.owner() + ", reconnecting "
+                + soak.reconnecting(member);
+        try {
+            member.bot().connect();
+            return state + "; it can be connected now";
+        } catch (BotException e) {
+            return state + "; " + e.getMessage();
         }
     }
 
