@@ -157,13 +157,13 @@ final class CommandQueue {
         events.changes().raise();
     }
 
-    private Ending attempt(QueuedCommand command, List<CommandListener> told) {
+    private Ending attempt(QueuedCommand command, List<CommandListener> receivers) {
         boolean begun = false;
         try {
             command.check();
             begun = true;
-            for (CommandListener listener : told) {
-                tellBegun(listener, command);
+            for (CommandListener listener : receivers) {
+                reportBegun(listener, command);
             }
             return new Ending(Answer.Outcome.DONE, command.run());
         } catch (MotionStopped e) {
@@ -177,7 +177,7 @@ final class CommandQueue {
     }
 
     /** A listener that fails does not keep the command from being run. */
-    private void tellBegun(CommandListener listener, QueuedCommand command) {
+    private void reportBegun(CommandListener listener, QueuedCommand command) {
         try {
             listener.begun(robot, command.text());
         } catch (RuntimeException | Error e) {
