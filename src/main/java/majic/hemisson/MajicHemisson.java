@@ -18,8 +18,6 @@ import majic.hemisson.line.BlockingConversation;
 import majic.hemisson.line.CurrentSession;
 import majic.hemisson.line.Handshake;
 import majic.hemisson.line.HemissonSession;
-import majic.hemisson.line.Identity;
-import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Reply;
 import majic.hemisson.line.StopConfirmation;
 import majic.hemisson.modules.I2cCommands;
@@ -35,7 +33,6 @@ import majic.hemisson.panel.HemissonReplay;
 import majic.hemisson.parameters.HemissonParameters;
 import majic.hemisson.parameters.LedsAndBuzzer;
 import majic.hemisson.parameters.Pins;
-import majic.hemisson.parameters.RobotParameters;
 import majic.hemisson.readings.RobotReadings;
 
 /**
@@ -95,7 +92,8 @@ public final class MajicHemisson extends BotDriver {
         this.leds = new LedsAndBuzzer(answers);
         this.views = new HemissonScenes(this, sessions, monitor, leds);
         profile(HemissonProfile.of(calibration.table()));
-        this.parameters = new HemissonParameters(table(), access, leds, pins, calibration, new Known());
+        this.parameters =
+                new HemissonParameters(table(), access, leds, pins, calibration, monitor::identity, sessions::quality);
         parameters.describe(Modules.NONE);
         add(CalibrateCommand.of(new SpeedCalibrationRun(calibration, motions, new Cruise())));
         new I2cCommands(access).all().forEach(this::add);
@@ -230,19 +228,6 @@ public final class MajicHemisson extends BotDriver {
         @Override
         public void lose(LinkLost cause) {
             lost(cause);
-        }
-    }
-
-    /** What the parameters show of the robot beside its answers. */
-    private final class Known implements RobotParameters.Source {
-        @Override
-        public Identity identity() {
-            return monitor.identity();
-        }
-
-        @Override
-        public LinkQuality quality() {
-            return sessions.quality();
         }
     }
 

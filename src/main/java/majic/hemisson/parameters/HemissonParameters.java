@@ -1,8 +1,11 @@
 package majic.hemisson.parameters;
 
 import java.util.List;
+import java.util.function.Supplier;
 import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
+import majic.hemisson.line.Identity;
+import majic.hemisson.line.LinkQuality;
 import majic.hemisson.modules.Modules;
 import majic.hemisson.motion.SpeedCalibration;
 import majic.hemisson.readings.RobotReadings;
@@ -22,7 +25,8 @@ public final class HemissonParameters {
      * @param leds the LEDs and the buzzer
      * @param pins the pins of the extension connector
      * @param calibration the speeds of the motor values
-     * @param robot what the driver has found out about the robot
+     * @param robot the robot that answered at connecting
+     * @param quality how well it answers
      */
     public HemissonParameters(
             ParameterTable table,
@@ -30,13 +34,16 @@ public final class HemissonParameters {
             LedsAndBuzzer leds,
             Pins pins,
             SpeedCalibration calibration,
-            RobotParameters.Source robot) {
+            Supplier<Identity> robot,
+            Supplier<LinkQuality> quality) {
         this.table = table;
         this.themes = List.of(
                 new InfraredParameters(access),
                 new LedAndBuzzerParameters(leds),
                 new MotorParameters(access, calibration),
                 new RobotParameters(access, robot),
+                new AnswerParameters(quality),
+                new AbsentParameters(),
                 new PinParameters(access, pins),
                 (fresh, modules) -> modules.describe(fresh, access));
     }

@@ -1,44 +1,34 @@
 package majic.hemisson.parameters;
 
 import java.util.function.Function;
+import java.util.function.Supplier;
 import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.hemisson.line.Identity;
-import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.Question;
 import majic.hemisson.modules.Modules;
 import majic.hemisson.readings.RobotReadings;
 
-/** Firmware, switches and line quality, and the parameters that a Hemisson cannot have. */
-public final class RobotParameters implements ParameterTheme<Modules> {
+/** Firmware, modules, switches and the receiver for a remote control. */
+final class RobotParameters implements ParameterTheme<Modules> {
     private final RobotReadings access;
-    private final Source source;
+    private final Supplier<Identity> robot;
 
-    /** What the driver has found out about the robot. Called by any thread. */
-    public interface Source {
-        /** The robot that answered at connecting. */
-        Identity identity();
-
-        /** How well the line works. */
-        LinkQuality quality();
-    }
-
-    RobotParameters(RobotReadings access, Source source) {
+    /**
+     * Describes nothing yet.
+     *
+     * @param robot the robot that answered at connecting
+     */
+    RobotParameters(RobotReadings access, Supplier<Identity> robot) {
         this.access = access;
-        this.source = source;
+        this.robot = robot;
     }
 
     @Override
     public void describe(ParameterTable table, Modules modules) {
-        describeRobot(table, modules);
-        describeLink(table);
-        describeWhatItLacks(table);
-    }
-
-    private void describeRobot(ParameterTable table, Modules modules) {
         table.add(
                 Parameter.list("switches", Unit.NONE, "the four switches on top; 1, 1, 1, 1 is remote control"),
                 access.asked(
@@ -58,30 +48,7 @@ public final class RobotParameters implements ParameterTheme<Modules> {
     }
 
     private Value identified(Function<Identity, String> text) {
-        Identity identity = source.identity();
+        Identity identity = robot.get();
         return identity == Identity.NONE ? Value.unknown("not connected yet") : Value.text(text.apply(identity));
-    }
-
-    private void describeLink(ParameterTable table) {
-        table.add(
-                Parameter.number("roundTrip", Unit.MS, "from a question to its answer, a mean of the last ones"),
-                () -> Value.of(source.quality().roundTripMs(), Unit.MS));
-        table.add(
-                Parameter.number("missedAnswers", Unit.NONE, "that did not come in time, since it was connected"),
-                () -> Value.of(source.quality().misses(), Unit.NONE));
-    }
-
-    private void describeWhatItLacks(ParameterTable table) {
-        String noBattery = "no command of the Hemisson tells it";
-        lacking(table, Parameter.number("battery", Unit.PERCENT, "a Hemisson does not report it"), noBattery);
-        lacking(table, Parameter.number("voltage", Unit.V, "a Hemisson does not report it"), noBattery);
-        lacking(
-                table,
-                Parameter.number("odometer", Unit.MM, "a Hemisson does not report it"),
-                "the Hemisson has no wheel encoders; x, y and heading are estimates");
-    }
-
-    private void lacking(ParameterTable table, Parameter parameter, String reason) {
-        table.add(parameter, () -> Value.unknown(reason));
     }
 }
