@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Locale;
 import java.util.Map;
 import majic.bot.BotException;
 import majic.bot.BotType;
@@ -123,6 +124,15 @@ class PluginProblemsTest {
         assertProblem("plug-in rover.jar: a class in it is damaged: ");
     }
 
+    /** Writes a plug-in with a type, whose name is that of its class, and a library, but without the type's driver. */
+    private void withLibrary(String type, String jar) throws IOException {
+        Map<String, byte[]> classes = PluginJar.compile(sources, type.toLowerCase(Locale.ROOT), type);
+        PluginJar.of(type)
+                .with(type, classes.get(type))
+                .with("Library", classes.get("Library"))
+                .write(folder.resolve(jar));
+    }
+
     @Test
     void aNameThatAnotherPluginHasAlready() throws IOException {
         turtle("wild/wild.jar");
@@ -133,11 +143,7 @@ class PluginProblemsTest {
 
     @Test
     void aNameThatMajicHasAlready() throws IOException {
-        Map<String, byte[]> classes = PluginJar.compile(sources, "aibo", "Wild Dog");
-        PluginJar.of("Aibo")
-                .with("Aibo", classes.get("Aibo"))
-                .with("Library", classes.get("Library"))
-                .write(folder.resolve("dog.jar"));
+        withLibrary("Aibo", "dog.jar");
 
         assertProblem(
                 "plug-in dog.jar: Aibo has the name aibo, which is that of a type of MAJIC itself; remove one of the two");
@@ -145,11 +151,7 @@ class PluginProblemsTest {
 
     @Test
     void aTypeThatNoAddressCanName() throws IOException {
-        Map<String, byte[]> classes = PluginJar.compile(sources, "sim", "Simulant");
-        PluginJar.of("Sim")
-                .with("Sim", classes.get("Sim"))
-                .with("Library", classes.get("Library"))
-                .write(folder.resolve("sim.jar"));
+        withLibrary("Sim", "sim.jar");
 
         assertProblem("plug-in sim.jar: \"sim\" cannot be the name of a type of robot");
     }
@@ -165,11 +167,7 @@ class PluginProblemsTest {
 
     @Test
     void aClassThatIsMissingOnlyWhenARobotIsAdded() throws IOException {
-        Map<String, byte[]> classes = PluginJar.compile(sources, "rover", "Rover");
-        PluginJar.of("Rover")
-                .with("Rover", classes.get("Rover"))
-                .with("Library", classes.get("Library"))
-                .write(folder.resolve("rover.jar"));
+        withLibrary("Rover", "rover.jar");
         BotFactory factory = new BotFactory(Plugins.in(folder).types(), Settings.inMemory());
 
         assertThatThrownBy(() -> factory.create("rover://here"))
