@@ -3,8 +3,6 @@ package majic.driver;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import majic.bot.BotCommand;
@@ -39,22 +37,19 @@ public abstract class BotDriver extends MajicBot {
     private final TimeSource time;
     private final Settings settings;
     private final ParameterTable parameters = new ParameterTable();
-    private final PoseOffset offset = new PoseOffset();
     private final CommandTable commands = new CommandTable();
     private final Listeners listeners;
     private final ConnectionLife life;
-    private final List<Runnable> watchers = new CopyOnWriteArrayList<>();
     private final Signal changes;
+    private final Readings readings;
     private final RobotTimer timer;
     private final MotionGate gate;
-    private final AtomicLong readings = new AtomicLong();
     private final ShutdownHook.Closing atShutdown;
 
     private volatile BotProfile profile;
     private volatile MotionLimits limits;
     private volatile String name;
     private volatile @Nullable TeamMembership membership;
-    private volatile BotState state = BotState.UNKNOWN;
 
     /**
      * Creates a driver; contacts no robot and starts no thread.
@@ -72,8 +67,9 @@ public abstract class BotDriver extends MajicBot {
         this.listeners = new Listeners(this, time);
         this.life = new ConnectionLife(listeners::connectionChanged);
         this.changes = time.signal();
+        this.readings = new Readings(changes);
         this.timer = new RobotTimer(time);
-        this.gate = new MotionGate(new Moving(), timer);
+        this.gate = new MotionGate(new MovingDriver(this, readings), timer);
         this.name = "the " + type.label();
         this.atShutdown = new ShutdownHook.Closing(this::name, time, this::revokeForGood, this::close);
         SharedParameters.describe(
@@ -105,7 +101,7 @@ public abstract class BotDriver extends MajicBot {
                 listeners.start(time, type.name());
                 timer.start(type.name());
             }
-            offset.reconnecting();
+            readings.reconnecting();
             listeners.deliver();
             openOrExplain();
         } catch (RuntimeException | Error e) {
@@ -376,22 +372,19 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final BotState state() {
-        return state;
+        return readings.state();
     }
 
     @Override
     public final void place(Pose pose) {
         Objects.requireNonNull(pose, "pose");
-        synchronized (offset) {
-            state = offset.place(pose);
-        }
-        news();
+        readings.place(pose);
         listeners.stateChanged();
     }
 
     @Override
     public final Optional<Pose> placedAt() {
-        return offset.start();
+        return readings.placedAt();
     }
 
     @Override
@@ -581,10 +574,7 @@ public abstract class BotDriver extends MajicBot {
      * @param newState what was read
      */
     protected final void publish(BotState newState) {
-        synchronized (offset) {
-            state = offset.reported(newState);
-        }
-        news();
+        readings.report(newState);
         listeners.stateChanged();
     }
 
@@ -593,13 +583,7 @@ public abstract class BotDriver extends MajicBot {
      * rechecked.
      */
     protected final void news() {
-        lookAgain();
-        watchers.forEach(Runnable::run);
-    }
-
-    private void lookAgain() {
-        readings.incrementAndGet();
-        changes.raise();
+        readings.news();
     }
 
     /**
@@ -677,7 +661,7 @@ public abstract class BotDriver extends MajicBot {
         return Optional.ofNullable(life.lostBecause()).map(LinkLost::getMessage);
     }
 
-    private void requireConnected() {
+    final void requireConnected() {
         refuseLost();
         if (!isConnected()) {
             throw new BotException(name + (life.now() == Connection.CLOSED ? " is closed" : " is not connected"));
@@ -693,88 +677,15 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final void addWatcher(Runnable watcher) {
-        watchers.add(Objects.requireNonNull(watcher, "watcher"));
+        readings.addWatcher(Objects.requireNonNull(watcher, "watcher"));
     }
 
     @Override
     public final void removeWatcher(Runnable watcher) {
-        watchers.remove(watcher);
+        readings.removeWatcher(watcher);
     }
 
     private ParameterTable.Entry entry(String parameter) {
         return parameters.find(name, Objects.requireNonNull(parameter, "parameter"));
-    }
-
-    /** This robot as its motions use it. */
-    private final class Moving implements MovingRobot {
-        @Override
-        public String name() {
-            return name;
-        }
-
-        @Override
-        public TimeSource time() {
-            return time;
-        }
-
-        @Override
-        public Signal changes() {
-            return changes;
-        }
-
-        @Override
-        public boolean isConnected() {
-            return BotDriver.this.isConnected();
-        }
-
-        @Override
-        public void requireConnected() {
-            BotDriver.this.requireConnected();
-        }
-
-        @Override
-        public long readings() {
-            return readings.get();
-        }
-
-        @Override
-        public void lookAgain() {
-            BotDriver.this.lookAgain();
-        }
-
-        @Override
-        public void notice(String message) {
-            BotDriver.this.notice(message);
-        }
-
-        @Override
-        public void lost(LinkLost cause) {
-            BotDriver.this.lost(cause);
-        }
-
-        @Override
-        public void driveAt(double mmPerSec, double degPerSec) {
-            BotDriver.this.driveAt(mmPerSec, degPerSec);
-        }
-
-        @Override
-        public void halt() {
-            BotDriver.this.halt();
-        }
-
-        @Override
-        public void haltAhead() {
-            BotDriver.this.haltAhead();
-        }
-
-        @Override
-        public void confirmHalt() {
-            BotDriver.this.confirmHalt();
-        }
-
-        @Override
-        public @Nullable Value driven() {
-            return BotDriver.this.driven();
-        }
     }
 }
