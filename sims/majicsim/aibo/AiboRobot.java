@@ -125,8 +125,16 @@ public final class AiboRobot implements Firmware {
 
     @Override
     public long restNanos() {
-        boolean still = gait.isAtRest() && devices.joints().values().stream().allMatch(Joint::isAtRest);
-        return still || battery.isEmpty() ? Math.round((nextCycleMs - kernel.nowMs()) * 1e6) : 0;
+        return gait.isAtRest() && areJointsAtRest() ? Math.round((nextCycleMs - kernel.nowMs()) * 1e6) : 0;
+    }
+
+    private boolean areJointsAtRest() {
+        for (Joint joint : devices.joints().values()) {
+            if (!joint.isAtRest()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     @Override

@@ -21,13 +21,15 @@ final class CameraLens {
     private final Colours colours;
     private @Nullable Sight last;
 
-    /** What the chip receives through the lens before exposure, and everything that it depends on. */
-    private record Sight(CameraPose view, List<Pose> bodies, int width, int height, int[] rgb) {
-        boolean isOf(CameraPose newView, List<Pose> newBodies, CameraSettings settings) {
-            return view.equals(newView)
-                    && bodies.equals(newBodies)
-                    && width == settings.width()
-                    && height == settings.height();
+    /** What the chip receives through the lens before exposure, everything that it depends on, and the pictures of it. */
+    private record Sight(
+            CameraPose view,
+            List<Pose> bodies,
+            CameraSettings settings,
+            int[] rgb,
+            @Nullable Picture[] pictures) {
+        boolean isOf(CameraPose newView, List<Pose> newBodies, CameraSettings newSettings) {
+            return view.equals(newView) && bodies.equals(newBodies) && settings.equals(newSettings);
         }
     }
 
@@ -39,9 +41,17 @@ final class CameraLens {
         this.colours = new Colours(world);
     }
 
+    /** A picture; as long as nothing moves, one of a few with different grain. */
     Picture take(CameraSettings settings) {
-        int[] seen = sight(settings).rgb();
-        return new Picture(settings.width(), settings.height(), exposure.expose(seen, settings));
+        Sight sight = sight(settings);
+        int pattern = exposure.drawPattern();
+        Picture picture = sight.pictures()[pattern];
+        if (picture == null) {
+            int[] rgb = exposure.expose(sight.rgb(), settings, pattern);
+            picture = new Picture(settings.width(), settings.height(), rgb);
+            sight.pictures()[pattern] = picture;
+        }
+        return picture;
     }
 
     /** The room ahead; computed only if the head or a robot has moved since the last picture. */
@@ -50,9 +60,8 @@ final class CameraLens {
         List<Pose> bodies = world.bodies().stream().map(Body::pose).toList();
         Sight sight = last;
         if (sight == null || !sight.isOf(view, bodies, settings)) {
-            int width = settings.width();
-            int height = settings.height();
-            sight = new Sight(view, bodies, width, height, colours(view, width, height));
+            int[] rgb = colours(view, settings.width(), settings.height());
+            sight = new Sight(view, bodies, settings, rgb, new Picture[Exposure.PATTERNS]);
             last = sight;
         }
         return sight;

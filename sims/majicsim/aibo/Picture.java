@@ -19,16 +19,33 @@ import javax.imageio.ImageWriteParam;
 import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 
-/**
- * A picture that was taken, row by row from the upper left corner.
- *
- * @param rgb one number a pixel: 0xRRGGBB
- */
-record Picture(int width, int height, int[] rgb) {
+/** A picture that was taken, row by row from the upper left corner. It keeps its last file. */
+final class Picture {
     private static final int CHANNELS = 3;
+
+    private final int width;
+    private final int height;
+    private final int[] rgb;
+    private String jpeg = "";
+    private int jpegFactor;
+
+    /** @param rgb one number a pixel: 0xRRGGBB */
+    Picture(int width, int height, int[] rgb) {
+        this.width = width;
+        this.height = height;
+        this.rgb = rgb;
+    }
 
     /** As JFIF file; bytes are characters of the same number. */
     String jpeg(int factor) {
+        if (jpeg.isEmpty() || jpegFactor != factor) {
+            jpeg = encoded(factor);
+            jpegFactor = factor;
+        }
+        return jpeg;
+    }
+
+    private String encoded(int factor) {
         ByteArrayOutputStream bytes = new ByteArrayOutputStream();
         ImageWriter writer = ImageIO.getImageWritersByFormatName("jpeg").next();
         try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(bytes)) {

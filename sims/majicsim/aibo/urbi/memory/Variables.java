@@ -97,11 +97,13 @@ public final class Variables {
         if (local != null) {
             return local;
         }
-        return objects.places(fullName(scope, key)).stream()
-                .map(all::get)
-                .filter(Objects::nonNull)
-                .findFirst()
-                .orElse(null);
+        for (String place : objects.places(fullName(scope, key))) {
+            Variable found = all.get(place);
+            if (found != null) {
+                return found;
+            }
+        }
+        return null;
     }
 
     /**

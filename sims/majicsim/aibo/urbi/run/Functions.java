@@ -3,7 +3,6 @@ package majicsim.aibo.urbi.run;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import majicsim.aibo.urbi.memory.Frame;
 import majicsim.aibo.urbi.memory.ObjectTable;
 import majicsim.aibo.urbi.syntax.Definition;
@@ -156,11 +155,13 @@ public final class Functions {
         if (own != null) {
             return own;
         }
-        return objects.places(fullName(context, function.text())).stream()
-                .map(lasting::get)
-                .filter(Objects::nonNull)
-                .findFirst()
-                .orElse(null);
+        for (String place : objects.places(fullName(context, function.text()))) {
+            Entry found = lasting.get(place);
+            if (found != null) {
+                return found;
+            }
+        }
+        return null;
     }
 
     private static Failure unknown(Context context, Name function, List<Value> arguments) {
