@@ -4,6 +4,7 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -70,8 +71,16 @@ final class ChildProgram {
 
     /** Starts the simulators alone, on free ports and without transmission times: an Aibo, a Hemisson and some Pioneers. */
     Lab lab(int pioneers) throws IOException {
-        List<String> lab =
-                List.of("-jar", JAR.toString(), "lab", "--exact", "--pioneer-port=0", "--pioneers=" + pioneers);
+        return lab(pioneers, "--exact");
+    }
+
+    /** Starts the same with noise and transmission times. */
+    Lab usualLab(int pioneers) throws IOException {
+        return lab(pioneers, "--seed=1");
+    }
+
+    private Lab lab(int pioneers, String noise) throws IOException {
+        List<String> lab = List.of("-jar", JAR.toString(), "lab", noise, "--pioneer-port=0", "--pioneers=" + pioneers);
         return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), pioneers + 2);
     }
 
@@ -98,6 +107,9 @@ final class ChildProgram {
 
     /** A lab in a process of its own. */
     static final class Lab implements AutoCloseable {
+        private static final int SETTLING_S = 15;
+        private static final int MEASURED_S = 15;
+
         private final Process process;
         private final Map<String, String> addresses = new LinkedHashMap<>();
 
@@ -106,8 +118,23 @@ final class ChildProgram {
             BufferedReader out = process.inputReader();
             while (addresses.size() < robots) {
                 String[] words = out.readLine().split(" ");
-                addresses.put(words[0], words[1]);
+                if (!words[0].endsWith("-pty")) {
+                    addresses.put(words[0], words[1]);
+                }
             }
+        }
+
+        /** Returns its processor time as a share of one core, once its code is compiled. */
+        double percentOfACore() throws InterruptedException {
+            Thread.sleep(SETTLING_S * 1000);
+            long began = System.nanoTime();
+            Duration before = processorTime();
+            Thread.sleep(MEASURED_S * 1000);
+            return 100.0 * processorTime().minus(before).toNanos() / (System.nanoTime() - began);
+        }
+
+        private Duration processorTime() {
+            return process.info().totalCpuDuration().orElseThrow();
         }
 
         /** Returns the addresses of its Pioneers. */

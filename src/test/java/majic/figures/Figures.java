@@ -11,13 +11,15 @@ import java.util.TreeMap;
 /**
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
- * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}; without arguments all are measured.
+ * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code lab}; without arguments all are
+ * measured.
  */
 public final class Figures {
     private static final int STARTS = 9;
     private static final String NINE_PIONEERS = "--pioneers=9";
 
-    private static final List<String> ALL = List.of("start", "idle", "events", "line", "memory", "stop");
+    private static final int[] LABS = {1, 10, 45, 100, 500};
+    private static final List<String> ALL = List.of("start", "idle", "events", "line", "memory", "stop", "lab");
 
     private final ChildProgram programs;
 
@@ -37,6 +39,7 @@ public final class Figures {
                 case "line" -> figures.line();
                 case "memory" -> figures.memory();
                 case "stop" -> figures.stop();
+                case "lab" -> figures.lab();
                 default -> throw new IllegalArgumentException("no figure " + name);
             }
         }
@@ -94,6 +97,20 @@ public final class Figures {
         say("STOP of 20 robots, of which 10 never read (99 of 100 at most 20 ms; the others named within 1 s)");
         try (ChildProgram.Lab lab = programs.lab(8)) {
             programs.lines("stop", lab.robots().toArray(String[]::new)).forEach(line -> say("  " + line));
+        }
+    }
+
+    /** Connects plain clients to all Pioneers of labs without a window; the Aibo and the Hemisson have none. */
+    private void lab() throws IOException, InterruptedException {
+        say("processor time of a lab in which all Pioneers are connected (each at most 0.05 % of a core at 500)");
+        for (int count : LABS) {
+            try (ChildProgram.Lab lab = programs.usualLab(count);
+                    PioneerClients clients = PioneerClients.connect(lab.pioneers())) {
+                double percent = lab.percentOfACore();
+                say(
+                        "  %3d Pioneers %5.1f %%, each %.3f %%, %.1f reports a second each",
+                        count, percent, percent / count, clients.reportsPerSecond());
+            }
         }
     }
 

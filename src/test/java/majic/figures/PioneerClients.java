@@ -1,0 +1,131 @@
+package majic.figures;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetSocketAddress;
+import java.nio.ByteBuffer;
+import java.nio.channels.SelectionKey;
+import java.nio.channels.Selector;
+import java.nio.channels.SocketChannel;
+import java.util.List;
+import java.util.Objects;
+import majicsim.pioneer.packet.PacketWriter;
+
+/**
+ * The plainest clients that a Pioneer can have, all on one thread: they shake hands, open the session, read the reports and
+ * send a PULSE each second.
+ */
+final class PioneerClients implements AutoCloseable {
+    private static final int OPEN = 1;
+    private static final int SYNCS = 3;
+    private static final byte[] PULSE = new PacketWriter(0).toBytes();
+    private static final long PULSE_NANOS = 1_000_000_000;
+    private static final int LOOK_MS = 100;
+
+    private final Selector selector = Selector.open();
+    private final Thread thread = new Thread(this::serve, "pioneer clients");
+    private final ByteBuffer received = ByteBuffer.allocate(1 << 16);
+    private volatile boolean closed;
+    private volatile long reads;
+    private final long beganNanos = System.nanoTime();
+
+    private PioneerClients() throws IOException {}
+
+    /** Connects one client to each address, given as host:port. */
+    static PioneerClients connect(List<String> addresses) throws IOException {
+        PioneerClients clients = new PioneerClients();
+        for (String address : addresses) {
+            int colon = address.lastIndexOf(':');
+            clients.add(
+                    new InetSocketAddress(address.substring(0, colon), Integer.parseInt(address.substring(colon + 1))));
+        }
+        clients.thread.setDaemon(true);
+        clients.thread.start();
+        return clients;
+    }
+
+    /** Returns how many messages each client received a second since it was connected. */
+    double reportsPerSecond() {
+        return reads * 1e9 / (System.nanoTime() - beganNanos) / selector.keys().size();
+    }
+
+    @Override
+    public void close() throws IOException {
+        closed = true;
+        selector.wakeup();
+        try {
+            thread.join();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        for (SelectionKey key : selector.keys()) {
+            key.channel().close();
+        }
+        selector.close();
+    }
+
+    private void add(InetSocketAddress address) throws IOException {
+        SocketChannel channel = SocketChannel.open(address);
+        channel.configureBlocking(false);
+        channel.register(selector, SelectionKey.OP_READ, new Client(channel));
+        send(channel, 0);
+    }
+
+    private void serve() {
+        long pulseDue = System.nanoTime();
+        try {
+            while (!closed) {
+                selector.select(LOOK_MS);
+                for (SelectionKey key : selector.selectedKeys()) {
+                    ((Client) key.attachment()).read();
+                }
+                selector.selectedKeys().clear();
+                if (System.nanoTime() >= pulseDue) {
+                    pulseDue += PULSE_NANOS;
+                    pulse();
+                }
+            }
+        } catch (IOException e) {
+            throw new UncheckedIOException("a simulated Pioneer has left its client", e);
+        }
+    }
+
+    private void pulse() throws IOException {
+        for (SelectionKey key : selector.keys()) {
+            Client client = Objects.requireNonNull((Client) key.attachment());
+            if (client.isOpen()) {
+                client.channel.write(ByteBuffer.wrap(PULSE));
+            }
+        }
+    }
+
+    private static void send(SocketChannel channel, int id) throws IOException {
+        channel.write(ByteBuffer.wrap(new PacketWriter(id).toBytes()));
+    }
+
+    /** One connection, which counts the answers to its handshake. */
+    private final class Client {
+        private final SocketChannel channel;
+        private int answers;
+
+        Client(SocketChannel channel) {
+            this.channel = channel;
+        }
+
+        boolean isOpen() {
+            return answers >= SYNCS;
+        }
+
+        void read() throws IOException {
+            received.clear();
+            if (channel.read(received) < 0) {
+                throw new IOException("end of the connection");
+            }
+            reads++;
+            if (!isOpen()) {
+                answers++;
+                send(channel, isOpen() ? OPEN : answers);
+            }
+        }
+    }
+}
