@@ -118,7 +118,9 @@ final class LineClient {
     void read(ByteBuffer chunk) {
         try {
             int count = wire.read(chunk.clear());
-            decoder.feed(chunk.flip()).forEach(this::take);
+            if (!dismissed) {
+                decoder.feed(chunk.flip()).forEach(this::take);
+            }
             if (count < 0 && !ended) {
                 end();
             }
@@ -149,7 +151,8 @@ final class LineClient {
             admit(line);
         } else if (line.strip().equalsIgnoreCase("close")) {
             ended = true;
-        } else if (parser.isStop(line) && stopRate.take()) {
+        } else if (stopRate.hasOne() && parser.isStop(line)) {
+            stopRate.take();
             stop(line);
         } else {
             hold(line);

@@ -10,9 +10,12 @@ import java.nio.channels.SocketChannel;
  * @param socket a connection in non-blocking mode
  */
 record PlainWire(SocketChannel socket) implements Wire {
+    /** Bytes of one client that are read before those of the others, so that a stop among these waits for few lines. */
+    private static final int BYTES_PER_TURN = 2048;
+
     @Override
     public int read(ByteBuffer target) throws IOException {
-        return socket.read(target);
+        return socket.read(target.limit(BYTES_PER_TURN));
     }
 
     @Override

@@ -11,15 +11,15 @@ import java.util.TreeMap;
 /**
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
- * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code lab}; without arguments all are
- * measured.
+ * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}; without
+ * arguments all are measured.
  */
 public final class Figures {
     private static final int STARTS = 9;
     private static final String NINE_PIONEERS = "--pioneers=9";
 
     private static final int[] LABS = {1, 10, 45, 100, 500};
-    private static final List<String> ALL = List.of("start", "idle", "events", "line", "memory", "stop", "lab");
+    private static final List<String> ALL = List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab");
 
     private final ChildProgram programs;
 
@@ -39,6 +39,7 @@ public final class Figures {
                 case "line" -> figures.line();
                 case "memory" -> figures.memory();
                 case "stop" -> figures.stop();
+                case "flood" -> figures.flood();
                 case "lab" -> figures.lab();
                 default -> throw new IllegalArgumentException("no figure " + name);
             }
@@ -112,6 +113,11 @@ public final class Figures {
                         count, percent, percent / count, clients.reportsPerSecond());
             }
         }
+    }
+
+    private void flood() throws IOException {
+        say("STOP from one program beside 300 others at --listen");
+        programs.lines("flood").forEach(line -> say("  " + line));
     }
 
     private static void add(Map<String, List<Double>> seconds, String name, double value) {

@@ -5,6 +5,7 @@ import java.awt.Window;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
@@ -17,6 +18,9 @@ final class MeasuredWindow {
 
     private static final int LOOK_MS = 4;
 
+    /** Tasks that start what they need themselves. */
+    private static final Set<String> WITHOUT_WINDOW = Set.of("flood", "stop");
+
     private MeasuredWindow() {}
 
     /** Runs the task of the first argument; the others are MAJIC's. */
@@ -25,7 +29,7 @@ final class MeasuredWindow {
         measuring.start();
         if (arguments[0].equals("bare")) {
             SwingUtilities.invokeLater(MeasuredWindow::showBareFrame);
-        } else if (!arguments[0].equals("stop")) {
+        } else if (!WITHOUT_WINDOW.contains(arguments[0])) {
             Majic.main(Arrays.copyOfRange(arguments, 1, arguments.length));
         }
     }
@@ -51,7 +55,7 @@ final class MeasuredWindow {
     private static void measure(String... arguments) {
         try {
             List<String> rest = List.of(arguments).subList(1, arguments.length);
-            if (!arguments[0].equals("stop")) {
+            if (!WITHOUT_WINDOW.contains(arguments[0])) {
                 awaitWindow();
             }
             List<String> result = switch (arguments[0]) {
@@ -59,6 +63,7 @@ final class MeasuredWindow {
                 case "idle" -> ThreadLoads.idle();
                 case "events" -> EventDelays.measure(frame());
                 case "line" -> LineTimes.measure(frame());
+                case "flood" -> ClientFlood.measure();
                 case "stop" -> StopTimes.measure(rest);
                 case "memory" -> MemoryInUse.overAnHour(frame());
                 default -> List.of("no task " + arguments[0]);
