@@ -26,7 +26,11 @@ import org.jspecify.annotations.Nullable;
  * recording delays none of them. Thread-safe.
  */
 public final class SessionRecord {
+    /** Several hours of a program that sends ten commands a second; about 50 MB. */
+    private static final int MOST_EVENTS = 200_000;
+
     private final Team team;
+    private final int mostEvents;
     private final List<Event> events = new ArrayList<>();
     private final Map<Integer, Long> lastAnswerNanos = new HashMap<>();
 
@@ -34,9 +38,15 @@ public final class SessionRecord {
     private final Map<Integer, Map<Integer, Long>> finishedBeforeManual = new HashMap<>();
 
     private final Set<Integer> started = new TreeSet<>();
+    private long leftOut;
 
     public SessionRecord(Team team) {
+        this(team, MOST_EVENTS);
+    }
+
+    SessionRecord(Team team, int mostEvents) {
         this.team = team;
+        this.mostEvents = mostEvents;
         team.addListener(new TeamRecorder());
     }
 
@@ -131,9 +141,16 @@ public final class SessionRecord {
         return new Event(kind, atNanos, text, robots, Set.of(), Map.of(), block);
     }
 
-    /** Keeps an event in the order of times. Of a block that goes on for ever only the first commands are kept. */
+    /**
+     * Keeps an event in the order of times. Of a block that goes on for ever only the first commands are kept, and of a
+     * session the first 200000.
+     */
     public synchronized void keep(Event event) {
         if (event.text().isEmpty() || (event.block() != null && !event.block().hasRoom())) {
+            return;
+        }
+        if (events.size() >= mostEvents) {
+            leftOut++;
             return;
         }
         int place = events.size();
@@ -179,6 +196,11 @@ public final class SessionRecord {
         List<String> all = new ArrayList<>();
         all.add("# A session of MAJIC; \"run FILE\" does it again.");
         all.addAll(lines());
+        synchronized (this) {
+            if (leftOut > 0) {
+                all.add("# The session was longer: " + leftOut + " later commands are not kept.");
+            }
+        }
         Files.write(file, all);
     }
 
