@@ -81,6 +81,16 @@ public final class MajicParser {
     }
 
     /**
+     * A parser for a program on another computer: as {@link #remote}, but lines that write files are refused.
+     *
+     * @param session what the lines act on, and where answers go
+     * @return a new parser
+     */
+    public static MajicParser network(Session session) {
+        return new MajicParser(session, LineSource.NETWORK);
+    }
+
+    /**
      * Sets the robots that a command is for if its line names none, as in {@code move 500}. Their numbers are put in
      * front of the line before anything else happens, so that listeners and a saved session have them. Without this
      * call, and while there are none, such a line is refused.
@@ -242,15 +252,23 @@ public final class MajicParser {
                 && command.name() != null) {
             givenNames.add(command.name().text());
         }
-        if (source == LineSource.SOCKET && prepared.has(CommandTrait.LOCAL_ONLY)) {
-            throw new BotException("trust: not over a socket; type it in the window or at the terminal of MAJIC");
-        }
+        checkOrigin(prepared);
         if (block != null && !isUrgent(line)) {
             block.add(line);
             return new Accepted(List.of(), line);
         }
         block = null;
         return new Accepted(List.of(prepared), line);
+    }
+
+    private void checkOrigin(PreparedLine prepared) {
+        boolean isProgram = source == LineSource.SOCKET || source == LineSource.NETWORK;
+        if (isProgram && prepared.has(CommandTrait.LOCAL_ONLY)) {
+            throw new BotException("trust: not over a socket; type it in the window or at the terminal of MAJIC");
+        }
+        if (source == LineSource.NETWORK && prepared.has(CommandTrait.WRITES_FILE)) {
+            throw new BotException("save: not from another computer; type it at MAJIC's own");
+        }
     }
 
     /** Alone on a line, but for a pipe's, these two cannot wait for the end of a block; "all stop" is for use in one. */
@@ -404,11 +422,16 @@ public final class MajicParser {
      */
     public boolean isStop(String line) {
         try {
-            return STOP.matcher(line).find()
-                    && parse(line).filter(dispatcher::isStop).isPresent();
+            return mentionsStop(line) && parse(line).filter(dispatcher::isStop).isPresent();
         } catch (ScriptException e) {
             return true;
         }
+    }
+
+    /** Finds the word; a line without its last letter, such as one of a flood, is found out without a search. */
+    private static boolean mentionsStop(String line) {
+        return (line.indexOf('p') >= 0 || line.indexOf('P') >= 0)
+                && STOP.matcher(line).find();
     }
 
     /** Parses a line; empty for a blank one and for one that belongs to a block. */

@@ -260,8 +260,8 @@ public final class LineServer implements AutoCloseable {
         socket.setOption(StandardSocketOptions.SO_KEEPALIVE, true);
         SelectionKey key = socket.register(selector, SelectionKey.OP_READ);
         Wire wire = handshakes == null ? new PlainWire(socket) : handshakes.begin(socket, () -> serve(key));
-        LineClient client =
-                new LineClient(this, key, wire, socket.socket().getInetAddress(), MajicParser.remote(session));
+        MajicParser parser = isEncrypted() ? MajicParser.network(session) : MajicParser.remote(session);
+        LineClient client = new LineClient(this, key, wire, socket.socket().getInetAddress(), parser);
         key.attach(client);
         clients.add(client);
     }

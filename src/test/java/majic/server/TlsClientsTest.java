@@ -28,6 +28,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests a server for other computers; its clients trust only its certificate. */
 @Tag("jdk")
@@ -126,6 +128,15 @@ class TlsClientsTest {
         clients.add(plain);
         assertThat(plain.next()).startsWith("this port is for programs that use TLS");
         assertThat(plain.untilItIsClosed()).isSubsetOf("reset");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"session", "log", "team"})
+    void aProgramOnAnotherComputerReplacesNoFile(String what) throws IOException {
+        Path mine = Files.writeString(folder.resolve("mine"), "kept");
+        assertThat(admitted().say("save " + what + " " + mine).next())
+                .isEqualTo("save: not from another computer; type it at MAJIC's own");
+        assertThat(mine).hasContent("kept");
     }
 
     @Test

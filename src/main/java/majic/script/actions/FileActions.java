@@ -126,7 +126,7 @@ final class FileActions {
         private final ParameterLog log;
 
         SaveLogAction(SessionCommand.SaveLog save, ParameterLog log) {
-            super("save log", save.file());
+            super("save log", save.file(), CommandTrait.WRITES_FILE);
             this.log = log;
         }
 

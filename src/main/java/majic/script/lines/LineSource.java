@@ -7,5 +7,7 @@ public enum LineSource {
     /** A pipe or file: every line takes its turn. */
     PIPE,
     /** A program at the other end of a socket: as a pipe, but a stop never waits, since it may be urgent. */
-    SOCKET
+    SOCKET,
+    /** A program on another computer: as at a socket, but it may write no file of this one. */
+    NETWORK
 }

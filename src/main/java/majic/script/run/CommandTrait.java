@@ -6,7 +6,7 @@ public enum CommandTrait {
     COMMANDS_ROBOTS,
     /** Its check reads files, so it may block and needs the worker of its source. */
     READS_FILES,
-    /** Writes a file that a later command of the same script may name. */
+    /** Writes a file that a later command of the same script may name; is refused from another computer. */
     WRITES_FILE,
     /** Afterwards other robots may be in the team or have other names, or other code may be agreed to. */
     CHANGES_TEAM,
