@@ -65,12 +65,22 @@ public final class Dashboard implements LayoutManager {
         room.y += used;
         room.height = Math.max(0, room.height - used);
         int width = columnWidth(room);
-        int above = shorterAbove(room);
-        if (above >= UIScale.scale(LEAST_VIEW) && above > WORTH_IT * shorterBeside(room, width)) {
+        if (isBetterAbove(room, width)) {
             view.setBounds(room.x, room.y, room.width, row.place(room));
         } else {
             placeBeside(room, width);
         }
+    }
+
+    /**
+     * Returns whether a view above the rest is larger than beside a column of this width, and no important readings are
+     * lost.
+     */
+    private boolean isBetterAbove(Rectangle room, int width) {
+        int above = shorterAbove(room);
+        return above >= UIScale.scale(LEAST_VIEW)
+                && above > WORTH_IT * shorterBeside(room, width)
+                && (row.showsReadings(room) || !column.showsPairs(width, room.height));
     }
 
     /** Returns half the height of a row. */
@@ -91,14 +101,22 @@ public final class Dashboard implements LayoutManager {
         return used;
     }
 
-    /** Returns the most readable width of the column that does not reduce the view too much. */
+    /**
+     * Returns the most readable width of the column that does not reduce the view too much. Readings that stand two in a
+     * row are the most important ones: for them the view is reduced as far as it is readable.
+     */
     private int columnWidth(Rectangle room) {
         int least = column.leastWidth();
         int largest = shorterBeside(room, least);
         return IntStream.of(column.goodWidth(), column.widthForReadings())
                 .filter(width -> WORTH_IT * shorterBeside(room, width) >= largest)
                 .findFirst()
-                .orElse(least);
+                .orElseGet(() -> isWorthPairs(room) ? column.widthForPairs() : least);
+    }
+
+    private boolean isWorthPairs(Rectangle room) {
+        int width = column.widthForPairs();
+        return column.showsPairs(width, room.height) && shorterBeside(room, width) >= UIScale.scale(LEAST_VIEW);
     }
 
     /** Returns the shorter side of a view with a column beside it; 0 if the column does not fit. */

@@ -240,7 +240,8 @@ public final class ReadingsPanel<S> extends JPanel {
         return columnsIn(width) == 1 && pairWidth() <= width ? paired / 2 : 0;
     }
 
-    private int pairWidth() {
+    /** Returns the width at which the first readings stand two in a row; 0 if they never do. */
+    int pairWidth() {
         int each = nameWidth(paired) + metrics().stringWidth(longestOfPair) + 2 * SLACK;
         return paired == 0 ? 0 : 2 * each + gap() / 2;
     }

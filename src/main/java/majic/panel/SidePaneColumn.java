@@ -25,6 +25,17 @@ final class SidePaneColumn {
         return Math.max(leastWidth(), numbers.getMinimumSize().width);
     }
 
+    /** Returns the width at which the readings that stand two in a row fit; 0 if there are none. */
+    int widthForPairs() {
+        return numbers.pairWidth() == 0 ? 0 : Math.max(widthForReadings(), numbers.pairWidth());
+    }
+
+    /** Returns whether the column has room for readings that stand two in a row. */
+    boolean showsPairs(int width, int height) {
+        int rest = height - sum(pane -> pane.goodHeight(width)) - gap;
+        return width >= widthForPairs() && widthForPairs() > 0 && numbers.heightWithin(width, rest) > 0;
+    }
+
     /** Returns the width at which the column is lowest and wide enough for the readings. */
     int goodWidth() {
         return panes.stream().mapToInt(SidePane::goodWidth).reduce(widthForReadings(), Math::max);

@@ -31,6 +31,20 @@ final class SidePaneRow {
         return (width - (panes.size() - 1) * 2 * gap) / panes.size();
     }
 
+    /** Returns whether the readings are shown in an area. */
+    boolean showsReadings(Rectangle room) {
+        return rows(room) > 0;
+    }
+
+    private int rows(Rectangle room) {
+        return numbers.heightWithin(room.width, spare(room) - gap);
+    }
+
+    /** Returns the height that a square view leaves over. */
+    private int spare(Rectangle room) {
+        return Math.max(0, room.height - leastHeight(room.width) - gap - room.width);
+    }
+
     /**
      * Places the strip at the bottom of an area, as high as a square view permits; returns the height left for the
      * view.
@@ -38,8 +52,8 @@ final class SidePaneRow {
     int place(Rectangle room) {
         int each = widthOfEach(room.width);
         int height = leastHeight(room.width);
-        int spare = Math.max(0, room.height - height - gap - room.width);
-        int rows = numbers.heightWithin(room.width, spare - gap);
+        int spare = spare(room);
+        int rows = rows(room);
         if (panes.stream().anyMatch(SidePane::takesRest)) {
             height += rows == 0 ? spare : spare - rows - gap;
         }

@@ -104,6 +104,23 @@ class DashboardTest {
     }
 
     @Test
+    void importantReadingsAreShownEvenIfTheViewGetsMuchSmaller() {
+        ReadingsPanel<String> distances = new ReadingsPanel<>("-88888.8 mm");
+        List.of("front", "back", "left", "right", "packetRate", "firmware")
+                .forEach(name -> distances.with(name, value -> value));
+        controls.setPreferredSize(new Dimension(150, 80));
+        arrange(new Dashboard(view, 0, List.of(SidePane.of(controls), SidePane.of(lights)), distances));
+        List.of(view, controls, lights, distances).forEach(parent::add);
+        layOut(380, 280);
+        assertThat(distances.isVisible()).isFalse();
+
+        distances.paired(4, "8888 mm");
+        layOut(380, 280);
+        assertThat(distances.isVisible()).isTrue();
+        assertThat(view.getWidth()).isBetween(110, 160);
+    }
+
+    @Test
     void inATallSpaceTheViewIsOnTop() {
         camera();
         layOut(500, 900);
