@@ -1,13 +1,9 @@
 package majic.script;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Collection;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.regex.Pattern;
@@ -18,18 +14,9 @@ import majic.script.help.Completions;
 import majic.script.lines.DefaultRobots;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.LineSource;
-import majic.script.lines.PreparedLine;
-import majic.script.run.CommandTrait;
 import majic.script.run.InternalError;
-import majic.script.syntax.Command;
-import majic.script.syntax.LineParser;
-import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.ScriptParser;
-import majic.script.syntax.Statement;
-import majic.script.syntax.TypedBlock;
 import majic.text.VisibleText;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Parses lines of MAJIC Script, checks them and submits them to the robots they are for. Each place where lines come
@@ -42,13 +29,11 @@ public final class MajicParser {
 
     private final Session session;
     private final SessionOutput output;
-    private final LineSource source;
     private final Dispatcher dispatcher;
-    private final Deque<String> commands = new ArrayDeque<>();
+    private final LineChecker checker;
     private final DefaultRobots defaultRobots;
+    private final Deque<String> commands = new ArrayDeque<>();
     private int total;
-    private final Set<String> givenNames = ConcurrentHashMap.newKeySet();
-    private @Nullable TypedBlock block;
 
     /**
      * A parser with nothing to do yet.
@@ -64,8 +49,8 @@ public final class MajicParser {
     private MajicParser(Session session, LineSource source) {
         this.session = session;
         this.output = session.output();
-        this.source = source;
         this.dispatcher = new Dispatcher(session.state(), session.actions(), source, this);
+        this.checker = new LineChecker(session::robotWords, source, dispatcher);
         this.defaultRobots = new DefaultRobots(session.team());
     }
 
@@ -170,7 +155,7 @@ public final class MajicParser {
     private Optional<Refusal> parseOne(String line, String place, Consumer<Refusal> refusedLater) {
         output.send(Line.Kind.COMMAND, line, this);
         try {
-            Accepted accepted = accept(line);
+            LineChecker.Accepted accepted = checker.accept(line);
             remember(line);
             Consumer<String> failed = why -> refuse(accepted.text(), place, why);
             submit(accepted, line, why -> refusedLater.accept(refusal(accepted.text(), place, why)), failed);
@@ -182,7 +167,8 @@ public final class MajicParser {
         }
     }
 
-    private void submit(Accepted accepted, String line, Consumer<RuntimeException> refused, Consumer<String> failed) {
+    private void submit(
+            LineChecker.Accepted accepted, String line, Consumer<RuntimeException> refused, Consumer<String> failed) {
         Consumer<RuntimeException> forgotten = why -> {
             forget(line);
             refused.accept(why);
@@ -205,98 +191,10 @@ public final class MajicParser {
         if (STOP.matcher(line).find()) {
             message = VisibleText.of(place + "taken as STOP: " + why);
             session.team().stopAllIfAny();
-            dropBlock();
+            checker.dropBlock();
         }
         output.send(Line.Kind.ERROR, message, this);
         return message;
-    }
-
-    /** Ends the open block, if there is one; returns its lines. */
-    private synchronized String dropBlock() {
-        TypedBlock dropped = block;
-        block = null;
-        return dropped == null ? "" : dropped.text();
-    }
-
-    /**
-     * What a line lets be done now.
-     *
-     * @param lines nothing while a block is open
-     * @param text the line, or all lines of the block
-     */
-    private record Accepted(List<PreparedLine> lines, String text) {}
-
-    /** Parses and checks a line. Waits for no file and no robot, since it holds the lock. */
-    private synchronized Accepted accept(String line) {
-        if (line.length() > LineParser.LONGEST_LINE) {
-            throw new BotException(LineParser.TOO_LONG);
-        }
-        LineParser parser = new LineParser(line, robotWords());
-        if (parser.isBlank()) {
-            return new Accepted(List.of(), line);
-        }
-        return parser.isBlockLine() ? acceptBlockLine(line) : acceptCommand(parser.line(), line);
-    }
-
-    /** The words that stand for robots, with the names given by lines that may still wait for their turn. */
-    private Collection<String> robotWords() {
-        Collection<String> words = session.robotWords();
-        words.addAll(givenNames);
-        return words;
-    }
-
-    private Accepted acceptCommand(Statement statement, String line) {
-        PreparedLine prepared = dispatcher.prepare(statement, line);
-        if (statement instanceof Statement.ForRobots named
-                && named.command() instanceof Command.Name command
-                && command.name() != null) {
-            givenNames.add(command.name().text());
-        }
-        checkOrigin(prepared);
-        if (block != null && !isUrgent(line)) {
-            block.add(line);
-            return new Accepted(List.of(), line);
-        }
-        block = null;
-        return new Accepted(List.of(prepared), line);
-    }
-
-    private void checkOrigin(PreparedLine prepared) {
-        boolean isProgram = source == LineSource.SOCKET || source == LineSource.NETWORK;
-        if (isProgram && prepared.has(CommandTrait.LOCAL_ONLY)) {
-            throw new BotException("trust: not over a socket; type it in the window or at the terminal of MAJIC");
-        }
-        if (source == LineSource.NETWORK && prepared.has(CommandTrait.WRITES_FILE)) {
-            throw new BotException("save: not from another computer; type it at MAJIC's own");
-        }
-    }
-
-    /** Alone on a line, but for a pipe's, these two cannot wait for the end of a block; "all stop" is for use in one. */
-    private boolean isUrgent(String line) {
-        String word = line.strip();
-        return source != LineSource.PIPE && (word.equalsIgnoreCase("stop") || word.equalsIgnoreCase("quit"));
-    }
-
-    private Accepted acceptBlockLine(String line) {
-        Optional<Statement> head = ScriptParser.blockLine(line);
-        head.ifPresent(dispatcher::checkHead);
-        TypedBlock open = block == null ? new TypedBlock() : block;
-        open.add(line, head);
-        block = open.isOpen() ? open : null;
-        return block == null ? acceptBlock(open.text()) : new Accepted(List.of(), line);
-    }
-
-    private Accepted acceptBlock(String text) {
-        List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = ScriptParser.parse(text, robotWords(), mistakes);
-        if (!mistakes.isEmpty()) {
-            throw new BotException(mistakes.get(0).message());
-        }
-        return new Accepted(
-                script.stream()
-                        .map(statement -> dispatcher.prepare(statement, text))
-                        .toList(),
-                text);
     }
 
     private synchronized void remember(String line) {
@@ -336,8 +234,8 @@ public final class MajicParser {
      *
      * @return true after a line such as {@code repeat 4}
      */
-    public synchronized boolean isBlockOpen() {
-        return block != null;
+    public boolean isBlockOpen() {
+        return checker.isBlockOpen();
     }
 
     /**
@@ -366,7 +264,7 @@ public final class MajicParser {
     /** At the end of the lines: refuses a block whose {@code end} is missing. Returns at once. */
     public void finish() {
         if (isBlockOpen()) {
-            refuse(dropBlock(), "", "the \"end\" of the last block is missing; nothing of it was run");
+            refuse(checker.dropBlock(), "", "the \"end\" of the last block is missing; nothing of it was run");
         }
     }
 
@@ -406,7 +304,7 @@ public final class MajicParser {
      */
     public Optional<String> mistake(String line) {
         try {
-            parse(line);
+            checker.parse(line);
             return Optional.empty();
         } catch (ScriptException e) {
             return Optional.of(String.valueOf(e.getMessage()));
@@ -422,7 +320,8 @@ public final class MajicParser {
      */
     public boolean isStop(String line) {
         try {
-            return mentionsStop(line) && parse(line).filter(dispatcher::isStop).isPresent();
+            return mentionsStop(line)
+                    && checker.parse(line).filter(dispatcher::isStop).isPresent();
         } catch (ScriptException e) {
             return true;
         }
@@ -432,16 +331,6 @@ public final class MajicParser {
     private static boolean mentionsStop(String line) {
         return (line.indexOf('p') >= 0 || line.indexOf('P') >= 0)
                 && STOP.matcher(line).find();
-    }
-
-    /** Parses a line; empty for a blank one and for one that belongs to a block. */
-    private Optional<Statement> parse(String line) {
-        LineParser parser = new LineParser(line, robotWords());
-        if (parser.isBlockLine()) {
-            ScriptParser.blockLine(line);
-            return Optional.empty();
-        }
-        return parser.isBlank() ? Optional.empty() : Optional.of(parser.line());
     }
 
     /**
