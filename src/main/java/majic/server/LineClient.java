@@ -25,9 +25,6 @@ final class LineClient {
 
     private static final System.Logger LOG = System.getLogger(LineClient.class.getName());
 
-    /** Lines carried out before the other clients' bytes are read again, so that a stop among these waits for few. */
-    private static final int LINES_PER_TURN = 4;
-
     private static final int MOST_LINES = 10_000;
     private static final int MOST_CHARS = 2_000_000;
     private static final long ADMITTED_WITHIN_NANOS = 10_000_000_000L;
@@ -221,16 +218,15 @@ final class LineClient {
         }
     }
 
+    /** Carries out one line before the other clients' bytes are read again, so that a stop among these waits for few. */
     private boolean runHeld() {
-        for (int turn = 0; turn < LINES_PER_TURN; turn++) {
-            String line = held.peek();
-            if (line == null || !mayRun(line)) {
-                return false;
-            }
-            held.poll();
-            parser.parseText(line);
+        String line = held.peek();
+        if (line == null || !mayRun(line)) {
+            return false;
         }
-        return true;
+        held.poll();
+        parser.parseText(line);
+        return !held.isEmpty();
     }
 
     private boolean mayRun(String line) {

@@ -11,7 +11,7 @@ import java.nio.channels.SocketChannel;
  */
 record PlainWire(SocketChannel socket) implements Wire {
     /** Bytes of one client that are read before those of the others, so that a stop among these waits for few lines. */
-    private static final int BYTES_PER_TURN = 2048;
+    private static final int BYTES_PER_TURN = 512;
 
     @Override
     public int read(ByteBuffer target) throws IOException {

@@ -19,7 +19,8 @@ public final class Figures {
     private static final String NINE_PIONEERS = "--pioneers=9";
 
     private static final int[] LABS = {1, 10, 45, 100, 500};
-    private static final List<String> ALL = List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab");
+    private static final List<String> ALL =
+            List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab");
 
     private final ChildProgram programs;
 
