@@ -1,9 +1,11 @@
 package majic.pioneer.state;
 
 import java.util.ArrayDeque;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.EnumMap;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Map;
 import majic.bot.Pose;
 import majic.pioneer.arcos.SonarReadings;
@@ -25,7 +27,10 @@ final class ObstacleMemory {
     /** Added to the path for the width of the cones: a wall detected at the edge of a cone seems farther aside than it is. */
     private static final double MARGIN_MM = 40;
 
+    private static final Side[] SIDES = Side.values();
+
     private final Model model;
+    private final Map<Side, List<SonarDisc>> covering = new EnumMap<>(Side.class);
     private final Deque<Echo> echoes = new ArrayDeque<>();
 
     /** A point of an obstacle, in the frame of the odometry. */
@@ -33,6 +38,9 @@ final class ObstacleMemory {
 
     ObstacleMemory(Model model) {
         this.model = model;
+        for (Side side : Side.values()) {
+            covering.put(side, model.discs().stream().filter(side::isCoveredBy).toList());
+        }
     }
 
     /** Adds the new readings, taken at a pose. */
@@ -68,32 +76,39 @@ final class ObstacleMemory {
 
     /** The distance from the hull to the nearest obstacle, mm, on every side whose discs have all had a recent reading. */
     Map<Side, Double> gaps(SonarScan scan, Pose pose, long nanos) {
+        double[] nearest = nearest(pose);
         Map<Side, Double> gaps = new EnumMap<>(Side.class);
-        for (Side side : Side.values()) {
-            if (isKnown(side, scan, nanos)) {
-                gaps.put(side, nearest(side, pose));
+        covering.forEach((side, discs) -> {
+            if (isKnown(discs, scan, nanos)) {
+                gaps.put(side, nearest[side.ordinal()]);
             }
-        }
+        });
         return gaps;
     }
 
-    private boolean isKnown(Side side, SonarScan scan, long nanos) {
-        return model.discs().stream().anyMatch(side::isCoveredBy)
-                && model.discs().stream()
-                        .filter(side::isCoveredBy)
-                        .allMatch(disc -> scan.hasReading(disc.number())
-                                && (nanos - scan.atNanos(disc.number())) / 1e9 <= DISC_SILENCE_S);
+    private static boolean isKnown(List<SonarDisc> discs, SonarScan scan, long nanos) {
+        for (SonarDisc disc : discs) {
+            if (!scan.hasReading(disc.number()) || (nanos - scan.atNanos(disc.number())) / 1e9 > DISC_SILENCE_S) {
+                return false;
+            }
+        }
+        return !discs.isEmpty();
     }
 
-    private double nearest(Side side, Pose pose) {
+    /** The distances of all sides, by ordinal number; each echo is converted to the robot's frame once. */
+    private double[] nearest(Pose pose) {
         double cos = Math.cos(Math.toRadians(pose.headingDeg()));
         double sin = Math.sin(Math.toRadians(pose.headingDeg()));
-        double nearest = Double.POSITIVE_INFINITY;
+        double[] nearest = new double[SIDES.length];
+        Arrays.fill(nearest, Double.POSITIVE_INFINITY);
         for (Echo echo : echoes) {
             double dx = echo.xMm() - pose.xMm();
             double dy = echo.yMm() - pose.yMm();
-            double gap = side.gapMm(model.hull(), dx * cos + dy * sin, dy * cos - dx * sin, MARGIN_MM);
-            nearest = Math.min(nearest, gap);
+            double x = dx * cos + dy * sin;
+            double y = dy * cos - dx * sin;
+            for (int side = 0; side < SIDES.length; side++) {
+                nearest[side] = Math.min(nearest[side], SIDES[side].gapMm(model.hull(), x, y, MARGIN_MM));
+            }
         }
         return nearest;
     }
