@@ -107,8 +107,14 @@ final class Listeners {
         undelivered.addLast(message);
     }
 
-    /** New readings: of several that come faster than the listeners take them, they get the newest. */
+    /**
+     * New readings: of several that come faster than the listeners take them, they get the newest. Wakes no thread if all
+     * listeners ignore them: that would take as long as decoding them.
+     */
     void stateChanged() {
+        if (!areStatesRead()) {
+            return;
+        }
         if (statePending.compareAndSet(false, true)) {
             events.put(() -> {
                 statePending.set(false);
@@ -117,6 +123,15 @@ final class Listeners {
             });
         }
         deliver();
+    }
+
+    private boolean areStatesRead() {
+        for (BotListener listener : all) {
+            if (!listener.ignoresStates()) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /** Delivers a picture of the camera. */

@@ -14,6 +14,11 @@ final class MemberListener implements BotListener {
     }
 
     @Override
+    public boolean ignoresStates() {
+        return true;
+    }
+
+    @Override
     public void notice(MajicBot bot, String message) {
         events.publish(listener -> listener.noticed(member.number(), member.number() + ": " + message));
     }

@@ -4,8 +4,10 @@ import static org.mockito.ArgumentMatchers.any;
 import static org.mockito.ArgumentMatchers.eq;
 import static org.mockito.Mockito.doThrow;
 import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.never;
 import static org.mockito.Mockito.verify;
 import static org.mockito.Mockito.verifyNoInteractions;
+import static org.mockito.Mockito.when;
 
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
@@ -48,6 +50,27 @@ class ListenersTest {
         listeners.notice("it stands");
 
         verify(second).notice(any(), eq("it stands"));
+    }
+
+    @Test
+    void newReadingsAreNotQueuedWhileAllListenersIgnoreThem() {
+        when(first.ignoresStates()).thenReturn(true);
+        listeners.add(first);
+        WaitPolicy.without(listeners::stateChanged);
+        listeners.add(second);
+        listeners.deliver();
+
+        verify(second, never()).stateChanged(any(), any());
+    }
+
+    @Test
+    void newReadingsReachAListenerBesideOneThatIgnoresThem() {
+        when(first.ignoresStates()).thenReturn(true);
+        listeners.add(second);
+        listeners.add(first);
+        listeners.stateChanged();
+
+        verify(second).stateChanged(any(), any());
     }
 
     @Test
