@@ -569,6 +569,17 @@ public abstract class BotDriver extends MajicBot {
     }
 
     /**
+     * Runs a task once on the robot's own timer thread, unless the robot is closed before.
+     *
+     * @param what the name of the task; a task of the same name is replaced
+     * @param seconds when, from now
+     * @param task quick; failures are logged; may call this method again
+     */
+    protected final void once(String what, double seconds, Runnable task) {
+        timer.once(what, seconds, task);
+    }
+
+    /**
      * Publishes new readings and wakes the threads that wait for readings.
      *
      * @param newState what was read

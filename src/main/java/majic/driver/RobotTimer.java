@@ -95,6 +95,9 @@ final class RobotTimer {
 
     private List<Runnable> takeDue(long now) {
         synchronized (tasks) {
+            if (nextDue() > now) {
+                return List.of();
+            }
             List<Runnable> due = new ArrayList<>();
             Map<String, Task> again = new HashMap<>();
             for (Iterator<Map.Entry<String, Task>> all = tasks.entrySet().iterator(); all.hasNext(); ) {
@@ -126,7 +129,11 @@ final class RobotTimer {
     }
 
     private long nextDue() {
-        return tasks.values().stream().mapToLong(Task::dueNanos).min().orElse(Long.MAX_VALUE);
+        long next = Long.MAX_VALUE;
+        for (Task task : tasks.values()) {
+            next = Math.min(next, task.dueNanos);
+        }
+        return next;
     }
 
     private double waitSeconds(long due) {

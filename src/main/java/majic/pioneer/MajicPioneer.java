@@ -35,7 +35,6 @@ import majic.pioneer.session.Maneuver;
 import majic.pioneer.session.MotionTarget;
 import majic.pioneer.session.PioneerConnection;
 import majic.pioneer.session.PioneerSession;
-import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Model;
@@ -102,8 +101,7 @@ public final class MajicPioneer extends BotDriver {
         this.parameters = new PioneerParameters(table(), PioneerParameters.themes(this, access, pace));
         this.commands = new PioneerCommands(access);
         describe(Equipment.of(Models.USUAL, null));
-        every("link watch", LinkWatch.PERIOD_S, this::watch);
-        every("requests", Subscriptions.PERIOD_S, this::request);
+        watchAgain(LinkWatch.PERIOD_S);
     }
 
     /** Describes the parameters and commands of a robot with this equipment. */
@@ -259,17 +257,20 @@ public final class MajicPioneer extends BotDriver {
         return open;
     }
 
-    private void watch() {
-        PioneerSession open = session.get();
-        if (open != null && isConnected()) {
-            open.checkLink();
-        }
+    private void watchAgain(double seconds) {
+        once("link watch", seconds, this::watch);
     }
 
-    private void request() {
-        PioneerSession open = session.get();
-        if (open != null && isConnected()) {
-            open.requestReports();
+    private void watch() {
+        double againS = LinkWatch.PERIOD_S;
+        try {
+            PioneerSession open = session.get();
+            if (open != null && isConnected()) {
+                againS = open.checkLink();
+                open.requestReports();
+            }
+        } finally {
+            watchAgain(againS);
         }
     }
 

@@ -13,11 +13,20 @@ import org.jspecify.annotations.Nullable;
  * one, so a moving robot that has stopped reporting is sent zero velocities and then nothing more (ARCOS sheet 5.3).
  */
 public final class LinkWatch {
-    /** How often to call {@link #check}, seconds; with {@link #PULSE_S} no two packets are more than 400 ms apart. */
+    /** How often {@link #check} is called while it may find anything but a pulse that is due, seconds. */
     public static final double PERIOD_S = 0.1;
 
-    private static final double PULSE_S = 0.25;
+    /** With {@link #PERIOD_S} no two packets are more than 400 ms apart. */
+    private static final double PULSE_S = 0.3;
+
+    /** Between two checks, so that a pulse that is due in no time is not awaited by many of them, seconds. */
+    private static final double LEAST_S = 0.004;
+
     private static final double HOLD_S = 0.5;
+
+    /** Twice the usual interval between SIPs. A longer silence may count before the next pulse is due. */
+    private static final double NOTICED_S = HOLD_S - PULSE_S;
+
     private static final double LOST_MOVING_S = 1;
     private static final double LOST_STANDING_S = 3;
 
@@ -54,7 +63,7 @@ public final class LinkWatch {
     @Nullable
     LinkLost check(PioneerState last) {
         motors.stopIfNotRenewed();
-        boolean moving = last.isMoving() || motors.isMoving() || motors.isHeld();
+        boolean moving = isMoving(last);
         double silence = time.secondsSince(last.atNanos());
         switch (judge(silence, time.secondsSince(line.sentNanos()), moving)) {
             case WAIT -> {}
@@ -66,6 +75,32 @@ public final class LinkWatch {
             }
         }
         return null;
+    }
+
+    private boolean isMoving(PioneerState last) {
+        return last.isMoving() || motors.isMoving() || motors.isHeld();
+    }
+
+    /**
+     * When to check again. A robot that is stationary and reports needs no check before the next pulse is due: should it begin
+     * to move at once, that is still earlier than its silence counts.
+     *
+     * @param last the last state that the robot reported
+     * @return seconds, positive
+     */
+    double againS(PioneerState last) {
+        return againS(time.secondsSince(last.atNanos()), time.secondsSince(line.sentNanos()), isMoving(last));
+    }
+
+    /**
+     * When to check again.
+     *
+     * @param silenceS as of {@link #judge}
+     * @param unsentS as of {@link #judge}
+     * @param moving as of {@link #judge}
+     */
+    static double againS(double silenceS, double unsentS, boolean moving) {
+        return moving || silenceS > NOTICED_S ? PERIOD_S : Math.max(LEAST_S, PULSE_S - unsentS);
     }
 
     private void holdOnce() {

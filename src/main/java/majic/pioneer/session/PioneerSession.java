@@ -171,19 +171,28 @@ public final class PioneerSession implements PioneerConnection.Listener {
         }
     }
 
-    /** Monitors the connection; to be called every {@link LinkWatch#PERIOD_S}. */
-    public void checkLink() {
+    /**
+     * Monitors the connection.
+     *
+     * @return when to call this again, seconds; the first time is {@link LinkWatch#PERIOD_S} after connecting
+     */
+    public double checkLink() {
         PioneerState now = reported.last();
-        if (now != null && !line.hasEnded()) {
-            LinkLost cause = watch.check(now);
-            if (cause != null) {
-                line.abort(cause);
-                ended(cause);
-            }
+        if (now == null || line.hasEnded()) {
+            return LinkWatch.PERIOD_S;
         }
+        LinkLost cause = watch.check(now);
+        if (cause != null) {
+            line.abort(cause);
+            ended(cause);
+        }
+        return watch.againS(now);
     }
 
-    /** Requests reports that are due, unless the robot has stopped reporting: it would resume its motion at the request. */
+    /**
+     * Requests reports that are due, unless the robot has stopped reporting: it would resume its motion at the request. To be
+     * called every {@link Subscriptions#PERIOD_S} or more often.
+     */
     public void requestReports() {
         PioneerState now = reported.last();
         if (now != null && !motors.isHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {

@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * requested of each kind that is being read.
  */
 public final class Subscriptions {
-    /** How often to call {@link #requestDue}, seconds. */
+    /** How often to call {@link #requestDue} at least, seconds. */
     public static final double PERIOD_S = 0.5;
 
     /** No request is sent to a robot that has sent no SIP for so long, seconds. */
@@ -85,7 +85,7 @@ public final class Subscriptions {
         return !line.delivers(kind) || unanswered.getOrDefault(kind, 0) >= TRIES;
     }
 
-    /** Sends the requests that are due; to be called every {@link #PERIOD_S} by one thread, while the robot reports. */
+    /** Sends the requests that are due; to be called every {@link #PERIOD_S} or more often, by one thread, while the robot reports. */
     void requestDue() {
         for (RequestedReport kind : RequestedReport.values()) {
             if (isRead(kind) && isDue(kind) && !isMissing(kind)) {
