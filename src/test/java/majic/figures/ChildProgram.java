@@ -6,9 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Starts the measured programs with the options of MAJIC's launcher, in an empty user folder. */
 final class ChildProgram {
@@ -25,11 +25,15 @@ final class ChildProgram {
         this.home = home;
     }
 
+    /** Makes an empty user folder. */
+    static ChildProgram create() throws IOException {
+        return new ChildProgram(Files.createTempDirectory("majic-figures"));
+    }
+
     /** Makes the class-data archive anew, as the launcher does in the background of a first start. */
-    static ChildProgram withClassData() throws IOException, InterruptedException {
-        ChildProgram programs = new ChildProgram(Files.createTempDirectory("majic-figures"));
+    ChildProgram withClassData() throws IOException, InterruptedException {
         Files.deleteIfExists(ARCHIVE);
-        Process process = programs.process(
+        Process process = process(
                         List.of(
                                 JAVA,
                                 "-XX:ArchiveClassesAtExit=" + ARCHIVE,
@@ -41,7 +45,7 @@ final class ChildProgram {
         if (process.waitFor() != 0 || !Files.exists(ARCHIVE)) {
             throw new IOException("the class-data archive cannot be made from " + JAR);
         }
-        return programs;
+        return this;
     }
 
     /** Returns the time from the start of the process until its window is visible and painted. */
@@ -61,7 +65,10 @@ final class ChildProgram {
 
     /** Returns what a task prints. */
     List<String> lines(String task, String... arguments) throws IOException {
-        Process process = measured(task, arguments);
+        return lines(measured(task, arguments));
+    }
+
+    private static List<String> lines(Process process) throws IOException {
         try (BufferedReader out = process.inputReader()) {
             return out.lines().toList();
         } finally {
@@ -81,15 +88,29 @@ final class ChildProgram {
 
     private Lab lab(int pioneers, String noise) throws IOException {
         List<String> lab = List.of("-jar", JAR.toString(), "lab", noise, "--pioneer-port=0", "--pioneers=" + pioneers);
-        return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), pioneers + 2);
+        return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), pioneers);
+    }
+
+    /** Returns what a program without a window prints. */
+    List<String> lines(Class<?> main, List<String> arguments) throws IOException {
+        return lines(process(List.of(JAVA, "@" + OPTIONS), classAndArguments(main, arguments))
+                .start());
     }
 
     private Process measured(String task, String... arguments) throws IOException {
-        String classPath = JAR + System.getProperty("path.separator") + TARGET.resolve("test-classes");
-        List<String> rest = new ArrayList<>(List.of("-cp", classPath, MeasuredWindow.class.getName(), task));
+        List<String> rest = new ArrayList<>(List.of(task));
         rest.addAll(List.of(arguments));
-        return process(List.of(JAVA, "-XX:SharedArchiveFile=" + ARCHIVE, "@" + OPTIONS, "-Xlog:disable"), rest)
+        return process(
+                        List.of(JAVA, "-XX:SharedArchiveFile=" + ARCHIVE, "@" + OPTIONS, "-Xlog:disable"),
+                        classAndArguments(MeasuredWindow.class, rest))
                 .start();
+    }
+
+    private static List<String> classAndArguments(Class<?> main, List<String> arguments) {
+        String classPath = JAR + System.getProperty("path.separator") + TARGET.resolve("test-classes");
+        List<String> all = new ArrayList<>(List.of("-cp", classPath, main.getName()));
+        all.addAll(arguments);
+        return all;
     }
 
     private ProcessBuilder process(List<String> java, List<String> rest) {
@@ -110,18 +131,30 @@ final class ChildProgram {
         private static final int SETTLING_S = 15;
         private static final int MEASURED_S = 15;
 
-        private final Process process;
-        private final Map<String, String> addresses = new LinkedHashMap<>();
+        private static final Pattern ROBOT = Pattern.compile("(aibo|hemisson|pioneer)\\d* (127\\.0\\.0\\.1:\\d+)");
 
-        private Lab(Process process, int robots) throws IOException {
+        private final Process process;
+        private final List<String> addresses = new ArrayList<>();
+
+        /** Reads the addresses of a dog, a Hemisson and the Pioneers; serial lines are left out. */
+        private Lab(Process process, int pioneers) throws IOException {
             this.process = process;
             BufferedReader out = process.inputReader();
-            while (addresses.size() < robots) {
-                String[] words = out.readLine().split(" ");
-                if (!words[0].endsWith("-pty")) {
-                    addresses.put(words[0], words[1]);
+            for (String line = out.readLine(); line != null; line = out.readLine()) {
+                Matcher robot = ROBOT.matcher(line);
+                if (robot.matches()) {
+                    addresses.add(robot.group(1) + "://" + robot.group(2));
+                }
+                if (addresses.size() == pioneers + 2) {
+                    return;
                 }
             }
+            throw new IOException("the lab has ended with the robots " + addresses);
+        }
+
+        /** Returns the addresses of all its robots, as users type them. */
+        List<String> addresses() {
+            return addresses;
         }
 
         /** Returns its processor time as a share of one core, once its code is compiled. */
@@ -139,16 +172,8 @@ final class ChildProgram {
 
         /** Returns the addresses of its Pioneers. */
         List<String> pioneers() {
-            return addresses.entrySet().stream()
-                    .filter(robot -> robot.getKey().startsWith("pioneer"))
-                    .map(Map.Entry::getValue)
-                    .toList();
-        }
-
-        /** Returns all its robots, each as its type and its address. */
-        List<String> robots() {
-            return addresses.entrySet().stream()
-                    .map(robot -> robot.getKey().replaceFirst("\\d+$", "") + "=" + robot.getValue())
+            return addresses.stream()
+                    .filter(address -> address.startsWith("pioneer:"))
                     .toList();
         }
 

@@ -11,16 +11,20 @@ import java.util.TreeMap;
 /**
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
- * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}; without
+ * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab},
+ * {@code load}; without
  * arguments all are measured.
  */
 public final class Figures {
     private static final int STARTS = 9;
-    private static final String NINE_PIONEERS = "--pioneers=9";
+    private static final int NINE_PIONEERS = 9;
+    private static final List<Integer> TEAMS = List.of(1, 10, 100, 500);
+    private static final int MIXED_LABS = 6;
+    private static final int PIONEERS_OF_MIXED_LAB = 8;
 
     private static final int[] LABS = {1, 10, 45, 100, 500};
     private static final List<String> ALL =
-            List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab");
+            List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab", "load");
 
     private final ChildProgram programs;
 
@@ -31,7 +35,8 @@ public final class Figures {
     /** Measures and prints. */
     public static void main(String[] names) throws IOException, InterruptedException {
         List<String> wanted = names.length == 0 ? ALL : List.of(names);
-        Figures figures = new Figures(ChildProgram.withClassData());
+        ChildProgram programs = ChildProgram.create();
+        Figures figures = new Figures(wanted.equals(List.of("load")) ? programs : programs.withClassData());
         for (String name : wanted) {
             switch (name) {
                 case "start" -> figures.start();
@@ -42,6 +47,7 @@ public final class Figures {
                 case "stop" -> figures.stop();
                 case "flood" -> figures.flood();
                 case "lab" -> figures.lab();
+                case "load" -> figures.load();
                 default -> throw new IllegalArgumentException("no figure " + name);
             }
         }
@@ -78,9 +84,9 @@ public final class Figures {
 
     private void events() throws IOException, InterruptedException {
         say("event dispatch thread with 20 robots (99 of 100 at most 16 ms, longest 50 ms)");
-        try (ChildProgram.Lab further = programs.lab(9)) {
-            List<String> arguments = new ArrayList<>(List.of("--lab", NINE_PIONEERS));
-            further.pioneers().forEach(address -> arguments.addAll(List.of("--add", "pioneer://" + address)));
+        try (ChildProgram.Lab further = programs.lab(NINE_PIONEERS)) {
+            List<String> arguments = new ArrayList<>(List.of("--lab", "--pioneers=" + NINE_PIONEERS));
+            further.pioneers().forEach(address -> arguments.addAll(List.of("--add", address)));
             programs.lines("events", arguments.toArray(String[]::new)).forEach(line -> say("  " + line));
         }
     }
@@ -98,7 +104,7 @@ public final class Figures {
     private void stop() throws IOException, InterruptedException {
         say("STOP of 20 robots, of which 10 never read (99 of 100 at most 20 ms; the others named within 1 s)");
         try (ChildProgram.Lab lab = programs.lab(8)) {
-            programs.lines("stop", lab.robots().toArray(String[]::new)).forEach(line -> say("  " + line));
+            programs.lines("stop", lab.addresses().toArray(String[]::new)).forEach(line -> say("  " + line));
         }
     }
 
@@ -119,6 +125,38 @@ public final class Figures {
     private void flood() throws IOException {
         say("STOP from one program beside 300 others at --listen");
         programs.lines("flood").forEach(line -> say("  " + line));
+    }
+
+    /** Measures teams of Pioneers, then a team of 60 robots of all makes. */
+    private void load() throws IOException {
+        say("a team without a window: 99 of 100 commands on the link within 1 ms with 100 robots on 2 cores,");
+        say("at most 0.15 % of a core and 100 KB of heap a Pioneer, with 500 no more than with 10");
+        say(LoadTable.head());
+        LoadTable table = new LoadTable();
+        for (int robots : TEAMS) {
+            try (ChildProgram.Lab lab = programs.usualLab(robots)) {
+                say(table.row(teamLoad(lab.pioneers())));
+            }
+        }
+        say(mixedTeam());
+    }
+
+    private String mixedTeam() throws IOException {
+        List<ChildProgram.Lab> labs = new ArrayList<>();
+        try {
+            List<String> addresses = new ArrayList<>();
+            for (int number = 0; number < MIXED_LABS; number++) {
+                labs.add(programs.usualLab(PIONEERS_OF_MIXED_LAB));
+                addresses.addAll(labs.get(number).addresses());
+            }
+            return LoadTable.single(teamLoad(addresses));
+        } finally {
+            labs.forEach(ChildProgram.Lab::close);
+        }
+    }
+
+    private String teamLoad(List<String> addresses) throws IOException {
+        return programs.lines(TeamLoad.class, addresses).get(0);
     }
 
     private static void add(Map<String, List<Double>> seconds, String name, double value) {

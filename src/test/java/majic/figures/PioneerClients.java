@@ -31,13 +31,14 @@ final class PioneerClients implements AutoCloseable {
 
     private PioneerClients() throws IOException {}
 
-    /** Connects one client to each address, given as host:port. */
+    /** Connects one client to each address, given as pioneer://host:port. */
     static PioneerClients connect(List<String> addresses) throws IOException {
         PioneerClients clients = new PioneerClients();
         for (String address : addresses) {
-            int colon = address.lastIndexOf(':');
+            String server = address.substring(address.indexOf("//") + 2);
+            int colon = server.lastIndexOf(':');
             clients.add(
-                    new InetSocketAddress(address.substring(0, colon), Integer.parseInt(address.substring(colon + 1))));
+                    new InetSocketAddress(server.substring(0, colon), Integer.parseInt(server.substring(colon + 1))));
         }
         clients.thread.setDaemon(true);
         clients.thread.start();

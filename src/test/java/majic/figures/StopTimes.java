@@ -83,7 +83,7 @@ final class StopTimes {
     /**
      * Measures all three ways.
      *
-     * @param addresses the robots that read, with their types, such as {@code pioneer=127.0.0.1:8101}
+     * @param addresses the robots that read, with their types, such as {@code pioneer://127.0.0.1:8101}
      */
     static List<String> measure(List<String> addresses) throws Exception {
         StopTimes times = new StopTimes(Files.createTempDirectory("majic-stop"));
@@ -100,7 +100,7 @@ final class StopTimes {
 
     private void start(List<String> addresses) throws Exception {
         for (String address : addresses) {
-            String[] parts = address.split("=", 2);
+            String[] parts = address.split("://", 2);
             RecordedLine line = RecordedLine.tcp(Integer.parseInt(parts[1].replaceFirst(".*:", "")));
             healthy.add(new Healthy(line, STOPS.get(parts[0])));
             add(program.session().factory().create(parts[0] + ":" + line.address()), OptionalInt.empty());
