@@ -81,10 +81,10 @@ final class BodyIndex {
     }
 
     private int column(double x) {
-        return Math.max(0, Math.min(columns - 1, (int) Math.floor((x - bounds.minX()) / SQUARE_MM)));
+        return Math.max(0, Math.min(columns - 1, (int) ((x - bounds.minX()) / SQUARE_MM)));
     }
 
     private int row(double y) {
-        return Math.max(0, Math.min(rows - 1, (int) Math.floor((y - bounds.minY()) / SQUARE_MM)));
+        return Math.max(0, Math.min(rows - 1, (int) ((y - bounds.minY()) / SQUARE_MM)));
     }
 }

@@ -33,8 +33,14 @@ final class Ray {
         return y + alongMm * dy;
     }
 
+    void meet(Body body) {
+        if (passesNear(body.pose(), body.reachMm())) {
+            meet(body.shape(), Body.REFLECTIVITY);
+        }
+    }
+
     /** Whether it may meet something that reaches so far from there. */
-    boolean passesNear(Pose place, double reachMm) {
+    private boolean passesNear(Pose place, double reachMm) {
         double toX = place.xMm() - x;
         double toY = place.yMm() - y;
         double along = toX * dx + toY * dy;

@@ -12,25 +12,17 @@ final class Rays {
         this.bodies = bodies;
     }
 
-    Hit cast(Body viewer, Pose from, double maxMm) {
-        Ray ray = new Ray(from, maxMm);
-        bodies.near(from.xMm(), from.yMm(), maxMm, body -> {
-            if (body != viewer && ray.passesNear(body.pose(), body.reachMm())) {
-                ray.meet(body.shape(), Body.REFLECTIVITY);
-            }
-        });
-        meetWalls(ray);
-        return ray.hit();
+    /** What rays from there may meet. */
+    View view(Body viewer, Point from, double withinMm) {
+        return new View(this, bodies, viewer, from, withinMm);
     }
 
     Hit castAtWalls(Pose from, double maxMm) {
-        Ray ray = new Ray(from, maxMm);
-        meetWalls(ray);
-        return ray.hit();
+        return meetWalls(new Ray(from, maxMm));
     }
 
     /** Goes along the ray cell by cell and ends with the first cell that holds the hit. */
-    private void meetWalls(Ray ray) {
+    Hit meetWalls(Ray ray) {
         WallIndex index = room.index();
         double pieceMm = index.cellMm();
         IntConsumer meet = wall -> ray.meet(room.wallShape(wall), room.reflectivity(wall));
@@ -43,5 +35,6 @@ final class Rays {
                     Math.max(ray.yAt(start), ray.yAt(end)),
                     meet);
         }
+        return ray.hit();
     }
 }

@@ -60,10 +60,10 @@ final class WallIndex {
     }
 
     private int column(double x) {
-        return Math.max(0, Math.min(columns - 1, (int) Math.floor((x - bounds.minX()) / cellMm)));
+        return Math.max(0, Math.min(columns - 1, (int) ((x - bounds.minX()) / cellMm)));
     }
 
     private int row(double y) {
-        return Math.max(0, Math.min(rows - 1, (int) Math.floor((y - bounds.minY()) / cellMm)));
+        return Math.max(0, Math.min(rows - 1, (int) ((y - bounds.minY()) / cellMm)));
     }
 }

@@ -137,7 +137,19 @@ public final class World {
      * @return the hit; nothing met is a hit that is not {@link Hit#found()}
      */
     public Hit ray(Body viewer, double xMm, double yMm, double directionDeg, double maxMm) {
-        return rays.cast(viewer, new Pose(xMm, yMm, directionDeg), maxMm);
+        return view(viewer, new Point(xMm, yMm), maxMm).ray(directionDeg, maxMm);
+    }
+
+    /**
+     * What several rays from one place may meet, which is cheaper than to look it up for each.
+     *
+     * @param viewer the body with the sensor, which the rays pass through
+     * @param from start of the rays in the room
+     * @param withinMm length of the longest ray
+     * @return the view, valid until a body moves
+     */
+    public View view(Body viewer, Point from, double withinMm) {
+        return rays.view(viewer, from, withinMm);
     }
 
     /**

@@ -5,6 +5,7 @@ import majicsim.world.Hit;
 import majicsim.world.Noise;
 import majicsim.world.Point;
 import majicsim.world.Pose;
+import majicsim.world.View;
 import majicsim.world.World;
 
 /** The infra-red sensors in a room: six around the robot with a beam of about 30° each, and two that face the ground. */
@@ -81,9 +82,10 @@ public final class RoomSensors implements InfraRedSensors {
     /** The strongest echo of a few rays. */
     private double beam(Point from, double directionDeg) {
         double strongest = Double.NEGATIVE_INFINITY;
+        View view = world.view(body, from, FARTHEST_MM);
         for (int i = 0; i < BEAM_DEG.length; i++) {
             double direction = body.pose().toWorldDeg(directionDeg + BEAM_DEG[i]);
-            Hit hit = world.ray(body, from.xMm(), from.yMm(), direction, FARTHEST_MM);
+            Hit hit = view.ray(direction, FARTHEST_MM);
             if (hit.found()) {
                 strongest = Math.max(strongest, curve(hit.distanceMm()) * hit.reflectivity() * BEAM_WEIGHT[i]);
             }

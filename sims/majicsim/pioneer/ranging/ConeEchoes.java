@@ -4,6 +4,7 @@ import majicsim.world.Body;
 import majicsim.world.Hit;
 import majicsim.world.Point;
 import majicsim.world.Pose;
+import majicsim.world.View;
 import majicsim.world.World;
 
 /**
@@ -18,26 +19,24 @@ final class ConeEchoes {
     /** How much nearer something may be hit on the way to an edge that still counts as in sight. */
     private static final double EDGE_SLACK_MM = 2;
 
-    private final World world;
-    private final Body body;
-    private final Pose view;
+    private final Pose axis;
+    private final View view;
     private final double[] surfaceMm = new double[RAYS];
     private final double[] incidenceDeg = new double[RAYS];
     private double edgeMm;
 
     /** Looks from a disc's place in its direction, as far as this. */
-    ConeEchoes(World world, Body body, Pose view, double farthestMm) {
-        this.world = world;
-        this.body = body;
-        this.view = view;
+    ConeEchoes(World world, Body body, Pose axis, double farthestMm) {
+        this.axis = axis;
+        view = world.view(body, new Point(axis.xMm(), axis.yMm()), farthestMm);
         edgeMm = farthestMm;
         for (int i = 0; i < RAYS; i++) {
-            double direction = view.headingDeg() - HALF_CONE_DEG + i * BETWEEN_RAYS_DEG;
-            Hit hit = world.ray(body, view.xMm(), view.yMm(), direction, farthestMm);
+            double direction = axis.headingDeg() - HALF_CONE_DEG + i * BETWEEN_RAYS_DEG;
+            Hit hit = view.ray(direction, farthestMm);
             surfaceMm[i] = hit.distanceMm();
             incidenceDeg[i] = hit.incidenceDeg();
         }
-        world.cornersNear(body, view.xMm(), view.yMm(), EDGE_HEARD_MM, this::look);
+        world.cornersNear(body, axis.xMm(), axis.yMm(), EDGE_HEARD_MM, this::look);
     }
 
     /** The distance of the nearest echo, if surfaces send one back up to this angle from perpendicular. */
@@ -52,8 +51,8 @@ final class ConeEchoes {
     }
 
     private void look(Point edge) {
-        double dx = edge.xMm() - view.xMm();
-        double dy = edge.yMm() - view.yMm();
+        double dx = edge.xMm() - axis.xMm();
+        double dy = edge.yMm() - axis.yMm();
         double square = dx * dx + dy * dy;
         if (square > 0 && square < EDGE_HEARD_MM * EDGE_HEARD_MM && square < edgeMm * edgeMm) {
             double bearing = Math.toDegrees(Math.atan2(dy, dx));
@@ -65,11 +64,11 @@ final class ConeEchoes {
     }
 
     private boolean isInCone(double bearingDeg) {
-        return Math.abs(Pose.normalised(bearingDeg - view.headingDeg())) <= HALF_CONE_DEG;
+        return Math.abs(Pose.normalised(bearingDeg - axis.headingDeg())) <= HALF_CONE_DEG;
     }
 
     private boolean isInSight(double bearingDeg, double distanceMm) {
-        Hit hit = world.ray(body, view.xMm(), view.yMm(), bearingDeg, distanceMm);
+        Hit hit = view.ray(bearingDeg, distanceMm);
         return !hit.found() || hit.distanceMm() > distanceMm - EDGE_SLACK_MM;
     }
 }

@@ -5,6 +5,7 @@ import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Point;
 import majicsim.world.Pose;
+import majicsim.world.View;
 import majicsim.world.World;
 
 /**
@@ -35,16 +36,16 @@ public final class Laser {
     public int[] ranges(LaserScan scan) {
         Pose pose = body.pose();
         Point at = pose.toWorld(aheadMm, 0);
+        View view = world.view(body, at, FARTHEST_MM);
         int[] ranges = new int[scan.readings()];
         for (int i = 0; i < ranges.length; i++) {
-            ranges[i] = range(at, pose.toWorldDeg(scan.directionDeg(i)));
+            ranges[i] = range(view, pose.toWorldDeg(scan.directionDeg(i)));
         }
         return ranges;
     }
 
-    private int range(Point from, double directionDeg) {
-        double mm = world.ray(body, from.xMm(), from.yMm(), directionDeg, FARTHEST_MM)
-                .distanceMm();
+    private int range(View view, double directionDeg) {
+        double mm = view.ray(directionDeg, FARTHEST_MM).distanceMm();
         double seen = mm >= FARTHEST_MM ? mm : mm + noise.gaussian(SIGMA_MM);
         return (int) Math.round(Math.max(0, Math.min(FARTHEST_MM, seen)));
     }
