@@ -55,7 +55,7 @@ class RecordingFuzzTest {
         try {
             show(Recording.read(file(file)));
         } catch (IOException e) {
-            assertThat(e).hasMessageStartingWith("it ");
+            assertThat(e).hasMessageStartingWith("it");
             OneSentence.check(e.getMessage());
         }
     }
