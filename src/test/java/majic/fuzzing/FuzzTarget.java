@@ -91,6 +91,7 @@ record FuzzTarget(String className, String method) {
                         "--instrumentation_includes=majic.**:majicsim.**",
                         "-max_total_time=" + seconds,
                         "-timeout=" + LONGEST_RUN_S,
+                        "-report_slow_units=" + LONGEST_RUN_S,
                         "-print_final_stats=1")
                 .redirectErrorStream(true)
                 .redirectOutput(output.toFile())
