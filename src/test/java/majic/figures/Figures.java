@@ -26,6 +26,8 @@ public final class Figures {
     private static final List<String> ALL =
             List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab", "load");
 
+    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load");
+
     private final ChildProgram programs;
 
     private Figures(ChildProgram programs) {
@@ -36,7 +38,7 @@ public final class Figures {
     public static void main(String[] names) throws IOException, InterruptedException {
         List<String> wanted = names.length == 0 ? ALL : List.of(names);
         ChildProgram programs = ChildProgram.create();
-        Figures figures = new Figures(wanted.equals(List.of("load")) ? programs : programs.withClassData());
+        Figures figures = new Figures(WITHOUT_WINDOW.containsAll(wanted) ? programs : programs.withClassData());
         for (String name : wanted) {
             switch (name) {
                 case "start" -> figures.start();
