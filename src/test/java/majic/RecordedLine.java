@@ -49,7 +49,7 @@ public final class RecordedLine implements AutoCloseable {
     }
 
     /** Creates a serial port in front of a robot's TCP port. */
-    static RecordedLine serial(int robotPort) throws IOException {
+    public static RecordedLine serial(int robotPort) throws IOException {
         PseudoTerminal terminal = new PseudoTerminal();
         RecordedLine line = new RecordedLine(terminal, terminal.name());
         Socket robot = new Socket(InetAddress.getLoopbackAddress(), robotPort);

@@ -11,9 +11,8 @@ import java.util.TreeMap;
 /**
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
- * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab},
- * {@code load}; without
- * arguments all are measured.
+ * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}, {@code load},
+ * {@code crash}; without arguments all are measured.
  */
 public final class Figures {
     private static final int STARTS = 9;
@@ -24,9 +23,9 @@ public final class Figures {
 
     private static final int[] LABS = {1, 10, 45, 100, 500};
     private static final List<String> ALL =
-            List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab", "load");
+            List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab", "load", "crash");
 
-    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load");
+    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash");
 
     private final ChildProgram programs;
 
@@ -50,6 +49,7 @@ public final class Figures {
                 case "flood" -> figures.flood();
                 case "lab" -> figures.lab();
                 case "load" -> figures.load();
+                case "crash" -> figures.crash();
                 default -> throw new IllegalArgumentException("no figure " + name);
             }
         }
@@ -159,6 +159,11 @@ public final class Figures {
 
     private String teamLoad(List<String> addresses) throws IOException {
         return programs.lines(TeamLoad.class, addresses).get(0);
+    }
+
+    private void crash() throws IOException, InterruptedException {
+        say("kill -9 during a session, while its robots drive (no setting and no line within a file may be lost)");
+        Crashes.measure().forEach(line -> say("  " + line));
     }
 
     private static void add(Map<String, List<Double>> seconds, String name, double value) {
