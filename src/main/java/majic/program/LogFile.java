@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.ZoneId;
@@ -17,6 +18,7 @@ import java.util.logging.Level;
 import java.util.logging.LogManager;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import majic.text.IoReason;
 import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
@@ -149,11 +151,18 @@ public final class LogFile extends Handler {
     private static final class OneSentence extends ErrorManager {
         private boolean reported;
 
+        private static String reason(@Nullable Exception error) {
+            if (error instanceof FileSystemException refused) {
+                return refused.getFile() + ": " + IoReason.of(refused);
+            }
+            return error instanceof IOException broken ? IoReason.of(broken) : String.valueOf(error);
+        }
+
         @Override
         public synchronized void error(@Nullable String message, @Nullable Exception error, int code) {
             if (!reported) {
                 reported = true;
-                System.err.println("majic: its log cannot be written: " + error);
+                System.err.println("majic: its log cannot be written: " + reason(error));
             }
         }
     }

@@ -5,6 +5,7 @@ import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.time.Clock;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
@@ -26,6 +27,7 @@ import majic.simulation.SimulatedLab;
 import majic.team.AutoReconnect;
 import majic.team.BotFactory;
 import majic.team.Team;
+import majic.text.IoReason;
 import majic.time.TimeSource;
 import majicsim.LabOptions;
 import org.jspecify.annotations.Nullable;
@@ -42,7 +44,7 @@ public final class Program implements AutoCloseable {
     private final BotFactory factory;
     private volatile @Nullable SimulatedLab lab;
     private final UserSettings settings;
-    private final List<String> pluginProblems;
+    private final List<String> problems = new ArrayList<>();
     private final Team team;
     private final Session session;
     private final SessionLog log;
@@ -53,32 +55,42 @@ public final class Program implements AutoCloseable {
     private final CountDownLatch closed = new CountDownLatch(1);
 
     /**
-     * Builds everything; starts nothing except the session log.
+     * Builds everything; starts nothing except the session log. If that cannot be written, as in a read-only folder, there
+     * is none, and {@link #announce} reports it.
      *
      * @param folder the user's folder
      * @param lab a running lab; null for none
      * @param records whether what the robots report is recorded
-     * @throws IOException if the session log cannot be written
      */
-    public Program(UserFolder folder, @Nullable SimulatedLab lab, boolean records) throws IOException {
+    public Program(UserFolder folder, @Nullable SimulatedLab lab, boolean records) {
         this.folder = folder;
         this.lab = lab;
         TimeSource time = lab == null ? TimeSource.system() : lab.time();
         settings = new UserSettings(folder.file("settings.properties"));
         Plugins plugins = Plugins.in(folder.file("plugins"));
-        pluginProblems = plugins.problems();
+        problems.addAll(plugins.problems());
         factory = new BotFactory(plugins.types(), settings);
         if (lab != null) {
             factory.useLab(lab);
         }
         team = new Team(time);
-        Path sessions = folder.folder("sessions");
-        log = SessionLog.in(sessions, Clock.systemDefaultZone());
+        log = openLog(folder.file("sessions"));
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
         recorder = records ? record() : null;
         if (lab != null) {
             lab.onTooSlow(session::alarm);
+        }
+    }
+
+    private SessionLog openLog(Path sessions) {
+        try {
+            return SessionLog.in(sessions, Clock.systemDefaultZone());
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "there is no session log", e);
+            problems.add("no session log can be written in " + sessions + ": " + IoReason.of(e)
+                    + "; MAJIC goes on without one");
+            return SessionLog.none();
         }
     }
 
@@ -193,7 +205,7 @@ public final class Program implements AutoCloseable {
 
     /** Reports the errors that occurred before, those of plug-ins included, now that the session has a listener. */
     public void announce() {
-        pluginProblems.forEach(session::alarm);
+        problems.forEach(session::alarm);
         settings.onTrouble(session::alarm);
     }
 

@@ -1,7 +1,5 @@
 package majic.program;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.Map;
@@ -31,11 +29,6 @@ public record UserFolder(Path path) {
         }
         String data = environment.get("XDG_DATA_HOME");
         return data == null || data.isBlank() ? Path.of(home, ".local", "share", "majic") : Path.of(data, "majic");
-    }
-
-    /** Returns a folder inside it, created if it is missing. */
-    Path folder(String name) throws IOException {
-        return Files.createDirectories(path.resolve(name));
     }
 
     public Path file(String name) {

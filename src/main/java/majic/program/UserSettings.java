@@ -4,6 +4,7 @@ import java.io.File;
 import java.io.IOException;
 import java.io.Reader;
 import java.io.Writer;
+import java.lang.System.Logger.Level;
 import java.nio.channels.FileChannel;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
@@ -28,6 +29,8 @@ import majic.environment.Settings;
  * until then. Both are reported. Thread-safe.
  */
 final class UserSettings implements Settings {
+    private static final System.Logger LOG = System.getLogger(UserSettings.class.getName());
+
     private final Path file;
 
     /** The file's content, with all changes since. */
@@ -149,8 +152,28 @@ final class UserSettings implements Settings {
                 written.force(true);
             }
             move(fresh);
+            synchroniseFolder();
         } catch (IOException e) {
+            discard(fresh);
             throw new BotException("cannot write the settings to " + file + ": " + reason(e), e);
+        }
+    }
+
+    /** Makes the move last through a loss of power, where the system can; Windows cannot open a folder. */
+    private void synchroniseFolder() {
+        try (FileChannel folder = FileChannel.open(file.getParent(), StandardOpenOption.READ)) {
+            folder.force(true);
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "the folder of the settings cannot be synchronised", e);
+        }
+    }
+
+    /** A file that was not written completely, as on a full disk, only takes room. */
+    private static void discard(Path fresh) {
+        try {
+            Files.deleteIfExists(fresh);
+        } catch (IOException e) {
+            LOG.log(Level.DEBUG, "half a file of settings is left", e);
         }
     }
 

@@ -92,6 +92,22 @@ class UserSettingsTest {
     }
 
     @Test
+    void settingsThatCannotBeWrittenLeaveTheFileAsItWas() throws IOException {
+        Files.writeString(file, GOOD);
+        Path inTheWay = Files.createDirectories(folder.resolve("settings.properties.new"));
+        UserSettings settings = settings();
+
+        assertThatThrownBy(() -> settings.put("look", "dark"))
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("cannot write the settings");
+
+        assertThat(Files.readString(file)).isEqualTo(GOOD);
+        Files.deleteIfExists(inTheWay);
+        settings.put("sound", "off");
+        assertThat(Files.readAllLines(file)).contains("act.trusted=abc", "look=dark", "sound=off");
+    }
+
+    @Test
     void errorsAreReportedToTheFirstListener() throws IOException {
         Files.writeString(file, "bad=\\u00zz\n");
         UserSettings settings = new UserSettings(file);
