@@ -25,6 +25,7 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Tests that a robot is stopped when the program that embeds it ends or is suspended during a motion. */
@@ -113,6 +114,36 @@ class ShutdownTest {
             } finally {
                 program.destroyForcibly();
             }
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"INT", "TERM", "HUP"})
+    void theProgramStopsARobotAtASerialPortWhenASignalEndsIt(End end, @TempDir Path folder) throws Exception {
+        Map<String, String> home = Map.of("MAJIC_HOME", folder.toString());
+        Path script = Files.writeString(folder.resolve("far.majic"), "1 move 1000");
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+                RecordedLine line = Robot.PIONEER_ON_A_PORT.line(lab)) {
+            Process program = start(Majic.class, home, "run", "--add", "pioneer:" + line.address(), script.toString());
+            try {
+                awaitMoving(lab, "pioneer");
+                int before = line.length();
+
+                end(program, end);
+
+                program.waitFor();
+                line.await(PIONEER_STOP, before);
+                awaitStationary(lab, "pioneer");
+            } finally {
+                program.destroyForcibly();
+            }
+        }
+    }
+
+    private static void awaitMoving(SimulatedLab lab, String type) throws InterruptedException {
+        Pose start = lab.truePoses().get(type);
+        while (start.equals(lab.truePoses().get(type))) {
+            lab.time().sleep(0.05);
         }
     }
 
