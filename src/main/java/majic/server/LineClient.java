@@ -272,7 +272,7 @@ final class LineClient {
     private void showInterest() {
         if (key.isValid()) {
             boolean reads = !ended && !wire.isBusy();
-            boolean writes = wire.hasUnsent() || !answers.isEmpty();
+            boolean writes = wire.hasUnsent() || (wire.isReady() && !answers.isEmpty());
             key.interestOps((reads ? SelectionKey.OP_READ : 0) | (writes ? SelectionKey.OP_WRITE : 0));
         }
     }

@@ -34,6 +34,11 @@ record PlainWire(SocketChannel socket) implements Wire {
     }
 
     @Override
+    public boolean isReady() {
+        return true;
+    }
+
+    @Override
     public boolean isBusy() {
         return false;
     }

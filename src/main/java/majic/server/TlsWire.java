@@ -161,6 +161,11 @@ final class TlsWire implements Wire {
     }
 
     @Override
+    public boolean isReady() {
+        return secure;
+    }
+
+    @Override
     public boolean isBusy() {
         return busy;
     }

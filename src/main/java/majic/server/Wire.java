@@ -26,6 +26,9 @@ interface Wire extends Closeable {
     /** Returns whether bytes wait in the connection itself until the system takes them. */
     boolean hasUnsent();
 
+    /** Returns whether answers can be sent already. */
+    boolean isReady();
+
     /** Returns whether reading must pause, because something else has to happen first. */
     boolean isBusy();
 

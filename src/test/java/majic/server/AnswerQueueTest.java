@@ -38,6 +38,11 @@ class AnswerQueueTest {
         }
 
         @Override
+        public boolean isReady() {
+            return true;
+        }
+
+        @Override
         public boolean isBusy() {
             return false;
         }

@@ -15,6 +15,7 @@ import java.security.KeyStore;
 import java.security.cert.CertificateFactory;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicLong;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
@@ -137,6 +138,21 @@ class TlsClientsTest {
         assertThat(admitted().say("save " + what + " " + mine).next())
                 .isEqualTo("save: not from another computer; type it at MAJIC's own");
         assertThat(mine).hasContent("kept");
+    }
+
+    @Test
+    void aConnectionWithoutAHandshakeEnds() throws IOException {
+        AtomicLong nanos = new AtomicLong();
+        InetSocketAddress any = new InetSocketAddress(0);
+        try (LineServer hasty = LineServer.open(
+                        any,
+                        robots.session,
+                        port -> ListenToken.create(folder, port),
+                        ListenKey.in(folder),
+                        () -> nanos.addAndGet(1_000_000_000));
+                TestClient silent = TestClient.of(hasty)) {
+            assertThat(silent.untilItIsClosed()).as("at most an alert of TLS").hasSizeLessThan(2);
+        }
     }
 
     @Test
