@@ -3,6 +3,7 @@ package majic.script.syntax;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import majic.text.VisibleText;
 
 /**
  * Something wrong in a script. Immutable.
@@ -13,6 +14,11 @@ import java.util.List;
  */
 public record Mistake(int line, int column, String message) {
     private static final int MOST_LISTED = 20;
+
+    /** Shows control characters of the script as text. */
+    public Mistake {
+        message = VisibleText.of(message);
+    }
 
     public String in(String file) {
         return file + ":" + line + ":" + column + ": " + message;
