@@ -30,6 +30,7 @@ public final class Soak {
     private Soak() {}
 
     /** Runs it. */
+    @SuppressWarnings("try")
     public static void main(String[] arguments) throws IOException, InterruptedException {
         long commands = 1_000_000;
         long seed = 1;
