@@ -20,7 +20,7 @@ import majicsim.net.Faults;
 
 /**
  * One lab and one team: three sources send lines at the same time, a prompt, a pipe and a socket, while each robot's connection
- * fails again and again. Afterwards all faults end, and each robot must obey again. For one use.
+ * fails again and again. No robot may move after it has confirmed a STOP. Afterwards all faults end, and each robot must obey again. For one use.
  */
 final class SoakRound {
     /** How long everything that was sent may take to end, seconds of the lab. */
@@ -30,6 +30,7 @@ final class SoakRound {
     private static final double RETURN_BOUND_S = 120;
 
     private static final int FEWEST_FAULTS = 2;
+    private static final double CHECK_S = 0.1;
 
     private final long seed;
     private final int linesPerSource;
@@ -100,6 +101,13 @@ final class SoakRound {
         for (int robot = 1; robot <= soak.robots().size(); robot++) {
             disturb(soak, robot);
         }
+        StopCheck check = new StopCheck(soak.lab(), soak.team(), problems::add);
+        start(soak, "stop check", disturbed, () -> {
+            while (!over) {
+                soak.lab().time().sleep(CHECK_S);
+                check.look();
+            }
+        });
         List<MajicParser> parsers = new ArrayList<>();
         for (Source source : Source.values()) {
             parsers.add(send(soak, source));
