@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import majic.program.Program;
 import majic.program.UsageException;
 import majic.program.UserFolder;
@@ -11,6 +12,7 @@ import majic.server.LineServer;
 import majic.server.ListenKey;
 import majic.server.ListenToken;
 import majic.simulation.SimulatedLab;
+import majic.team.Team;
 import majic.vendor.VendorLibrary;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Mixin;
@@ -158,12 +160,18 @@ final class StartOptions {
         List<String> lines = new ArrayList<>();
         SimulatedLab simulated = program.lab();
         if (simulated != null) {
-            for (String robot : simulated.robots()) {
-                lines.add("add sim:" + robot + " as " + (lines.size() + 1));
-            }
+            lines.addAll(labLines(simulated.robots()));
         }
         robots.forEach(robot -> lines.add("add " + robot));
         return lines;
+    }
+
+    /** Adds as many robots of the lab as a team has numbers. */
+    static List<String> labLines(List<String> robots) {
+        int count = Math.min(Team.MAX_BOTS, robots.size());
+        return IntStream.range(0, count)
+                .mapToObj(index -> "add sim:" + robots.get(index) + " as " + (index + 1))
+                .toList();
     }
 
     private static InetSocketAddress address(String text) {
