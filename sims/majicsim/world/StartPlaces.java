@@ -144,6 +144,12 @@ final class StartPlaces {
             return new Pose(seed.xMm() + column * GRID_MM, seed.yMm() + row * GRID_MM, headingDeg);
         }
 
+        /** Computed here, because that of a record is linked at run time, which would delay every start of the lab. */
+        @Override
+        public int hashCode() {
+            return 31 * column + row;
+        }
+
         List<Cell> neighbours() {
             return List.of(
                     new Cell(column + 1, row),
