@@ -85,12 +85,16 @@ final class TcpListener {
         endListening();
     }
 
-    /** The system ends the listening socket only when the selector has dropped its key. */
+    /**
+     * The system ends the listening socket only when the selector has dropped its key. That selection takes a wake-up which
+     * may have been meant for the next one, so it is repeated.
+     */
     private void endListening() throws IOException {
         if (server != null) {
             server.close();
             server = null;
             selector.selectNow();
+            selector.wakeup();
         }
     }
 
