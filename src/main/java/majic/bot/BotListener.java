@@ -18,17 +18,6 @@ public interface BotListener {
     default void stateChanged(MajicBot bot, BotState state) {}
 
     /**
-     * Returns whether {@link #stateChanged} does nothing. While all listeners of a robot ignore its readings, its listener
-     * thread is not woken for them, which saves a tenth of the processor time of a robot that reports. Called by the
-     * robot's reader thread.
-     *
-     * @return false unless overridden
-     */
-    default boolean ignoresStates() {
-        return false;
-    }
-
-    /**
      * The connection changed.
      *
      * @param bot the robot

@@ -127,7 +127,7 @@ final class Listeners {
 
     private boolean areStatesRead() {
         for (BotListener listener : all) {
-            if (!listener.ignoresStates()) {
+            if (!(listener instanceof EventOnlyListener)) {
                 return true;
             }
         }

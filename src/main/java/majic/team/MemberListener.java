@@ -1,21 +1,16 @@
 package majic.team;
 
-import majic.bot.BotListener;
 import majic.bot.MajicBot;
+import majic.driver.EventOnlyListener;
 
 /** Forwards the messages and connection changes of one robot to the team's listeners. */
-final class MemberListener implements BotListener {
+final class MemberListener implements EventOnlyListener {
     private final TeamEvents events;
     private final Member member;
 
     MemberListener(TeamEvents events, Member member) {
         this.events = events;
         this.member = member;
-    }
-
-    @Override
-    public boolean ignoresStates() {
-        return true;
     }
 
     @Override

@@ -7,7 +7,6 @@ import static org.mockito.Mockito.mock;
 import static org.mockito.Mockito.never;
 import static org.mockito.Mockito.verify;
 import static org.mockito.Mockito.verifyNoInteractions;
-import static org.mockito.Mockito.when;
 
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
@@ -21,6 +20,7 @@ class ListenersTest {
     private final Listeners listeners = new Listeners(FakeBot.on(TimeSource.system()), TimeSource.system());
     private final BotListener first = mock();
     private final BotListener second = mock();
+    private final EventOnlyListener eventOnly = mock();
 
     @Test
     void aNoticeBeforeThereIsAListenerIsKeptForTheFirst() {
@@ -54,8 +54,7 @@ class ListenersTest {
 
     @Test
     void newReadingsAreNotQueuedWhileAllListenersIgnoreThem() {
-        when(first.ignoresStates()).thenReturn(true);
-        listeners.add(first);
+        listeners.add(eventOnly);
         WaitPolicy.without(listeners::stateChanged);
         listeners.add(second);
         listeners.deliver();
@@ -65,9 +64,8 @@ class ListenersTest {
 
     @Test
     void newReadingsReachAListenerBesideOneThatIgnoresThem() {
-        when(first.ignoresStates()).thenReturn(true);
         listeners.add(second);
-        listeners.add(first);
+        listeners.add(eventOnly);
         listeners.stateChanged();
 
         verify(second).stateChanged(any(), any());
