@@ -18,7 +18,8 @@ import org.assertj.swing.edt.GuiActionRunner;
  */
 public final class EventThreadWatch {
     private static final int TICK_MS = 20;
-    private static final int LIMIT_TICKS = 50;
+    private static final long TICK_NANOS = TICK_MS * 1_000_000L;
+    private static final long LIMIT_NANOS = 1_000_000_000L;
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
     private final List<String> stalls = new CopyOnWriteArrayList<>();
@@ -62,24 +63,30 @@ public final class EventThreadWatch {
             eventThread = Thread.currentThread().getId();
             answered = true;
         });
-        int ticks = 0;
+        long kept = 0;
         while (!answered) {
             long before = THREADS.getThreadCpuTime(eventThread);
             Thread.sleep(TICK_MS);
             ThreadInfo thread = THREADS.getThreadInfo(eventThread, Integer.MAX_VALUE);
-            if (!answered && thread != null && isOccupied(thread, before) && ++ticks == LIMIT_TICKS) {
+            if (answered || thread == null) {
+                continue;
+            }
+            boolean reported = kept >= LIMIT_NANOS;
+            kept += occupiedNanos(thread, before);
+            if (!reported && kept >= LIMIT_NANOS) {
                 stalls.add("the event dispatch thread was kept by " + List.of(thread.getStackTrace()));
             }
         }
         Thread.sleep(TICK_MS);
     }
 
-    /** Returns whether the thread computes, or waits for something other than the next event. */
-    private boolean isOccupied(ThreadInfo thread, long before) {
+    /** Returns how long the thread computed, or waited for something other than the next event, in the last tick. */
+    private long occupiedNanos(ThreadInfo thread, long before) {
         if (thread.getThreadState() == Thread.State.RUNNABLE) {
-            return THREADS.getThreadCpuTime(eventThread) - before > TICK_MS * 500_000L;
+            return THREADS.getThreadCpuTime(eventThread) - before;
         }
-        return Stream.of(thread.getStackTrace())
-                .noneMatch(frame -> frame.getMethodName().equals("getNextEvent"));
+        boolean idle = Stream.of(thread.getStackTrace())
+                .anyMatch(frame -> frame.getMethodName().equals("getNextEvent"));
+        return idle ? 0 : TICK_NANOS;
     }
 }
