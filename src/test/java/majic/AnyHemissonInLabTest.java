@@ -104,6 +104,7 @@ class AnyHemissonInLabTest {
 
             for (String line : List.of("1 stop", "1 move 60", "1 stop", "1 drive 50 0 for 1s")) {
                 assertThat(rig.run(line))
+                        .filteredOn(answer -> answer.startsWith(line))
                         .hasSize(1)
                         .first()
                         .asString()

@@ -202,7 +202,7 @@ class ActArgumentsInSessionTest {
                         .entries()
                         .get(0)
                         .inWords())
-                .isEqualTo("length= 10 … 500 mm, 100mm: how far a step goes");
+                .isEqualTo("length= 10 … 500 mm, default 100 mm: how far a step goes");
         assertThat(fixture.prompt
                         .complete("1 act Steps length=", 19)
                         .entries()
