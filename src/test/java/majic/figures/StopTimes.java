@@ -46,8 +46,10 @@ final class StopTimes {
     private static final int FIRST_STUCK = 11;
     private static final int SETTLING_MS = 300;
     private static final int MOST_MS = 8000;
-    private static final Map<String, String> STOPS = Map.of(
-            "pioneer", "\u00FA\u00FB\u0003\u001D\0\u001D", "aibo", "stop walk, stop turn,", "hemisson", "D,0,0\r");
+    private static final Map<String, List<String>> STOPS = Map.of(
+            "pioneer", List.of("\u00FA\u00FB\u0003\u001D\0\u001D"),
+            "aibo", List.of("stop walk, stop turn,"),
+            "hemisson", List.of("D,0,0\r", "D\r"));
 
     private final Program program;
     private final Team team;
@@ -59,8 +61,16 @@ final class StopTimes {
     private final Socket client;
     private final Robot keys;
 
-    /** A robot that reads: its line, and its stop. */
-    private record Healthy(RecordedLine line, String stop) {}
+    /** A robot that reads: its line, and the forms of its stop. */
+    private record Healthy(RecordedLine line, List<String> stops) {
+        /** Returns when the first stop arrived that was sent after the first bytes of the line. */
+        OptionalLong arrival(int before) {
+            return stops.stream()
+                    .map(stop -> line.arrivalNanos(stop, before))
+                    .flatMapToLong(OptionalLong::stream)
+                    .min();
+        }
+    }
 
     /** A way to stop. */
     private interface Stopping {
@@ -189,9 +199,7 @@ final class StopTimes {
     /** Returns when the stops arrived that were sent after the first bytes of each line. */
     private List<OptionalLong> arrivals(List<Integer> before) {
         return IntStream.range(0, healthy.size())
-                .mapToObj(robot -> healthy.get(robot)
-                        .line()
-                        .arrivalNanos(healthy.get(robot).stop(), before.get(robot)))
+                .mapToObj(robot -> healthy.get(robot).arrival(before.get(robot)))
                 .toList();
     }
 
