@@ -132,7 +132,7 @@ public final class Figures {
     /** Measures teams of Pioneers, then a team of 60 robots of all makes. */
     private void load() throws IOException {
         say("a team without a window: 99 of 100 commands on the link within 1 ms with 100 robots on 2 cores,");
-        say("at most 0.15 % of a core and 100 KB of heap a Pioneer, with 500 no more than with 10");
+        say("at most 0.15 % of a core and 100 KB of heap a Pioneer, with 500 within 20 % of that with 10");
         say(LoadTable.head());
         LoadTable table = new LoadTable();
         for (int robots : TEAMS) {
