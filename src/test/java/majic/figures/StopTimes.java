@@ -45,6 +45,10 @@ final class StopTimes {
     private static final int STUCK = 10;
     private static final int FIRST_STUCK = 11;
     private static final int SETTLING_MS = 300;
+
+    /** What the buffers of the stuck robots take to fill: copying it would delay the stop on a computer with two cores. */
+    private static final int FILLING_MS = 300;
+
     private static final int MOST_MS = 8000;
     private static final Map<String, List<String>> STOPS = Map.of(
             "pioneer", List.of("\u00FA\u00FB\u0003\u001D\0\u001D"),
@@ -185,6 +189,7 @@ final class StopTimes {
         for (StuckBot bot : stuck.subList(0, STUCK / 2)) {
             bot.flood();
         }
+        Thread.sleep(FILLING_MS);
         List<Integer> before =
                 healthy.stream().map(robot -> robot.line().length()).toList();
         namedNanos.clear();

@@ -26,7 +26,7 @@ final class StuckBot extends BotDriver {
     private static final double CONFIRM_S = 4;
 
     /** More than the buffers of both ends take. */
-    private static final int FLOOD = 1 << 25;
+    private static final byte[] FLOOD = new byte[1 << 25];
 
     private final ServerSocket robot;
     private final Link link;
@@ -84,7 +84,7 @@ final class StuckBot extends BotDriver {
     protected Value moveBy(double mm, Motion motion) {
         motion.send(() -> {
             flooding.countDown();
-            write(new byte[FLOOD]);
+            write(FLOOD);
         });
         throw new BotException("the robot reads again");
     }
