@@ -172,13 +172,17 @@ public abstract class BotDriver extends MajicBot {
         revokeMotions();
         if (isConnected()) {
             sendStop();
+        } else {
+            changes.raise();
         }
     }
 
-    /** Revokes the permission to move of all current motions; does not block, sends nothing. */
+    /**
+     * Revokes the permission to move of all current motions; does not block, sends nothing. Wakes no thread that waits
+     * in a motion: {@link #writeStop()} does, so that those threads do not delay the stops of other robots.
+     */
     public final void revokeMotions() {
         gate.revoke(() -> new MotionStopped("stopped"));
-        changes.raise();
     }
 
     /**
@@ -197,20 +201,25 @@ public abstract class BotDriver extends MajicBot {
     }
 
     /**
-     * The part of {@link #sendStop()} that writes; false for a robot that needs no stop, not connected yet or closed.
+     * The part of {@link #sendStop()} that writes; then wakes the threads that wait in motions.
+     *
+     * @return false for a robot that needs no stop, not connected yet or closed
      */
     public final boolean writeStop() {
-        changes.raise();
-        refuseLost();
-        Connection now = life.now();
-        if (now == Connection.CONNECTING || now == Connection.LOST) {
-            throw new BotException(name + " is not connected, so no stop can reach it");
+        try {
+            refuseLost();
+            Connection now = life.now();
+            if (now == Connection.CONNECTING || now == Connection.LOST) {
+                throw new BotException(name + " is not connected, so no stop can reach it");
+            }
+            boolean open = isConnected();
+            if (open) {
+                gate.writeStop();
+            }
+            return open;
+        } finally {
+            changes.raise();
         }
-        boolean open = isConnected();
-        if (open) {
-            gate.writeStop();
-        }
-        return open;
     }
 
     @Override
@@ -656,10 +665,9 @@ public abstract class BotDriver extends MajicBot {
         return gate.permit();
     }
 
-    /** Refuses all motion until {@link #unlatch()}. */
+    /** Refuses all motion until {@link #unlatch()}, and revokes as {@link #revokeMotions()} does. */
     public final void latch() {
         gate.latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
-        changes.raise();
     }
 
     /** Allows motion again after {@link #latch()}. */

@@ -173,6 +173,7 @@ class BotDriverTest {
                 .thread("stopper", () -> {
                     pause(1.2);
                     bot.revokeMotions();
+                    bot.writeStop();
                 })
                 .start();
 
