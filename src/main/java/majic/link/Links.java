@@ -37,6 +37,19 @@ public final class Links {
     }
 
     /**
+     * Creates a link over TLS (RFC 8446), without opening it. The server's certificate must be trusted by this Java and be
+     * issued for the host.
+     *
+     * @param host the server's name or address
+     * @param port its TCP port, 1 to 65535
+     * @return a link, not open; {@link Link#open} throws an {@link javax.net.ssl.SSLException} if the server uses no TLS or
+     *     is not trusted
+     */
+    public static Link secure(String host, int port) {
+        return new TcpLink(host, port, new TcpConnector(host, port), new TlsLayer(host, port));
+    }
+
+    /**
      * Reads host and port from a network address.
      *
      * @param address {@code //host}, {@code //host:port} or {@code tcp://host:port}

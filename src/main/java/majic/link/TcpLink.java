@@ -17,9 +17,11 @@ final class TcpLink implements Link {
     private final int port;
     private final String remote;
     private final TcpConnector connector;
+    private final Layer layer;
     private final TrafficCounter counter = new TrafficCounter();
     private final ReentrantLock writing = new ReentrantLock();
     private volatile @Nullable Socket socket;
+    private @Nullable Socket bare;
     private volatile String local = "";
     private boolean closed;
 
@@ -28,10 +30,29 @@ final class TcpLink implements Link {
     }
 
     TcpLink(String host, int port, TcpConnector connector) {
+        this(host, port, connector, (connected, timeoutMs) -> connected);
+    }
+
+    /** What carries the bytes over a connected socket. */
+    @FunctionalInterface
+    interface Layer {
+        /**
+         * Prepares the transmission.
+         *
+         * @param connected closed by the link if this fails
+         * @param timeoutMs how long to try at most, ms
+         * @return the socket to read from and to write to, which may be the same
+         * @throws IOException if the other end refuses it
+         */
+        Socket over(Socket connected, int timeoutMs) throws IOException;
+    }
+
+    TcpLink(String host, int port, TcpConnector connector, Layer layer) {
         this.host = host;
         this.port = port;
         this.remote = host + ":" + port;
         this.connector = connector;
+        this.layer = layer;
     }
 
     @Override
@@ -41,6 +62,7 @@ final class TcpLink implements Link {
         Socket opening = begin();
         try {
             connector.connect(opening, computer, deadlineNanos, timeoutMs);
+            use(layer.over(opening, timeoutMs));
             local = opening.getLocalAddress().getHostAddress() + ":" + opening.getLocalPort();
             counter.opened();
             Links.register(this);
@@ -56,8 +78,16 @@ final class TcpLink implements Link {
             throw new IOException("closed while connecting");
         }
         Socket opening = new Socket();
+        bare = opening;
         socket = opening;
         return opening;
+    }
+
+    private synchronized void use(Socket layered) throws IOException {
+        if (closed) {
+            throw new IOException("closed while connecting");
+        }
+        socket = layered;
     }
 
     @Override
@@ -126,19 +156,24 @@ final class TcpLink implements Link {
 
     private void end(boolean discarding) {
         Socket open;
+        Socket below;
         synchronized (this) {
             open = socket;
+            below = bare;
             socket = null;
+            bare = null;
             closed = true;
         }
-        if (open == null) {
+        if (open == null || below == null) {
             return;
         }
         counter.closed();
         Links.tidy();
         try {
             if (discarding) {
-                open.setSoLinger(true, 0);
+                // A layer might wait for a blocked writer in order to announce the end.
+                below.setSoLinger(true, 0);
+                below.close();
             }
             open.close();
         } catch (IOException e) {
