@@ -63,14 +63,13 @@ public record Orientation(double x, double y, double z, double w) {
         return Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, sine))));
     }
 
-    /** Rotates a vector; the result is {x, y, z}. */
-    double[] rotate(double vx, double vy, double vz) {
+    /** Rotates a vector. */
+    Vector rotate(Vector vector) {
         double scale = 2 / square();
-        double tx = scale * (y * vz - z * vy);
-        double ty = scale * (z * vx - x * vz);
-        double tz = scale * (x * vy - y * vx);
-        return new double[] {vx + w * tx + y * tz - z * ty, vy + w * ty + z * tx - x * tz, vz + w * tz + x * ty - y * tx
-        };
+        double tx = scale * (y * vector.z() - z * vector.y());
+        double ty = scale * (z * vector.x() - x * vector.z());
+        double tz = scale * (x * vector.y() - y * vector.x());
+        return vector.plus(new Vector(w * tx + y * tz - z * ty, w * ty + z * tx - x * tz, w * tz + x * ty - y * tx));
     }
 
     /** Returns the rotation that first applies the other one, then this one. */

@@ -1,0 +1,71 @@
+package majic.ros.message;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * One message about one or several contacts of a base, from which the state of each contact follows until the next
+ * message about it. Immutable.
+ *
+ * @param contacts each with its present state
+ */
+public record ContactMessage(List<Contact> contacts) {
+    private static final List<String> SIDES = List.of("left", "centre", "right");
+
+    /** Keeps a copy. */
+    public ContactMessage {
+        contacts = List.copyOf(contacts);
+    }
+
+    /**
+     * A contact.
+     *
+     * @param hazard what it means if it is active
+     * @param place where it is: {@code left}, {@code front} …
+     * @param active whether it is pressed, looks down a step, or hangs in the air
+     */
+    public record Contact(Hazard hazard, String place, boolean active) {}
+
+    /**
+     * Reads an event of a Kobuki, which is sent only when a contact changes.
+     *
+     * @param message the content of a {@code kobuki_msgs/BumperEvent}, {@code CliffEvent} or {@code WheelDropEvent}
+     * @return the one contact
+     * @throws UnusableMessage if it is none of these
+     */
+    public static ContactMessage kobuki(JsonNode message) {
+        boolean active = Fields.number(message, "state") == 1;
+        if (message.has("bumper")) {
+            return one(Hazard.BUMP, side(message, "bumper", SIDES), active);
+        }
+        if (message.has("sensor")) {
+            return one(Hazard.CLIFF, side(message, "sensor", SIDES), active);
+        }
+        return one(Hazard.WHEEL_DROP, side(message, "wheel", List.of("left", "right")), active);
+    }
+
+    /**
+     * Reads the state of a TurtleBot3.
+     *
+     * @param message the content of a {@code turtlebot3_msgs/SensorState}
+     * @return its two bumpers
+     * @throws UnusableMessage if there is no field {@code bumper}
+     */
+    public static ContactMessage turtleBot3(JsonNode message) {
+        int bits = (int) Fields.number(message, "bumper");
+        List<Contact> contacts = new ArrayList<>();
+        contacts.add(new Contact(Hazard.BUMP, "front", (bits & 1) != 0));
+        contacts.add(new Contact(Hazard.BUMP, "back", (bits & 2) != 0));
+        return new ContactMessage(contacts);
+    }
+
+    private static ContactMessage one(Hazard hazard, String place, boolean active) {
+        return new ContactMessage(List.of(new Contact(hazard, place, active)));
+    }
+
+    private static String side(JsonNode message, String field, List<String> sides) {
+        int number = (int) Fields.number(message, field);
+        return number >= 0 && number < sides.size() ? sides.get(number) : String.valueOf(number);
+    }
+}

@@ -1,0 +1,92 @@
+package majic.ros.message;
+
+import com.fasterxml.jackson.databind.JsonNode;
+
+/**
+ * One turn of a laser scanner ({@code sensor_msgs/LaserScan}). Immutable. A range is known only if it is within the
+ * scanner's own limits: {@code null}, 0 and everything outside may mean that nothing is in range, that something is too
+ * near, or that the beam came back from nowhere, which cannot be told apart.
+ */
+public final class LaserScanMessage {
+    private final String frame;
+    private final double firstDeg;
+    private final double stepDeg;
+    private final double[] rangesMm;
+
+    private LaserScanMessage(String frame, double firstDeg, double stepDeg, double[] rangesMm) {
+        this.frame = frame;
+        this.firstDeg = firstDeg;
+        this.stepDeg = stepDeg;
+        this.rangesMm = rangesMm;
+    }
+
+    /**
+     * Reads a message.
+     *
+     * @param message the content of a {@code sensor_msgs/LaserScan}
+     * @return the scan
+     * @throws UnusableMessage if the angles are not finite numbers, or the ranges are no list
+     */
+    public static LaserScanMessage from(JsonNode message) {
+        JsonNode ranges = Fields.list(message, "ranges");
+        double least = Fields.optional(message, "range_min").orElse(0);
+        double most = Fields.optional(message, "range_max").orElse(Double.POSITIVE_INFINITY);
+        double[] rangesMm = new double[ranges.size()];
+        for (int beam = 0; beam < rangesMm.length; beam++) {
+            double range = Fields.finite(ranges.get(beam)).orElse(Double.NaN);
+            rangesMm[beam] = range > 0 && range >= least && range <= most ? RosUnits.mm(range) : Double.NaN;
+        }
+        return new LaserScanMessage(
+                Fields.frame(message, "header.frame_id"),
+                Math.toDegrees(Fields.number(message, "angle_min")),
+                Math.toDegrees(Fields.number(message, "angle_increment")),
+                rangesMm);
+    }
+
+    /**
+     * Returns the frame of the scanner.
+     *
+     * @return empty if the message names none
+     */
+    public String frame() {
+        return frame;
+    }
+
+    /**
+     * Returns the number of beams.
+     *
+     * @return 0 or more
+     */
+    public int beams() {
+        return rangesMm.length;
+    }
+
+    /**
+     * Returns the direction of a beam.
+     *
+     * @param beam from 0
+     * @return degrees in the frame of the scanner, counterclockwise positive, not normalised
+     */
+    public double directionDeg(int beam) {
+        return firstDeg + beam * stepDeg;
+    }
+
+    /**
+     * Returns the angle from one beam to the next.
+     *
+     * @return degrees; negative for a scanner that sends its beams clockwise
+     */
+    public double stepDeg() {
+        return stepDeg;
+    }
+
+    /**
+     * Returns what a beam measured.
+     *
+     * @param beam from 0
+     * @return mm from the scanner; NaN if unknown
+     */
+    public double rangeMm(int beam) {
+        return rangesMm[beam];
+    }
+}
