@@ -9,6 +9,7 @@ import majic.act.ActDetails;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActFile;
 import majic.bot.BotException;
+import majic.file.WholeFile;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
@@ -52,6 +53,6 @@ public final class ActOutput {
             throw new BotException(target + ": is a folder; name the file in it, such as "
                     + target.resolve("Patrol" + ActCatalog.ENDING).normalize());
         }
-        Files.write(target, file);
+        WholeFile.replace(target, file);
     }
 }

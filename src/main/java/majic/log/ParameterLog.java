@@ -2,16 +2,19 @@ package majic.log;
 
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import majic.bot.Value;
+import majic.file.WholeFile;
 import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
@@ -67,22 +70,33 @@ public final class ParameterLog {
     }
 
     /**
-     * Writes all readings so far into a file, replacing its content.
+     * Writes all readings so far into a file, replacing it as a whole.
      *
      * @param file the file to write
-     * @throws IOException if it cannot be written; the readings are kept. Also if readings are missing in the file,
-     *     because the disk was full or the log had reached its limit
+     * @throws IOException if it cannot be written; the readings are kept and an existing file is unchanged. Also if
+     *     readings are missing in the written file, because the disk was full or the log had reached its limit
      */
     public synchronized void save(Path file) throws IOException {
-        if (spilled == null) {
-            Files.writeString(file, HEADER + System.lineSeparator());
-        } else {
-            Files.copy(spilled, file, StandardCopyOption.REPLACE_EXISTING);
-        }
-        Files.write(file, rows, StandardOpenOption.APPEND);
+        WholeFile.replace(file, this::writeTo);
         if (lost > 0) {
             throw new IOException(lost + " readings are missing, there was no room for them");
         }
+    }
+
+    private void writeTo(OutputStream out) throws IOException {
+        if (spilled == null) {
+            out.write(lines(List.of(HEADER)));
+        } else {
+            Files.copy(spilled, out);
+        }
+        out.write(lines(rows));
+    }
+
+    private static byte[] lines(List<String> lines) {
+        return lines.stream()
+                .map(line -> line + System.lineSeparator())
+                .collect(Collectors.joining())
+                .getBytes(StandardCharsets.UTF_8);
     }
 
     private void spill() {

@@ -2,17 +2,13 @@ package majic.program;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.OutputStreamWriter;
 import java.io.Reader;
 import java.io.Writer;
-import java.lang.System.Logger.Level;
-import java.nio.channels.FileChannel;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.AtomicMoveNotSupportedException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -22,6 +18,8 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.environment.Settings;
+import majic.file.DamagedFile;
+import majic.file.WholeFile;
 
 /**
  * Holds the user's settings in a properties file, read at the first use, rewritten at every change. A damaged file is
@@ -29,8 +27,6 @@ import majic.environment.Settings;
  * until then. Both are reported. Thread-safe.
  */
 final class UserSettings implements Settings {
-    private static final System.Logger LOG = System.getLogger(UserSettings.class.getName());
-
     private final Path file;
 
     /** The file's content, with all changes since. */
@@ -116,11 +112,7 @@ final class UserSettings implements Settings {
     }
 
     private void renameDamaged() throws IOException {
-        Path renamed = file.resolveSibling(file.getFileName() + ".damaged");
-        for (int again = 2; Files.exists(renamed); again++) {
-            renamed = file.resolveSibling(file.getFileName() + ".damaged-" + again);
-        }
-        Files.move(file, renamed);
+        Path renamed = DamagedFile.rename(file);
         listener.accept(
                 "the settings in " + file + " were damaged; MAJIC goes on without them and has kept the file as "
                         + renamed + ": calibrations and what you agreed to are in it");
@@ -140,48 +132,15 @@ final class UserSettings implements Settings {
                 : problem.getMessage();
     }
 
-    /** Writes to a temporary file first, synchronised to the disk, so that a crash leaves the old file complete. */
     private void write() {
-        Path fresh = file.resolveSibling(file.getFileName() + ".new");
         try {
             Files.createDirectories(file.getParent());
-            try (Writer writer = Files.newBufferedWriter(fresh, StandardCharsets.UTF_8)) {
+            WholeFile.replace(file, out -> {
+                Writer writer = new OutputStreamWriter(out, StandardCharsets.UTF_8);
                 kept.store(writer, "MAJIC settings");
-            }
-            try (FileChannel written = FileChannel.open(fresh, StandardOpenOption.WRITE)) {
-                written.force(true);
-            }
-            move(fresh);
-            synchroniseFolder();
+            });
         } catch (IOException e) {
-            discard(fresh);
             throw new BotException("cannot write the settings to " + file + ": " + reason(e), e);
-        }
-    }
-
-    /** Makes the move last through a loss of power, where the system can; Windows cannot open a folder. */
-    private void synchroniseFolder() {
-        try (FileChannel folder = FileChannel.open(file.getParent(), StandardOpenOption.READ)) {
-            folder.force(true);
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "the folder of the settings cannot be synchronised", e);
-        }
-    }
-
-    /** A file that was not written completely, as on a full disk, only takes room. */
-    private static void discard(Path fresh) {
-        try {
-            Files.deleteIfExists(fresh);
-        } catch (IOException e) {
-            LOG.log(Level.DEBUG, "half a file of settings is left", e);
-        }
-    }
-
-    private void move(Path fresh) throws IOException {
-        try {
-            Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING, StandardCopyOption.ATOMIC_MOVE);
-        } catch (AtomicMoveNotSupportedException e) {
-            Files.move(fresh, file, StandardCopyOption.REPLACE_EXISTING);
         }
     }
 }

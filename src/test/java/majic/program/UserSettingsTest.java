@@ -94,15 +94,18 @@ class UserSettingsTest {
     @Test
     void settingsThatCannotBeWrittenLeaveTheFileAsItWas() throws IOException {
         Files.writeString(file, GOOD);
-        Path inTheWay = Files.createDirectories(folder.resolve("settings.properties.new"));
         UserSettings settings = settings();
+        assertThat(settings.get("act.trusted")).contains("abc");
+        Path elsewhere = Files.move(folder, folder.resolveSibling(folder.getFileName() + "-away"));
+        Files.createFile(folder);
 
         assertThatThrownBy(() -> settings.put("look", "dark"))
                 .isInstanceOf(BotException.class)
                 .hasMessageContaining("cannot write the settings");
 
+        Files.delete(folder);
+        Files.move(elsewhere, folder);
         assertThat(Files.readString(file)).isEqualTo(GOOD);
-        Files.deleteIfExists(inTheWay);
         settings.put("sound", "off");
         assertThat(Files.readAllLines(file)).contains("act.trusted=abc", "look=dark", "sound=off");
     }

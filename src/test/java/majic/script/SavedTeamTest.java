@@ -3,13 +3,17 @@ package majic.script;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class SavedTeamTest {
     @AutoClose
@@ -99,6 +103,31 @@ class SavedTeamTest {
         assertThatThrownBy(() -> SavedTeam.parse("add sim:pioneer as 1\n1 move 500\n"))
                 .isInstanceOf(BotException.class)
                 .hasMessageStartingWith("line 2: \"1 move 500\" is no line of a saved team");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"add sim:aibo as 2\n\0\0\0", "# Gr\u00FC\u00DFe\n"})
+    void aDamagedFileIsKeptWhenTheTeamIsSavedThere(String damage) throws Exception {
+        byte[] damaged = damage.getBytes(StandardCharsets.ISO_8859_1);
+        Path file = Files.write(folder.resolve("lab.team"), damaged);
+        assertThatThrownBy(() -> SavedTeam.read(file)).isInstanceOf(BotException.class);
+
+        save();
+
+        Path kept = folder.resolve("lab.team.damaged");
+        assertThat(Files.readAllBytes(kept)).isEqualTo(damaged);
+        assertThat(SavedTeam.read(file).names(fixture.factory)).containsExactly("1 Pioneer", "2 Aibo");
+        assertThat(fixture.answers())
+                .anyMatch(line -> line.contains(": done; the file that was there is damaged and is kept as " + kept));
+    }
+
+    @Test
+    void anEarlierTeamIsReplaced() throws Exception {
+        save();
+        save();
+        try (Stream<Path> files = Files.list(folder)) {
+            assertThat(files).hasSize(1);
+        }
     }
 
     @Test

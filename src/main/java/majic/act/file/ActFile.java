@@ -12,8 +12,8 @@ import majic.act.ActArgument;
 import majic.act.ActDetails;
 import majic.act.ActException;
 import majic.act.MajicAct;
-import majic.act.RegularFile;
 import majic.act.Role;
+import majic.file.RegularFile;
 import majic.text.IoReason;
 import majic.text.VisibleText;
 

@@ -8,6 +8,7 @@ import majic.act.ActDetails;
 import majic.act.file.ActCatalog;
 import majic.act.make.ActMaker;
 import majic.bot.BotException;
+import majic.file.WholeFile;
 import majic.script.ScriptAct;
 import majic.text.IoReason;
 import majic.text.Texts;
@@ -68,7 +69,7 @@ final class ActSource {
             if (folder != null) {
                 Files.createDirectories(folder);
             }
-            Files.write(target, file);
+            WholeFile.replace(target, file);
         } catch (IOException e) {
             throw new BotException(TEXTS.get("notWritten", target, IoReason.of(e)), e);
         }

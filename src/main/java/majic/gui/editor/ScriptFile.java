@@ -4,16 +4,14 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.attribute.PosixFileAttributeView;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
-import majic.act.RegularFile;
 import majic.bot.BotException;
+import majic.file.RegularFile;
+import majic.file.WholeFile;
 import majic.script.ScriptAct;
 import majic.text.IoReason;
 import majic.text.Texts;
@@ -107,36 +105,11 @@ record ScriptFile(Path path, String text, String lineEnd, boolean mark, boolean 
     ScriptFile write(String newText) {
         String content = (mark ? MARK : "") + newText.replace("\n", lineEnd);
         try {
-            replace(Files.exists(path) ? path.toRealPath() : path, content.getBytes(StandardCharsets.UTF_8));
+            WholeFile.replace(path, content);
         } catch (IOException e) {
             throw new BotException(TEXTS.get("file.unwritten", path, IoReason.of(e)), e);
         }
         return new ScriptFile(path, newText, lineEnd, mark, true);
-    }
-
-    /** Writes beside the file first; where the folder does not permit that, into the file. */
-    private static void replace(Path file, byte[] content) throws IOException {
-        Path beside;
-        try {
-            beside = Files.createTempFile(file.getParent(), "." + file.getFileName(), ".saving");
-        } catch (IOException e) {
-            Files.write(file, content);
-            return;
-        }
-        try {
-            Files.write(beside, content);
-            copyPermissions(file, beside);
-            Files.move(beside, file, StandardCopyOption.REPLACE_EXISTING);
-        } finally {
-            Files.deleteIfExists(beside);
-        }
-    }
-
-    private static void copyPermissions(Path from, Path to) throws IOException {
-        PosixFileAttributeView view = Files.getFileAttributeView(to, PosixFileAttributeView.class);
-        if (view != null && Files.exists(from)) {
-            view.setPermissions(Files.getPosixFilePermissions(from));
-        }
     }
 
     /** Compares the file with what was read or written last; a file that cannot be read counts as gone. */

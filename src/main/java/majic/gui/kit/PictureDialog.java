@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import javax.imageio.ImageIO;
 import majic.environment.Settings;
+import majic.file.WholeFile;
 import majic.panel.PictureView;
 import majic.text.IoReason;
 import majic.text.Texts;
@@ -45,9 +46,12 @@ public final class PictureDialog extends MajicDialog {
 
     private static Optional<String> write(BufferedImage picture, Path file) {
         try {
-            return ImageIO.write(picture, "png", file.toFile())
-                    ? Optional.empty()
-                    : Optional.of(TEXTS.get("notPng", file));
+            WholeFile.replace(file, out -> {
+                if (!ImageIO.write(picture, "png", out)) {
+                    throw new IOException(TEXTS.get("notPng"));
+                }
+            });
+            return Optional.empty();
         } catch (IOException e) {
             return Optional.of(TEXTS.get("notWritten", file, IoReason.of(e)));
         }

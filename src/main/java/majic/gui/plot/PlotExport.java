@@ -1,13 +1,16 @@
 package majic.gui.plot;
 
+import java.awt.image.BufferedImage;
 import java.io.BufferedWriter;
 import java.io.IOException;
-import java.nio.file.Files;
+import java.io.OutputStreamWriter;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import javax.imageio.ImageIO;
+import majic.file.WholeFile;
 import majic.gui.plot.data.Points;
 import majic.gui.plot.data.Quantity;
 import majic.gui.plot.data.Span;
@@ -26,16 +29,15 @@ final class PlotExport {
      * value has an empty field.
      */
     static Optional<String> csv(List<Curve> curves, Span time, Path file) {
-        try (BufferedWriter out = Files.newBufferedWriter(file)) {
-            out.write(HEADER);
-            out.newLine();
+        return replace(file, out -> {
+            BufferedWriter rows = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+            rows.write(HEADER);
+            rows.newLine();
             for (Curve curve : curves) {
-                write(curve, time, out);
+                write(curve, time, rows);
             }
-            return Optional.empty();
-        } catch (IOException e) {
-            return Optional.of(problem(file, e));
-        }
+            rows.flush();
+        });
     }
 
     private static void write(Curve curve, Span time, BufferedWriter out) throws IOException {
@@ -57,15 +59,16 @@ final class PlotExport {
 
     /** Paints a chart into a PNG file. */
     static Optional<String> png(ChartJob job, Path file) {
-        try {
-            ImageIO.write(ChartPainter.paint(job, job.newImage()).image(), "png", file.toFile());
-            return Optional.empty();
-        } catch (IOException e) {
-            return Optional.of(problem(file, e));
-        }
+        BufferedImage image = ChartPainter.paint(job, job.newImage()).image();
+        return replace(file, out -> ImageIO.write(image, "png", out));
     }
 
-    private static String problem(Path file, IOException cause) {
-        return TEXTS.get("notWritten", file, IoReason.of(cause));
+    private static Optional<String> replace(Path file, WholeFile.Content content) {
+        try {
+            WholeFile.replace(file, content);
+            return Optional.empty();
+        } catch (IOException e) {
+            return Optional.of(TEXTS.get("notWritten", file, IoReason.of(e)));
+        }
     }
 }

@@ -4,6 +4,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.bot.BotException;
+import majic.file.DamagedFile;
+import majic.file.RegularFile;
+import majic.file.WholeFile;
 import majic.log.ParameterLog;
 import majic.script.record.SessionRecord;
 import majic.script.run.CommandTrait;
@@ -15,6 +18,7 @@ import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.SessionCommand;
 import majic.text.IoReason;
+import majic.text.VisibleText;
 
 /** The commands that read or write files. */
 final class FileActions {
@@ -64,7 +68,13 @@ final class FileActions {
         /** Waits until there is all that is to be written. */
         abstract void prepare(Execution execution);
 
+        /** Replaces the file as a whole. */
         abstract void write(Path path) throws IOException;
+
+        /** Does what is needed before an existing file is replaced; returns what the answer adds. */
+        String beforeReplacing(Path path) throws IOException {
+            return "";
+        }
 
         @Override
         public final void check(Check check) {
@@ -75,12 +85,14 @@ final class FileActions {
         public final void run(Execution execution) {
             prepare(execution);
             Path path = file.path();
+            String done;
             try {
+                done = "done" + beforeReplacing(path);
                 write(path);
             } catch (IOException e) {
                 throw new BotException(path + ": cannot be written (" + IoReason.of(e) + ")", e);
             }
-            execution.answer(what + " " + file.text() + ": done");
+            execution.answer(what + " " + file.text() + ": " + done);
         }
     }
 
@@ -116,9 +128,20 @@ final class FileActions {
             }
         }
 
+        /** A saved team that is damaged may be the only record of calibrations. */
+        @Override
+        String beforeReplacing(Path path) throws IOException {
+            if (!Files.isRegularFile(path)
+                    || !DamagedFile.isDamagedText(RegularFile.read(path, ScriptFiles.LARGEST_BYTES))) {
+                return "";
+            }
+            return "; the file that was there is damaged and is kept as "
+                    + VisibleText.of(DamagedFile.rename(path).toString());
+        }
+
         @Override
         void write(Path path) throws IOException {
-            Files.writeString(path, team.text());
+            WholeFile.replace(path, team.text());
         }
     }
 

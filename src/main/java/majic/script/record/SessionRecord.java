@@ -1,7 +1,6 @@
 package majic.script.record;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -12,6 +11,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import majic.file.WholeFile;
 import majic.team.Answer;
 import majic.team.ManualCommand;
 import majic.team.Member;
@@ -192,6 +192,11 @@ public final class SessionRecord {
         return ReplayScript.of(all);
     }
 
+    /**
+     * Writes the script, which replaces an existing file as a whole. Blocks.
+     *
+     * @throws IOException if it cannot be written; an existing file is unchanged
+     */
     public void save(Path file) throws IOException {
         List<String> all = new ArrayList<>();
         all.add("# A session of MAJIC; \"run FILE\" does it again.");
@@ -201,7 +206,7 @@ public final class SessionRecord {
                 all.add("# The session was longer: " + leftOut + " later commands are not kept.");
             }
         }
-        Files.write(file, all);
+        WholeFile.replace(file, String.join(System.lineSeparator(), all) + System.lineSeparator());
     }
 
     /** An address or a file as a script would write it. */

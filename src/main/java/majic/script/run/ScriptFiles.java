@@ -7,8 +7,8 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import majic.act.RegularFile;
 import majic.bot.BotException;
+import majic.file.RegularFile;
 import majic.log.Line;
 import majic.script.conditions.Selection;
 import majic.script.syntax.Mistake;
@@ -26,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * @param actions for the commands of a script
  */
 public record ScriptFiles(BotFactory factory, ActionLookup actions) {
-    private static final int LARGEST_BYTES = 1_000_000;
+    public static final int LARGEST_BYTES = 1_000_000;
 
     /**
      * Runs a file: within a script as a part of it, otherwise as a script of its own. Blocks until it has ended.

@@ -65,7 +65,7 @@ class ScriptFileTest {
     }
 
     @Test
-    @DisabledOnOs(OS.WINDOWS)
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has other permissions, and links need a privilege")
     void savingKeepsPermissionsAndLinks() throws IOException {
         Path file = file("1 move 5\n");
         Set<PosixFilePermission> permissions =

@@ -1,4 +1,4 @@
-package majic.act;
+package majic.file;
 
 import java.io.IOException;
 import java.io.InputStream;
