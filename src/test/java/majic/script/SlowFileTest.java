@@ -108,7 +108,7 @@ class SlowFileTest {
     @ParameterizedTest
     @ValueSource(
             strings = {"trust PIPE.act", "trust off PIPE.act", "1 act PIPE.act", "1 act PIPE.majic", "run PIPE.majic"})
-    @DisabledOnOs(OS.WINDOWS)
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has no named pipes in folders")
     void aNamedPipeIsRefusedWithoutBeingOpened(String line) throws Exception {
         makePipe("PIPE.act");
         makePipe("PIPE.majic");

@@ -109,7 +109,7 @@ class LineServerTest {
     }
 
     @Test
-    @DisabledOnOs(OS.WINDOWS)
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has access lists in place of POSIX permissions")
     void theTokenIsInAFileThatOnlyItsUserCanRead() throws IOException {
         Path file = server.token().orElseThrow().file();
         assertThat(Files.readString(file).strip()).isEqualTo(token());

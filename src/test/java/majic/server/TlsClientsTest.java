@@ -176,7 +176,7 @@ class TlsClientsTest {
     }
 
     @Test
-    @DisabledOnOs(OS.WINDOWS)
+    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has access lists in place of POSIX permissions")
     void onlyItsUserCanReadTheKey() throws IOException {
         assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve(ListenKey.FILE))))
                 .isEqualTo("rw-------");
