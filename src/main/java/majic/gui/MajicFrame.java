@@ -78,7 +78,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         super("MAJIC");
         this.session = session;
         this.services = services;
-        commands = new CommandPane(parser, services);
+        commands = new CommandPane(parser, services, session::alarm);
         channel = new FrameChannel(session, parser, commands.messages());
         gamepad = new GamepadControl(SdlGamepad::open, channel::showError, channel::showError);
         plots = new Plots(

@@ -54,6 +54,20 @@ class StartPageWindowTest {
     }
 
     @Test
+    void aDamagedTeamIsReportedAndKeptAndNotReplacedByTheNext() {
+        String damaged = "add toy://one as 2\n2 se";
+        try (TestWindow window = TestWindow.openWith("team.last", damaged)) {
+            window.awaitMessage("the team of the last session was damaged (line 2: \"2 se\"");
+            assertThat(window.isEnabled("Yesterday's team")).isFalse();
+            window.command("add toy://bench as 5");
+            window.await(
+                    "the team",
+                    () -> !window.settings.get("team.last").orElseThrow().isEmpty());
+            assertThat(window.settings.get("team.last.damaged")).contains(damaged);
+        }
+    }
+
+    @Test
     void aTeamWithARobotOfTheLabStartsTheLab() {
         try (TestWindow window = TestWindow.openWith("team.last", "add sim:toy as 1\n")) {
             window.await("the team", () -> window.isEnabled("Yesterday's team"));

@@ -1,6 +1,7 @@
 package majic.gui.command;
 
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.Palette;
@@ -22,11 +23,12 @@ public final class CommandPane extends JPanel {
      * Creates an empty pane.
      *
      * @param services the settings, and the file of the lines typed earlier
+     * @param alarm reports a problem with that file; called on the event dispatch thread
      */
-    public CommandPane(MajicParser parser, ProgramServices services) {
+    public CommandPane(MajicParser parser, ProgramServices services, Consumer<String> alarm) {
         super(new MigLayout("insets 0, gap 4 4", "[][grow, fill]", "[grow, fill][][]"));
         Path history = services.history();
-        line = new CommandLine(parser, history == null ? null : new HistoryFile(history), this::showHint);
+        line = new CommandLine(parser, history == null ? null : new HistoryFile(history, alarm), this::showHint);
         messages = new MessagePane(services.settings(), line::requestFocusInWindow);
         line.leaveInView(messages.area());
         hint.setName("hint");

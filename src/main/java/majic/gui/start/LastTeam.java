@@ -22,6 +22,7 @@ import majic.team.TeamListener;
 public final class LastTeam implements TeamListener {
     private static final Logger LOG = System.getLogger(LastTeam.class.getName());
     private static final String KEY = "team.last";
+    private static final String DAMAGED = KEY + ".damaged";
     private static final int COLLECT_MS = 1000;
 
     private final Session session;
@@ -52,16 +53,30 @@ public final class LastTeam implements TeamListener {
     }
 
     /**
-     * Returns the team that was used last. Callable from any thread; may block.
+     * Returns the team that was used last. A damaged one is reported, and kept under another key, so that the next team
+     * does not replace it. Callable from any thread; may block.
      *
-     * @return empty if there was none, or what was kept cannot be read
+     * @return empty if there was none, or it was damaged
      */
-    public Optional<SavedTeam> saved() {
+    public synchronized Optional<SavedTeam> saved() {
+        String script = settings.get(KEY).orElse("");
         try {
-            return settings.get(KEY).map(SavedTeam::parse).filter(team -> !team.isEmpty());
+            return Optional.of(SavedTeam.parse(script)).filter(team -> !team.isEmpty());
         } catch (BotException e) {
-            LOG.log(Level.WARNING, "the last team cannot be read", e);
+            keepDamaged(script);
+            String text = "the team of the last session was damaged (" + e.getMessage()
+                    + "); MAJIC goes on without it and has kept it in the settings as " + DAMAGED;
+            EventThread.later(() -> session.alarm(text));
             return Optional.empty();
+        }
+    }
+
+    private void keepDamaged(String script) {
+        try {
+            settings.put(DAMAGED, script);
+            settings.put(KEY, "");
+        } catch (BotException e) {
+            LOG.log(Level.WARNING, "the damaged team is not kept after the end", e);
         }
     }
 
