@@ -1,0 +1,125 @@
+package majic.ros.motion;
+
+/**
+ * Computes the rate at which a distance or an angle is covered: an acceleration, a constant rate, a constant deceleration,
+ * and at the end a rate in proportion to the rest. Between the readings, and for their delay, the base is taken to follow
+ * the rates sent. Distances and rates are in one unit, mm or degrees. Has no link or clock. For one approach to the
+ * target, which ends where the target is reached or passed.
+ */
+final class ApproachController {
+    /** Near the end the rate is this times the rest (1/s). */
+    private static final double GAIN = 3;
+
+    /** A base may slow down faster than is planned, by this factor, so that it can follow the plan. */
+    private static final double BRAKING_RESERVE = 2;
+
+    /** A base that does not move for so long at a rate is sent a higher one, seconds. */
+    private static final double STUCK_S = 0.4;
+
+    /** By which part the rate for such a base is raised for each further second. */
+    private static final double RAISE_PER_SEC = 4;
+
+    /** The time between two commands for which the rate may change at most, seconds. */
+    private static final double LONGEST_STEP_S = 0.1;
+
+    private final double target;
+    private final Limits limits;
+    private final SentRates sent;
+    private final double direction;
+    private double lastS = Double.NaN;
+    private double movedS = Double.NaN;
+    private double movedAt;
+    private boolean accelerating = true;
+    private boolean arrived;
+
+    /**
+     * The limits of an approach.
+     *
+     * @param cruise the highest rate
+     * @param creep the lowest rate that the base follows
+     * @param acceleration the change of the rate, 1/s
+     * @param tolerance the distance from the target that counts as reached
+     */
+    record Limits(double cruise, double creep, double acceleration, double tolerance) {
+        /** How long the way takes if everything is as planned, seconds. */
+        double seconds(double way) {
+            return Math.abs(way) / cruise + 2 * cruise / acceleration + 2 / GAIN;
+        }
+    }
+
+    /**
+     * Begins an approach of a stationary base.
+     *
+     * @param target where to go, signed
+     * @param covered where the base is
+     * @param sent the rates that were sent before; the ones of this approach are added
+     */
+    ApproachController(double target, double covered, Limits limits, SentRates sent) {
+        this.target = target;
+        this.limits = limits;
+        this.sent = sent;
+        this.direction = Math.signum(target - covered);
+        this.movedAt = covered;
+    }
+
+    /** The rates sent so far. */
+    SentRates sent() {
+        return sent;
+    }
+
+    /** Whether the base is still gaining speed, so that the delay of its odometry shows. */
+    boolean isAccelerating() {
+        return accelerating;
+    }
+
+    /** Whether the target is reached: the last rate was zero. */
+    boolean hasArrived() {
+        return arrived;
+    }
+
+    /**
+     * The rate to send now; the caller must send it.
+     *
+     * @param covered the part covered, by the newest reading
+     * @param readAtS when this reading arrived
+     * @param nowS the time
+     * @param delayS from a command to the reading that shows it
+     * @return signed; zero at the target
+     */
+    double next(double covered, double readAtS, double nowS, double delayS) {
+        double left = (target - covered - sent.covered(readAtS - delayS, nowS)) * direction;
+        double rate = 0;
+        if (arrived || left <= limits.tolerance()) {
+            arrived = true;
+        } else {
+            rate = direction * limited(raised(planned(left), covered, nowS), nowS);
+        }
+        lastS = nowS;
+        sent.add(rate, nowS);
+        return rate;
+    }
+
+    /** Constant deceleration, joined to the proportional part where both have the same slope. */
+    private double planned(double left) {
+        double end = limits.acceleration() / (GAIN * GAIN);
+        double braking = left <= end ? GAIN * left : Math.sqrt(2 * limits.acceleration() * (left - end / 2));
+        return Math.max(limits.creep(), Math.min(limits.cruise(), braking));
+    }
+
+    private double raised(double planned, double covered, double nowS) {
+        if (Double.isNaN(movedS) || Math.abs(covered - movedAt) >= limits.tolerance()) {
+            movedS = nowS;
+            movedAt = covered;
+        }
+        double stuck = Math.max(0, nowS - movedS - STUCK_S);
+        return Math.min(limits.cruise(), planned * (1 + RAISE_PER_SEC * stuck));
+    }
+
+    private double limited(double wanted, double nowS) {
+        double last = Math.abs(sent.newest());
+        double seconds = Double.isNaN(lastS) ? VelocitySender.PERIOD_S : Math.min(LONGEST_STEP_S, nowS - lastS);
+        double most = last + limits.acceleration() * seconds;
+        accelerating &= wanted > last;
+        return Math.max(Math.min(wanted, most), last - BRAKING_RESERVE * limits.acceleration() * seconds);
+    }
+}

@@ -1,0 +1,160 @@
+package majic.ros.motion;
+
+import majic.bot.Unit;
+import majic.bot.Value;
+
+/** A distance or an angle to cover, from the state at the start. Immutable. */
+sealed interface Displacement {
+    /** The part covered so far, in {@link #unit}, signed. */
+    double covered(TrackedState now);
+
+    /** The rate at which it is being covered. */
+    double rate(TrackedState now);
+
+    /** Sends the velocity that covers it at a rate. */
+    void send(VelocitySender sender, double rate, TrackedState now);
+
+    /** All of it, signed. */
+    double amount();
+
+    /** Positive ahead, negative back, zero on the spot. */
+    double direction();
+
+    /** The limits of its approaches. */
+    ApproachController.Limits limits();
+
+    /** What remains at the end without being corrected. */
+    double acceptable();
+
+    /** What may remain where a correction is not possible, without the motion counting as failed. */
+    double tolerable();
+
+    /** mm or degrees. */
+    Unit unit();
+
+    /** The part covered, with its unit. */
+    default Value value(TrackedState now) {
+        return Value.of(covered(now), unit());
+    }
+
+    /**
+     * A straight line; deviations of the heading are corrected.
+     *
+     * @param start the state at the start
+     * @param amount mm, ahead positive
+     * @param limits in mm
+     */
+    record Straight(TrackedState start, double amount, ApproachController.Limits limits) implements Displacement {
+        /** deg/s for each degree off the heading. */
+        private static final double HEADING_GAIN = 1.5;
+
+        private static final double MOST_DEG_PER_SEC = 15;
+
+        /** The distance from the target that counts as reached. */
+        private static final double TOLERANCE_MM = 1;
+
+        static Straight of(TrackedState start, double mm, double cruiseMmPerSec, BaseDynamics base) {
+            double cruise = Math.min(cruiseMmPerSec, base.fastestMmPerSec());
+            double creep = Math.min(base.slowestMmPerSec(), cruise);
+            return new Straight(
+                    start,
+                    mm,
+                    new ApproachController.Limits(cruise, creep, base.accelerationMmPerSec2(), TOLERANCE_MM));
+        }
+
+        @Override
+        public double covered(TrackedState now) {
+            double heading = Math.toRadians(start.pose().headingDeg());
+            return (now.pose().xMm() - start.pose().xMm()) * Math.cos(heading)
+                    + (now.pose().yMm() - start.pose().yMm()) * Math.sin(heading);
+        }
+
+        @Override
+        public double rate(TrackedState now) {
+            return now.speedMmPerSec();
+        }
+
+        @Override
+        public void send(VelocitySender sender, double rate, TrackedState now) {
+            double off = start.turnedDeg() - now.turnedDeg();
+            double correction = Math.max(-MOST_DEG_PER_SEC, Math.min(MOST_DEG_PER_SEC, HEADING_GAIN * off));
+            sender.send(rate, rate == 0 ? 0 : correction);
+        }
+
+        @Override
+        public double direction() {
+            return amount;
+        }
+
+        @Override
+        public double acceptable() {
+            return 5;
+        }
+
+        @Override
+        public double tolerable() {
+            return 10;
+        }
+
+        @Override
+        public Unit unit() {
+            return Unit.MM;
+        }
+    }
+
+    /**
+     * A turn on the spot; full turns count.
+     *
+     * @param start the state at the start
+     * @param amount degrees, counterclockwise positive
+     * @param limits in degrees
+     */
+    record Turn(TrackedState start, double amount, ApproachController.Limits limits) implements Displacement {
+        /** The angle from the target that counts as reached. */
+        private static final double TOLERANCE_DEG = 0.15;
+
+        static Turn of(TrackedState start, double degrees, double cruiseDegPerSec, BaseDynamics base) {
+            double cruise = Math.min(cruiseDegPerSec, base.fastestDegPerSec());
+            double creep = Math.min(base.slowestDegPerSec(), cruise);
+            return new Turn(
+                    start,
+                    degrees,
+                    new ApproachController.Limits(cruise, creep, base.accelerationDegPerSec2(), TOLERANCE_DEG));
+        }
+
+        @Override
+        public double covered(TrackedState now) {
+            return now.turnedDeg() - start.turnedDeg();
+        }
+
+        @Override
+        public double rate(TrackedState now) {
+            return now.turnRateDegPerSec();
+        }
+
+        @Override
+        public void send(VelocitySender sender, double rate, TrackedState now) {
+            sender.send(0, rate);
+        }
+
+        @Override
+        public double direction() {
+            return 0;
+        }
+
+        @Override
+        public double acceptable() {
+            return 0.5;
+        }
+
+        @Override
+        public double tolerable() {
+            return 1;
+        }
+
+        @Override
+        public Unit unit() {
+            return Unit.DEG;
+        }
+    }
+}

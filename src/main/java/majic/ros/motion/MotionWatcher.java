@@ -1,0 +1,108 @@
+package majic.ros.motion;
+
+import majic.bot.Value;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds what ends a motion from the robot's side: contacts, odometry that is silent or jumps, no progress. For one motion or
+ * one drive; used by one thread at a time.
+ */
+final class MotionWatcher {
+    /** A base whose odometry is silent for so long while it moves is stopped, seconds. */
+    private static final double SILENCE_S = 1;
+
+    /** A base that has not moved for so long in spite of a velocity is taken to be blocked, seconds. */
+    private static final double BLOCKED_S = 2;
+
+    /** What counts as progress within that time. */
+    private static final double PROGRESS_MM = 5;
+
+    private static final double PROGRESS_DEG = 1;
+
+    /** A contact that was reported longer ago than this when the motion began was over by then, seconds. */
+    private static final double OLD_S = 0.5;
+
+    private final ObstructionSource obstructions;
+    private final boolean ahead;
+    private final boolean back;
+    private final long startNanos;
+    private final @Nullable Obstruction before;
+    private TrackedState progressed;
+    private long progressNanos;
+
+    /**
+     * Begins to watch.
+     *
+     * @param direction of the motion: positive ahead, negative back, zero on the spot
+     * @param start the newest state
+     * @param nowNanos the time
+     */
+    MotionWatcher(ObstructionSource obstructions, double direction, TrackedState start, long nowNanos) {
+        this.obstructions = obstructions;
+        this.ahead = direction > 0;
+        this.back = direction < 0;
+        this.startNanos = nowNanos;
+        this.before = obstructions.newest();
+        this.progressed = start;
+        this.progressNanos = nowNanos;
+    }
+
+    /**
+     * Checks the newest state.
+     *
+     * @param now the state
+     * @param nowNanos the time
+     * @return the reason to end the motion, as half a sentence; null if there is none
+     */
+    @Nullable
+    String check(TrackedState now, long nowNanos) {
+        String found = obstructed();
+        if (found != null) {
+            return found;
+        }
+        if (now.jumps() != progressed.jumps()) {
+            return "its odometry jumped";
+        }
+        if ((nowNanos - now.atNanos()) / 1e9 > SILENCE_S) {
+            return "its odometry has been silent for " + Value.plain(SILENCE_S) + " s";
+        }
+        return null;
+    }
+
+    /**
+     * Checks the progress of a base.
+     *
+     * @param commanded whether a velocity is in force that it should follow
+     * @return whether it has not moved for 2 s in spite of such a velocity
+     */
+    boolean isBlocked(TrackedState now, boolean commanded, long nowNanos) {
+        if (!commanded
+                || now.pose().distanceMm(progressed.pose()) >= PROGRESS_MM
+                || Math.abs(now.turnedDeg() - progressed.turnedDeg()) >= PROGRESS_DEG) {
+            progressed = now;
+            progressNanos = nowNanos;
+        }
+        return (nowNanos - progressNanos) / 1e9 >= BLOCKED_S;
+    }
+
+    private @Nullable String obstructed() {
+        Obstruction newest = obstructions.newest();
+        if (newest == null || newest.atNanos() < startNanos || !prevents(newest)) {
+            return null;
+        }
+        return newest.reflex() ? "its own reflex stopped it: " + newest.what() : newest.what();
+    }
+
+    /** On the spot a contact counts only if it is new: the base may have to turn away from it. */
+    private boolean prevents(Obstruction found) {
+        return switch (found.side()) {
+            case ALL -> true;
+            case FRONT -> ahead || (!back && isNew(found));
+            case REAR -> back || (!ahead && isNew(found));
+        };
+    }
+
+    private boolean isNew(Obstruction found) {
+        return before == null || !before.what().equals(found.what()) || (startNanos - before.atNanos()) / 1e9 > OLD_S;
+    }
+}

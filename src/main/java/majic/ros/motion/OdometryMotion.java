@@ -1,0 +1,143 @@
+package majic.ros.motion;
+
+import majic.bot.MotionFailed;
+import majic.bot.Value;
+import majic.driver.Motion;
+import majic.time.TimeSource;
+
+/**
+ * Moves a base by a distance or an angle, with a new velocity 20 times a second: approaches the target, lets the base come to
+ * rest, and corrects what then remains a few times at most. For one motion; used by its thread.
+ */
+final class OdometryMotion {
+    /** Approaches of one motion: the first, and the corrections. */
+    private static final int MOST_APPROACHES = 4;
+
+    /** Long enough for a heavy base to come to rest, seconds. */
+    private static final double SETTLE_S = 4;
+
+    /** A motion that takes longer than planned by this factor and time fails, though the base moves. */
+    private static final double LATE_FACTOR = 5;
+
+    private static final double LATE_S = 10;
+
+    private final MovingBase base;
+    private final Displacement way;
+    private final Motion motion;
+    private final MotionWatcher watcher;
+    private final SentRates sent = new SentRates();
+
+    OdometryMotion(MovingBase base, ObstructionSource obstructions, Displacement way, Motion motion) {
+        this.base = base;
+        this.way = way;
+        this.motion = motion;
+        this.watcher = new MotionWatcher(
+                obstructions, way.direction(), base.now(), base.time().nanos());
+    }
+
+    /**
+     * Runs the motion.
+     *
+     * @return the distance or angle covered; less than the target where the guard condition ended the motion
+     * @throws MotionFailed if a contact or the odometry ended it, or the base did not move
+     */
+    Value run() {
+        double most = way.limits().tolerance();
+        for (int approach = 0; approach < MOST_APPROACHES && isOff(most); approach++) {
+            if (!approach(approach == 0) || !settle()) {
+                return endEarly();
+            }
+            most = way.acceptable();
+        }
+        return way.value(base.now());
+    }
+
+    private boolean isOff(double most) {
+        return Math.abs(way.amount() - way.covered(base.now())) > most;
+    }
+
+    /** Goes to the target; false if the guard condition ended the motion. */
+    private boolean approach(boolean first) {
+        ApproachController controller =
+                new ApproachController(way.amount(), way.covered(base.now()), way.limits(), sent);
+        while (true) {
+            TrackedState now = base.now();
+            check(now);
+            double rate = controller.next(
+                    way.covered(now),
+                    seconds(now.atNanos()),
+                    seconds(time().nanos()),
+                    base.delay().seconds());
+            motion.send(() -> way.send(base.sender(), rate, now));
+            if (controller.hasArrived() || endsBlocked(now)) {
+                return true;
+            }
+            if (!motion.pause(VelocitySender.PERIOD_S)) {
+                return false;
+            }
+            learn(now, first && controller.isAccelerating());
+        }
+    }
+
+    private void learn(TrackedState before, boolean accelerating) {
+        TrackedState now = base.now();
+        if (accelerating && now.atNanos() != before.atNanos()) {
+            base.delay().learn(sent, way.rate(now), seconds(now.atNanos()), VelocitySender.PERIOD_S);
+        }
+    }
+
+    /** Waits for the base to come to rest, and repeats the zero velocity meanwhile; false if the guard condition holds. */
+    private boolean settle() {
+        long zeroNanos = time().nanos();
+        while (!base.isStationarySince(zeroNanos) && time().secondsSince(zeroNanos) < SETTLE_S) {
+            motion.send(() -> base.sender().send(0, 0));
+            sent.add(0, seconds(time().nanos()));
+            if (!motion.pause(VelocitySender.PERIOD_S)) {
+                return false;
+            }
+            check(base.now());
+        }
+        return true;
+    }
+
+    private void check(TrackedState now) {
+        String fault = watcher.check(now, time().nanos());
+        if (fault != null) {
+            throw failed(fault, now);
+        }
+        if (motion.seconds() > LATE_FACTOR * way.limits().seconds(way.amount()) + LATE_S) {
+            throw failed("much slower than commanded", now);
+        }
+    }
+
+    /** Whether the base is blocked so near to the target that the motion counts as done; farther away it has failed. */
+    private boolean endsBlocked(TrackedState now) {
+        if (!watcher.isBlocked(now, true, time().nanos())) {
+            return false;
+        }
+        if (isOff(way.tolerable())) {
+            throw failed("blocked: no progress for 2 s", now);
+        }
+        motion.send(() -> base.sender().send(0, 0));
+        return true;
+    }
+
+    private MotionFailed failed(String reason, TrackedState now) {
+        return new MotionFailed(reason + " after " + way.value(now));
+    }
+
+    private Value endEarly() {
+        motion.send(base.sender()::stop);
+        base.awaitStationary(SETTLE_S);
+        motion.check();
+        return way.value(base.now());
+    }
+
+    private TimeSource time() {
+        return base.time();
+    }
+
+    private static double seconds(long nanos) {
+        return nanos / 1e9;
+    }
+}

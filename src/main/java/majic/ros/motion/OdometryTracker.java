@@ -1,0 +1,135 @@
+package majic.ros.motion;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import majic.bot.Pose;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Makes continuous states of the readings of an odometry, which begins anywhere, may jump, and is set to zero when the base
+ * is reset. Time is that of the arrival: the stamps of a robot may jump. Has no clock. Not thread-safe.
+ */
+final class OdometryTracker {
+    /** A stationary base is slower than this by every measure, mm/s and deg/s. */
+    private static final double STATIONARY_MM_PER_SEC = 8;
+
+    private static final double STATIONARY_DEG_PER_SEC = 1.5;
+
+    /** Poses are compared over this time, seconds: the noise of two poses in a row would look like a motion. */
+    private static final double WINDOW_S = 0.2;
+
+    /** What a base may have covered beyond its highest velocity without counting as a jump. */
+    private static final double JUMP_MM = 50;
+
+    private static final double JUMP_DEG = 10;
+
+    /** Readings that were held up by the network arrive closer together than they were made, by this time at most, seconds. */
+    private static final double LATE_S = 0.3;
+
+    /** A reading of exactly zero that is farther than this from the one before is a reset. */
+    private static final double RESET_MM = 10;
+
+    private static final double RESET_DEG = 2;
+
+    private final BaseDynamics limits;
+    private final Deque<TrackedState> window = new ArrayDeque<>();
+    private Pose origin;
+    private @Nullable Pose lastRaw;
+    private double turnedDeg;
+    private int jumps;
+    private boolean reportsVelocities;
+
+    /**
+     * Begins with the first reading that is added.
+     *
+     * @param limits the highest velocities
+     * @param start the pose that this reading stands for
+     */
+    OdometryTracker(BaseDynamics limits, Pose start) {
+        this.limits = limits;
+        this.origin = start;
+        this.turnedDeg = start.headingDeg();
+    }
+
+    /**
+     * Adds a reading.
+     *
+     * @param raw the pose in the frame of the odometry
+     * @param mmPerSec the reported speed
+     * @param degPerSec the reported turn rate
+     * @param atNanos when it arrived, not before the one added last
+     * @return the state after it
+     */
+    TrackedState add(Pose raw, double mmPerSec, double degPerSec, long atNanos) {
+        TrackedState before = window.peekLast();
+        Pose last = lastRaw;
+        if (before == null || last == null) {
+            origin = origin.originOf(raw);
+        } else if (isJump(last, raw, (atNanos - before.atNanos()) / 1e9)) {
+            jumps++;
+            origin = before.pose().originOf(raw);
+        } else {
+            turnedDeg += Pose.normalised(raw.headingDeg() - last.headingDeg());
+        }
+        lastRaw = raw;
+        reportsVelocities |= mmPerSec != 0 || degPerSec != 0;
+        TrackedState now = state(origin.plus(raw), mmPerSec, degPerSec, atNanos);
+        window.add(now);
+        forget(atNanos);
+        return now;
+    }
+
+    private boolean isJump(Pose last, Pose raw, double seconds) {
+        double mm = last.distanceMm(raw);
+        double deg = Math.abs(Pose.normalised(raw.headingDeg() - last.headingDeg()));
+        double mostDeg = limits.fastestDegPerSec() * (seconds + LATE_S) + JUMP_DEG;
+        return mm > limits.fastestMmPerSec() * (seconds + LATE_S) + JUMP_MM
+                || (deg > mostDeg && mostDeg < 180)
+                || (raw.equals(Pose.START) && (mm > RESET_MM || deg > RESET_DEG));
+    }
+
+    /** A base that leaves the velocities of its odometry at zero has those that follow from its poses. */
+    private TrackedState state(Pose pose, double mmPerSec, double degPerSec, long atNanos) {
+        TrackedState old = window.peekFirst();
+        double seconds = old == null ? 0 : (atNanos - old.atNanos()) / 1e9;
+        double movedMmPerSec = 0;
+        double movedDegPerSec = 0;
+        boolean continuous = old == null || old.jumps() == jumps;
+        if (old != null && seconds > 0 && continuous) {
+            movedMmPerSec = aheadMm(old.pose(), pose) / seconds;
+            movedDegPerSec = (turnedDeg - old.turnedDeg()) / seconds;
+        }
+        boolean stationary =
+                continuous && isStationary(mmPerSec, degPerSec) && isStationary(movedMmPerSec, movedDegPerSec);
+        return new TrackedState(
+                pose,
+                turnedDeg,
+                reportsVelocities ? mmPerSec : movedMmPerSec,
+                reportsVelocities ? degPerSec : movedDegPerSec,
+                stationary,
+                jumps,
+                atNanos);
+    }
+
+    private static double aheadMm(Pose from, Pose to) {
+        double heading = Math.toRadians(to.headingDeg());
+        double along = (to.xMm() - from.xMm()) * Math.cos(heading) + (to.yMm() - from.yMm()) * Math.sin(heading);
+        return Math.copySign(from.distanceMm(to), along);
+    }
+
+    private static boolean isStationary(double mmPerSec, double degPerSec) {
+        return Math.abs(mmPerSec) < STATIONARY_MM_PER_SEC && Math.abs(degPerSec) < STATIONARY_DEG_PER_SEC;
+    }
+
+    /** Keeps the newest state, and the last one that is older than the window. */
+    private void forget(long nowNanos) {
+        long oldest = nowNanos - (long) (WINDOW_S * 1e9);
+        while (window.size() > 2 && second().atNanos() <= oldest) {
+            window.remove();
+        }
+    }
+
+    private TrackedState second() {
+        return window.stream().skip(1).findFirst().orElseThrow();
+    }
+}

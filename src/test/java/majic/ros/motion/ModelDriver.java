@@ -1,0 +1,209 @@
+package majic.ros.motion;
+
+import java.util.List;
+import majic.bot.BotProfile;
+import majic.bot.BotState;
+import majic.bot.BotType;
+import majic.bot.LinkLost;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.bot.Range;
+import majic.bot.Value;
+import majic.driver.BotDriver;
+import majic.driver.Motion;
+import majic.driver.RobotWait;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
+import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/** A driver that has nothing but the motions, and is connected to a {@link BaseModel}. */
+final class ModelDriver extends BotDriver {
+    static final double FASTEST_MM_PER_SEC = 220;
+    static final double FASTEST_DEG_PER_SEC = 160;
+
+    private final BaseDynamics dynamics;
+    private final RosMotion.PoseSource source;
+    private final Owner owner = new Owner();
+    volatile @Nullable BaseModel base;
+    volatile @Nullable RosMotion motions;
+    volatile @Nullable Obstruction obstruction;
+    private volatile @Nullable BotState state;
+    private volatile boolean wasMoving;
+
+    ModelDriver(TimeSource time, double timeoutS, RosMotion.PoseSource source) {
+        super(new Type(), size(), new BotEnvironment(time, Settings.inMemory()));
+        this.dynamics = BaseDynamics.of(FASTEST_MM_PER_SEC, FASTEST_DEG_PER_SEC, timeoutS);
+        this.source = source;
+    }
+
+    private static BotProfile size() {
+        return new BotProfile(
+                105,
+                new Range(-FASTEST_MM_PER_SEC, FASTEST_MM_PER_SEC),
+                new Range(-FASTEST_DEG_PER_SEC, FASTEST_DEG_PER_SEC),
+                150,
+                45,
+                100,
+                false);
+    }
+
+    /** Receives a message of the odometry. */
+    void received(BaseModel.Reading reading) {
+        RosMotion now = motions;
+        if (now != null && source == RosMotion.PoseSource.ODOMETRY) {
+            now.reported(reading.raw(), reading.mmPerSec(), reading.degPerSec());
+        }
+    }
+
+    /** Ends the connection. */
+    void cut() {
+        RosMotion now = motions;
+        if (now != null && isConnected()) {
+            wasMoving = now.isMoving();
+            String after = now.afterLoss();
+            motions = null;
+            now.end();
+            lost(new LinkLost("the bridge closed the connection" + after));
+        }
+    }
+
+    private RosMotion motions() {
+        RosMotion now = motions;
+        if (now == null) {
+            throw new LinkLost("not connected");
+        }
+        return now;
+    }
+
+    private BaseModel base() {
+        BaseModel there = base;
+        if (there == null || motions == null) {
+            throw new LinkLost("not connected");
+        }
+        return there;
+    }
+
+    @Override
+    protected void open() {
+        RosMotion opened = new RosMotion(owner, owner, dynamics, () -> obstruction, Pose.START, source);
+        motions = opened;
+        opened.begin(wasMoving);
+        owner.waiting().awaitConnecting(opened::hasReported, 3);
+    }
+
+    @Override
+    protected void shut() {
+        RosMotion now = motions;
+        motions = null;
+        if (now != null) {
+            now.end();
+        }
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        return motions().move(mm, cruiseMmPerSec(), motion);
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        return motions().turn(degrees, cruiseTurnDegPerSec(), motion);
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        motions().drive(mmPerSec, degPerSec);
+    }
+
+    @Override
+    protected void halt() {
+        motions().halt();
+    }
+
+    @Override
+    public void confirmHalt() {
+        motions().confirmHalt();
+    }
+
+    /** The driver as its motions use it. */
+    private final class Owner implements BaseOwner, VelocityOutput {
+        @Override
+        public String name() {
+            return ModelDriver.this.name();
+        }
+
+        @Override
+        public RobotWait waiting() {
+            return new RobotWait(time(), changes());
+        }
+
+        @Override
+        public void once(String what, double seconds, Runnable task) {
+            ModelDriver.this.once(what, seconds, task);
+        }
+
+        @Override
+        public void every(String what, double seconds, Runnable task) {
+            ModelDriver.this.every(what, seconds, task);
+        }
+
+        @Override
+        public void publish(BotState newState) {
+            ModelDriver.this.publish(newState);
+        }
+
+        @Override
+        public void notice(String message) {
+            ModelDriver.this.notice(message);
+        }
+
+        @Override
+        public void publish(double mmPerSec, double degPerSec) {
+            base().command(mmPerSec, degPerSec);
+        }
+
+        @Override
+        public void publishStop() {
+            base().command(0, 0);
+        }
+    }
+
+    /** The type of this driver. */
+    static final class Type implements BotType {
+        @Override
+        public String name() {
+            return "model";
+        }
+
+        @Override
+        public String label() {
+            return "model";
+        }
+
+        @Override
+        public String make() {
+            return "model";
+        }
+
+        @Override
+        public List<Reach> reaches() {
+            return List.of(Reach.TCP);
+        }
+
+        @Override
+        public int defaultPort() {
+            return 1;
+        }
+
+        @Override
+        public String advice() {
+            return "Look at the test.";
+        }
+
+        @Override
+        public MajicBot create(String address, BotEnvironment environment) {
+            throw new UnsupportedOperationException("made by tests");
+        }
+    }
+}
