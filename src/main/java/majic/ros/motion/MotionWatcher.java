@@ -1,6 +1,5 @@
 package majic.ros.motion;
 
-import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -8,9 +7,6 @@ import org.jspecify.annotations.Nullable;
  * one drive; used by one thread at a time.
  */
 final class MotionWatcher {
-    /** A base whose odometry is silent for so long while it moves is stopped, seconds. */
-    private static final double SILENCE_S = 1;
-
     /** A base that has not moved for so long in spite of a velocity is taken to be blocked, seconds. */
     private static final double BLOCKED_S = 2;
 
@@ -22,6 +18,7 @@ final class MotionWatcher {
     /** A contact that was reported longer ago than this when the motion began was over by then, seconds. */
     private static final double OLD_S = 0.5;
 
+    private final MovingBase base;
     private final ObstructionSource obstructions;
     private final boolean ahead;
     private final boolean back;
@@ -34,28 +31,26 @@ final class MotionWatcher {
      * Begins to watch.
      *
      * @param direction of the motion: positive ahead, negative back, zero on the spot
-     * @param start the newest state
-     * @param nowNanos the time
      */
-    MotionWatcher(ObstructionSource obstructions, double direction, TrackedState start, long nowNanos) {
+    MotionWatcher(MovingBase base, ObstructionSource obstructions, double direction) {
+        this.base = base;
         this.obstructions = obstructions;
         this.ahead = direction > 0;
         this.back = direction < 0;
-        this.startNanos = nowNanos;
+        this.startNanos = base.time().nanos();
         this.before = obstructions.newest();
-        this.progressed = start;
-        this.progressNanos = nowNanos;
+        this.progressed = base.now();
+        this.progressNanos = startNanos;
     }
 
     /**
      * Checks the newest state.
      *
      * @param now the state
-     * @param nowNanos the time
      * @return the reason to end the motion, as half a sentence; null if there is none
      */
     @Nullable
-    String check(TrackedState now, long nowNanos) {
+    String check(TrackedState now) {
         String found = obstructed();
         if (found != null) {
             return found;
@@ -63,10 +58,7 @@ final class MotionWatcher {
         if (now.jumps() != progressed.jumps()) {
             return "its odometry jumped";
         }
-        if ((nowNanos - now.atNanos()) / 1e9 > SILENCE_S) {
-            return "its odometry has been silent for " + Value.plain(SILENCE_S) + " s";
-        }
-        return null;
+        return base.silence();
     }
 
     /**
@@ -75,7 +67,8 @@ final class MotionWatcher {
      * @param commanded whether a velocity is in force that it should follow
      * @return whether it has not moved for 2 s in spite of such a velocity
      */
-    boolean isBlocked(TrackedState now, boolean commanded, long nowNanos) {
+    boolean isBlocked(TrackedState now, boolean commanded) {
+        long nowNanos = base.time().nanos();
         if (!commanded
                 || now.pose().distanceMm(progressed.pose()) >= PROGRESS_MM
                 || Math.abs(now.turnedDeg() - progressed.turnedDeg()) >= PROGRESS_DEG) {

@@ -2,6 +2,7 @@ package majic.ros.motion;
 
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
+import majic.bot.Value;
 import majic.driver.RobotWait;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
@@ -12,11 +13,17 @@ final class MovingBase {
     /** A reading shows the effect of a stop after this time at the earliest, seconds. */
     private static final double LEAST_DELAY_S = 0.05;
 
+    /** The odometry is silent if nothing usable has come for so long, seconds. */
+    private static final double SILENCE_S = 1;
+
     private final RobotWait waiting;
     private final VelocitySender sender;
     private final OdometryDelay delay = new OdometryDelay();
     private volatile @Nullable TrackedState now;
+    private volatile @Nullable Unusable unusable;
     private volatile boolean ended;
+
+    private record Unusable(String reason, long atNanos) {}
 
     MovingBase(RobotWait waiting, VelocitySender sender) {
         this.waiting = waiting;
@@ -44,6 +51,24 @@ final class MovingBase {
     void end() {
         ended = true;
         waiting.changes().raise();
+    }
+
+    void unusable(String reason) {
+        unusable = new Unusable(reason, time().nanos());
+    }
+
+    /** Returns, as half a sentence, that there has been no usable odometry for a second; null if there has. */
+    @Nullable
+    String silence() {
+        TrackedState newest = now;
+        Unusable last = unusable;
+        if (newest != null && time().secondsSince(newest.atNanos()) <= SILENCE_S) {
+            return null;
+        }
+        boolean unreadable = last != null && time().secondsSince(last.atNanos()) <= SILENCE_S;
+        return unreadable
+                ? "its odometry is unusable: " + last.reason()
+                : "its odometry has been silent for " + Value.plain(SILENCE_S) + " s";
     }
 
     boolean hasEnded() {

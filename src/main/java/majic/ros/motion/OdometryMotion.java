@@ -31,8 +31,7 @@ final class OdometryMotion {
         this.base = base;
         this.way = way;
         this.motion = motion;
-        this.watcher = new MotionWatcher(
-                obstructions, way.direction(), base.now(), base.time().nanos());
+        this.watcher = new MotionWatcher(base, obstructions, way.direction());
     }
 
     /**
@@ -101,7 +100,7 @@ final class OdometryMotion {
     }
 
     private void check(TrackedState now) {
-        String fault = watcher.check(now, time().nanos());
+        String fault = watcher.check(now);
         if (fault != null) {
             throw failed(fault, now);
         }
@@ -112,7 +111,7 @@ final class OdometryMotion {
 
     /** Whether the base is blocked so near to the target that the motion counts as done; farther away it has failed. */
     private boolean endsBlocked(TrackedState now) {
-        if (!watcher.isBlocked(now, true, time().nanos())) {
+        if (!watcher.isBlocked(now, true)) {
             return false;
         }
         if (isOff(way.tolerable())) {

@@ -113,6 +113,16 @@ public final class RosMotion {
         noticeJump(now);
     }
 
+    /**
+     * Takes in a message of the odometry that has no pose. A moving base that sends only such messages is stopped, as one whose
+     * odometry is silent.
+     *
+     * @param reason what is wrong with it, as half a sentence
+     */
+    public void unusable(String reason) {
+        base.unusable(reason);
+    }
+
     private void noticeJump(TrackedState now) {
         boolean due = jumpsNoticed == 0 || (now.atNanos() - noticedNanos) / 1e9 > NOTICE_S;
         if (now.jumps() > jumpsNoticed && due) {
@@ -181,7 +191,7 @@ public final class RosMotion {
     }
 
     /**
-     * Stops the base: publishes a zero velocity ahead of everything, and repeats it until the base is stationary.
+     * Stops the base: publishes a zero velocity at once, and repeats it until the base is stationary.
      *
      * @throws LinkLost if the connection has ended
      */
@@ -207,8 +217,9 @@ public final class RosMotion {
     }
 
     private String evidence() {
-        if (!base.isKnown() || base.time().secondsSince(base.now().atNanos()) > 1) {
-            return "its odometry is silent";
+        String silence = base.silence();
+        if (silence != null) {
+            return silence;
         }
         TrackedState now = base.now();
         return String.format(

@@ -46,7 +46,7 @@ final class VelocityDrive {
         long now = base.time().nanos();
         if (watcher == null || Math.signum(newMmPerSec) != Math.signum(wantedMmPerSec)) {
             steppedNanos = watcher == null ? now - (long) (VelocitySender.PERIOD_S * 1e9) : steppedNanos;
-            watcher = new MotionWatcher(obstructions, newMmPerSec, base.now(), now);
+            watcher = new MotionWatcher(base, obstructions, newMmPerSec);
         }
         wantedMmPerSec = newMmPerSec;
         wantedDegPerSec = newDegPerSec;
@@ -60,8 +60,8 @@ final class VelocityDrive {
             return;
         }
         long now = base.time().nanos();
-        String reason = watching.check(base.now(), now);
-        if (reason == null && watching.isBlocked(base.now(), isFollowed(), now)) {
+        String reason = watching.check(base.now());
+        if (reason == null && watching.isBlocked(base.now(), isFollowed())) {
             reason = "blocked: no progress for 2 s";
         }
         if (reason != null) {

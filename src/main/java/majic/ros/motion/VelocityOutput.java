@@ -2,24 +2,15 @@ package majic.ros.motion;
 
 import majic.bot.LinkLost;
 
-/**
- * The velocity topic of a base. Both methods queue a message and return at once, on any thread; calls are not made at the
- * same time.
- */
+/** The velocity topic of a base. Calls come from any thread, one at a time. */
+@FunctionalInterface
 public interface VelocityOutput {
     /**
-     * Publishes a velocity.
+     * Publishes a velocity; takes no longer than the write deadline of the link.
      *
      * @param mmPerSec finite, ahead positive
      * @param degPerSec finite, counterclockwise positive
      * @throws LinkLost if the connection has ended
      */
     void publish(double mmPerSec, double degPerSec);
-
-    /**
-     * Publishes a zero velocity ahead of everything that has not been sent yet; velocities among that are dropped.
-     *
-     * @throws LinkLost if the connection has ended
-     */
-    void publishStop();
 }

@@ -5,7 +5,7 @@ import majic.time.TimeSource;
 
 /**
  * Publishes velocities, and remembers the one in force. A stop is repeated until {@link #endStop}; a velocity that is not
- * renewed is set to zero. Thread-safe; never waits.
+ * renewed is set to zero. Thread-safe; waits for nothing but the write.
  */
 final class VelocitySender {
     /** From one velocity to the next, seconds: 20 a second. */
@@ -51,7 +51,7 @@ final class VelocitySender {
     }
 
     /**
-     * Publishes a zero velocity ahead of everything unsent, and has it repeated by {@link #repeat}.
+     * Publishes a zero velocity, and has it repeated by {@link #repeat}.
      *
      * @throws LinkLost if the connection has ended
      */
@@ -59,8 +59,7 @@ final class VelocitySender {
         stopping = true;
         stopNanos = time.nanos();
         stopsSent = 1;
-        remember(0, 0);
-        output.publishStop();
+        publish(0, 0);
     }
 
     /** Publishes the zero velocity again while a stop is in force, and one in place of a velocity that was not renewed. */

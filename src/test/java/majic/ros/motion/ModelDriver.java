@@ -162,11 +162,6 @@ final class ModelDriver extends BotDriver {
         public void publish(double mmPerSec, double degPerSec) {
             base().command(mmPerSec, degPerSec);
         }
-
-        @Override
-        public void publishStop() {
-            base().command(0, 0);
-        }
     }
 
     /** The type of this driver. */

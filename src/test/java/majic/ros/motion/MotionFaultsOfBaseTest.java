@@ -113,6 +113,15 @@ class MotionFaultsOfBaseTest {
     }
 
     @Test
+    void aMotionEndsWhenTheOdometryHasNoUsablePoseForASecond() {
+        CompletableFuture<MotionReport> motion = movedTo(200);
+        robot.base.silent = true;
+        bot.every("unusable odometry", 0.05, () -> bot.motions.unusable("pose.pose.position.x is null"));
+
+        assertFails(motion, "its odometry is unusable: pose.pose.position.x is null");
+    }
+
+    @Test
     void aMotionEndsWhenTheOdometryIsSetToZeroAndThePositionGoesOn() {
         CompletableFuture<MotionReport> motion = movedTo(200);
         Pose before = robot.truePose();

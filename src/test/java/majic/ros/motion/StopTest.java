@@ -106,7 +106,9 @@ class StopTest {
         moving();
         robot.base.silent = true;
 
-        assertThatThrownBy(bot::stop).isInstanceOf(BotException.class).hasMessageContaining("its odometry is silent");
+        assertThatThrownBy(bot::stop)
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("its odometry has been silent for 1 s");
     }
 
     @Test
