@@ -1,0 +1,111 @@
+package majicsim.ros.message;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.MissingNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+
+/**
+ * Writes messages as the bridge of one version of ROS does (sheet 4): all fields in order, zero for missing ones, {@code null}
+ * for NaN and infinity but in fixed arrays of ROS 2, base64 for bytes, float32 widened.
+ */
+public final class MessageOutput {
+    private static final long NANOS_PER_SECOND = 1_000_000_000;
+
+    private final MessageTypes types;
+
+    /**
+     * A writer.
+     *
+     * @param types all types
+     */
+    public MessageOutput(MessageTypes types) {
+        this.types = types;
+    }
+
+    /**
+     * Writes one message.
+     *
+     * @param to where to
+     * @param type its type
+     * @param message as {@link MessageInput} returns it; unknown fields are left out
+     * @throws IOException if the output fails
+     */
+    public void write(JsonGenerator to, MessageType type, JsonNode message) throws IOException {
+        to.writeStartObject();
+        for (Field field : type.fields()) {
+            to.writeFieldName(field.name());
+            value(to, field.type(), message.path(field.name()));
+        }
+        to.writeEndObject();
+    }
+
+    /**
+     * A copy of a message whose header has another number; ROS 1 counts the messages of a publisher.
+     *
+     * @param type its type
+     * @param message as {@link MessageInput} returns it
+     * @param number from 1
+     * @return the same object if the type has no header or the version no numbers
+     */
+    public JsonNode numbered(MessageType type, ObjectNode message, long number) {
+        if (types.version() != RosVersion.ROS1 || !type.hasHeader()) {
+            return message;
+        }
+        String name = type.fields().get(0).name();
+        ObjectNode header =
+                message.path(name).isObject() ? ((ObjectNode) message.get(name)).deepCopy() : message.objectNode();
+        ObjectNode numbered = message.objectNode();
+        numbered.setAll(message);
+        numbered.set(name, header.put("seq", number));
+        return numbered;
+    }
+
+    private void value(JsonGenerator to, FieldType type, JsonNode value) throws IOException {
+        if (type.isBytes()) {
+            byte[] bytes = value.isBinary() ? value.binaryValue() : new byte[Math.max(0, type.length())];
+            to.writeBinary(bytes);
+        } else if (type.isArray()) {
+            int length = type.isFixed() ? type.length() : value.size();
+            to.writeStartArray();
+            for (int i = 0; i < length; i++) {
+                scalar(to, type, value.path(i));
+            }
+            to.writeEndArray();
+        } else {
+            scalar(to, type, value);
+        }
+    }
+
+    private void scalar(JsonGenerator to, FieldType type, JsonNode value) throws IOException {
+        if (!type.isBuiltIn()) {
+            write(to, types.get(type.element()), value.isObject() ? value : MissingNode.getInstance());
+            return;
+        }
+        switch (type.element()) {
+            case "bool" -> to.writeBoolean(value.asBoolean());
+            case "string" -> to.writeString(value.asText());
+            case "time" -> time(to, value.asLong());
+            case "float32" -> number(to, type, (float) value.asDouble());
+            case "float64" -> number(to, type, value.asDouble());
+            default -> to.writeNumber(value.asLong());
+        }
+    }
+
+    private void number(JsonGenerator to, FieldType type, double number) throws IOException {
+        boolean isBare = types.version() == RosVersion.ROS2 && type.isFixed();
+        if (Double.isFinite(number) || isBare) {
+            to.writeNumber(number);
+        } else {
+            to.writeNull();
+        }
+    }
+
+    private void time(JsonGenerator to, long nanos) throws IOException {
+        to.writeStartObject();
+        to.writeNumberField(types.version().seconds(), Math.floorDiv(nanos, NANOS_PER_SECOND));
+        to.writeNumberField(types.version().nanoseconds(), Math.floorMod(nanos, NANOS_PER_SECOND));
+        to.writeEndObject();
+    }
+}

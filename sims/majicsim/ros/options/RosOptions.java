@@ -1,0 +1,130 @@
+package majicsim.ros.options;
+
+import majicsim.ros.message.RosVersion;
+
+/**
+ * The kind of a simulated ROS robot and of its rosbridge server. Immutable.
+ *
+ * @param version of ROS
+ * @param isStamped whether its velocity commands are TwistStamped, as from Jazzy on; otherwise Twist
+ * @param timeoutS after which time without command the base stops, s; 0 for never
+ * @param blocksConnection whether a pending service or goal holds up what came later on the same connection, as rosbridge up to
+ *     2.1.0 does on ROS 2 (sheet 1, rule 5)
+ * @param hasNavigation whether it drives to goals: move_base on ROS 1, navigate_to_pose on ROS 2
+ * @param secret with which clients must authenticate; empty if they need not (ROS 1 alone)
+ * @param namespace before the names of the robot's topics, as {@code /tb3_0}; empty for none
+ */
+public record RosOptions(
+        RosVersion version,
+        boolean isStamped,
+        double timeoutS,
+        boolean blocksConnection,
+        boolean hasNavigation,
+        String secret,
+        String namespace) {
+    /** The time-out of the TurtleBot3's firmware for ROS 1, s (sheet 8). */
+    public static final double FIRMWARE_TIMEOUT_S = 0.5;
+
+    private static final double LONGEST_TIMEOUT_S = 60;
+
+    /**
+     * Checks them.
+     *
+     * @throws IllegalArgumentException if something is outside its range, or does not exist in this version of ROS; the message names it
+     */
+    public RosOptions {
+        if (!(timeoutS >= 0 && timeoutS <= LONGEST_TIMEOUT_S)) {
+            throw new IllegalArgumentException("timeout must be 0 (none) to 60 s, not " + timeoutS);
+        }
+        if (!secret.isEmpty() && version != RosVersion.ROS1) {
+            throw new IllegalArgumentException("auth exists with ROS 1 only");
+        }
+        if (!namespace.isEmpty() && !namespace.matches("/[A-Za-z][A-Za-z0-9_]*")) {
+            throw new IllegalArgumentException(
+                    "namespace must be a word of letters, digits and _, not '" + namespace + "'");
+        }
+    }
+
+    /**
+     * A TurtleBot3 Burger as its makers' software runs it: with ROS 1 it stops 0.5 s after the last command, with ROS 2
+     * it drives on.
+     *
+     * @param version of ROS
+     * @return the options
+     */
+    public static RosOptions of(RosVersion version) {
+        boolean isRos2 = version == RosVersion.ROS2;
+        return new RosOptions(version, false, isRos2 ? 0 : FIRMWARE_TIMEOUT_S, isRos2, true, "", "");
+    }
+
+    /**
+     * Parses a model: 1 or 2, then the differences of this robot behind plus signs, in any case.
+     *
+     * @param model such as {@code 2+stamped+timeout=0.5}
+     * @return the options
+     * @throws IllegalArgumentException if there is no such robot; the message names the wrong word and the right ones
+     */
+    public static RosOptions parse(String model) {
+        return RosModelParser.parse(model);
+    }
+
+    /**
+     * The same robot with stamped commands.
+     *
+     * @return the options
+     */
+    public RosOptions stamped() {
+        return new RosOptions(version, true, timeoutS, blocksConnection, hasNavigation, secret, namespace);
+    }
+
+    /**
+     * The same robot with another time-out.
+     *
+     * @param seconds 0 (none) to 60
+     * @return the options
+     * @throws IllegalArgumentException if it is outside
+     */
+    public RosOptions withTimeout(double seconds) {
+        return new RosOptions(version, isStamped, seconds, blocksConnection, hasNavigation, secret, namespace);
+    }
+
+    /**
+     * The same robot behind a bridge that starts a thread for each service and goal, as from 2.2.0 on.
+     *
+     * @return the options
+     */
+    public RosOptions unblocked() {
+        return new RosOptions(version, isStamped, timeoutS, false, hasNavigation, secret, namespace);
+    }
+
+    /**
+     * The same robot without navigation.
+     *
+     * @return the options
+     */
+    public RosOptions withoutNavigation() {
+        return new RosOptions(version, isStamped, timeoutS, blocksConnection, false, secret, namespace);
+    }
+
+    /**
+     * The same robot behind a bridge that demands authentication.
+     *
+     * @param newSecret shared with the clients
+     * @return the options
+     * @throws IllegalArgumentException with ROS 2
+     */
+    public RosOptions withSecret(String newSecret) {
+        return new RosOptions(version, isStamped, timeoutS, blocksConnection, hasNavigation, newSecret, namespace);
+    }
+
+    /**
+     * The same robot with its names in a namespace.
+     *
+     * @param word without slash
+     * @return the options
+     * @throws IllegalArgumentException if it is not a word
+     */
+    public RosOptions withNamespace(String word) {
+        return new RosOptions(version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, "/" + word);
+    }
+}

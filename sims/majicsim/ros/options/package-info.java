@@ -1,0 +1,5 @@
+/** What kind of ROS robot and bridge is simulated. */
+@NullMarked
+package majicsim.ros.options;
+
+import org.jspecify.annotations.NullMarked;
