@@ -1,0 +1,58 @@
+package majicsim.ros.bridge;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import majicsim.ros.graph.Topic;
+import majicsim.ros.message.CborForm;
+import majicsim.ros.message.JsonForm;
+import majicsim.ros.message.MessageOutput;
+import org.jspecify.annotations.Nullable;
+
+/** One published message in the forms that clients asked for, each made once. */
+final class Encoded {
+    private final Topic topic;
+    private final JsonNode message;
+    private final MessageOutput output;
+    private final JsonForm form;
+    private byte @Nullable [] text;
+    private byte @Nullable [] cbor;
+
+    Encoded(Topic topic, JsonNode message, MessageOutput output, JsonForm form) {
+        this.topic = topic;
+        this.message = message;
+        this.output = output;
+        this.form = form;
+    }
+
+    void sendTo(Peer peer, String compression) {
+        switch (compression) {
+            case "cbor" -> peer.sendBinary(cbor());
+            case "png" -> peer.send(null, new PngForm(text())::write);
+            default -> peer.send(null, to -> to.writeRaw(new String(text(), java.nio.charset.StandardCharsets.UTF_8)));
+        }
+    }
+
+    byte[] text() {
+        if (text == null) {
+            text = form.bytes(this::write);
+        }
+        return text;
+    }
+
+    private byte[] cbor() {
+        if (cbor == null) {
+            cbor = CborForm.bytes(this::write);
+        }
+        return cbor;
+    }
+
+    private void write(JsonGenerator to) throws IOException {
+        to.writeStartObject();
+        to.writeStringField("op", "publish");
+        to.writeStringField("topic", topic.name());
+        to.writeFieldName("msg");
+        output.write(to, topic.type(), message);
+        to.writeEndObject();
+    }
+}

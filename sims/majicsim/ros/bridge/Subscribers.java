@@ -1,0 +1,85 @@
+package majicsim.ros.bridge;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import majicsim.ros.graph.RosNetwork;
+import majicsim.ros.graph.Topic;
+import majicsim.ros.message.JsonForm;
+import majicsim.ros.message.MessageMismatch;
+import majicsim.ros.message.MessageType;
+import org.jspecify.annotations.Nullable;
+
+/** The subscriptions of all clients. */
+final class Subscribers {
+    private final RosNetwork network;
+    private final JsonForm form;
+    private final Map<String, TopicFan> fans = new LinkedHashMap<>();
+
+    Subscribers(RosNetwork network, JsonForm form) {
+        this.network = network;
+        this.form = form;
+    }
+
+    /** Subscribes; a null type means that of the existing topic. */
+    void subscribe(Peer peer, String name, @Nullable String typeName, String id, SubscriptionWish wish)
+            throws MessageMismatch {
+        Topic topic = topic(name, typeName);
+        TopicFan fan = fans.get(name);
+        if (fan == null || fan.topic() != topic) {
+            fan = new TopicFan(topic, network, form);
+            fans.put(name, fan);
+        }
+        fan.subscribe(peer, id, wish);
+    }
+
+    private Topic topic(String name, @Nullable String typeName) throws MessageMismatch {
+        Topic existing = network.topics().find(name);
+        if (typeName == null) {
+            if (existing == null) {
+                throw new MessageMismatch("the topic " + name + " has no type");
+            }
+            return existing;
+        }
+        MessageType type = network.types()
+                .find(typeName)
+                .orElseThrow(() -> new MessageMismatch(typeName + " is not a valid type string"));
+        if (existing != null && existing.type() != type) {
+            throw new MessageMismatch("the topic " + name + " has the type " + existing.type());
+        }
+        return existing != null ? existing : network.topics().at(name, type);
+    }
+
+    /** Ends one subscription of a client, or all of its for a topic if the id is null. */
+    void unsubscribe(Peer peer, String name, @Nullable String id) {
+        TopicFan fan = fans.get(name);
+        TopicStream stream = fan == null ? null : fan.streams().get(peer);
+        if (stream != null && (id == null || stream.end(id))) {
+            fan.streams().remove(peer);
+            tidy(fan);
+        }
+    }
+
+    /** Ends all subscriptions of a client. */
+    void end(Peer peer) {
+        for (TopicFan fan : fans.values().toArray(TopicFan[]::new)) {
+            if (fan.streams().remove(peer) != null) {
+                tidy(fan);
+            }
+        }
+    }
+
+    private void tidy(TopicFan fan) {
+        if (fan.streams().isEmpty()) {
+            fan.topic().unsubscribe(fan);
+            fans.remove(fan.topic().name());
+        }
+    }
+
+    void step() {
+        fans.values().forEach(TopicFan::step);
+    }
+
+    long dueNanos() {
+        return fans.values().stream().mapToLong(TopicFan::dueNanos).min().orElse(Long.MAX_VALUE);
+    }
+}
