@@ -84,7 +84,7 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * How to reach the robots: "aibo", "pioneer" and "hemisson" as "127.0.0.1:port", and "pioneer-pty" and "hemisson-pty" as
+     * How to reach the robots: "aibo", "pioneer", "hemisson" and "ros" as "127.0.0.1:port", and "pioneer-pty" and "hemisson-pty" as
      * the paths of pseudo-terminals where the system has them.
      *
      * @return addresses by name, in the order of the robots' numbers

@@ -2,7 +2,9 @@ package majicsim;
 
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.pioneer.PioneerRobot;
+import majicsim.ros.options.RosOptions;
 import majicsim.world.Room;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What kind of lab to open.
@@ -16,6 +18,7 @@ import majicsim.world.Room;
  * @param hemisson the kind of Hemisson
  * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; the further ones start behind the other robots; {@link
  *     #roomFor} returns a room for them
+ * @param ros the kind of ROS robot; null for a lab without one
  */
 public record LabOptions(
         Room room,
@@ -25,7 +28,8 @@ public record LabOptions(
         boolean jitter,
         String pioneerModel,
         HemissonOptions hemisson,
-        int pioneers) {
+        int pioneers,
+        @Nullable RosOptions ros) {
     /** How many Pioneers a lab has at most. */
     public static final int MOST_PIONEERS = 500;
 
@@ -47,7 +51,7 @@ public record LabOptions(
     /**
      * A room with the space for a lab's robots.
      *
-     * @param pioneers how many Pioneers
+     * @param pioneers how many Pioneers; the ROS robot needs as much space as one
      * @return the standard room, or a larger hall
      */
     public static Room roomFor(int pioneers) {
@@ -57,10 +61,10 @@ public record LabOptions(
     /**
      * How many robots the lab has.
      *
-     * @return all Pioneers, the Aibo and the Hemisson
+     * @return all Pioneers, the Aibo, the Hemisson, and the ROS robot if there is one
      */
     public int robots() {
-        return pioneers + OTHER_ROBOTS;
+        return pioneers + OTHER_ROBOTS + (ros == null ? 0 : 1);
     }
 
     /**
@@ -88,7 +92,7 @@ public record LabOptions(
      * @return noisy options
      */
     public LabOptions withNoise(long newSeed) {
-        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel, hemisson, pioneers);
+        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel, hemisson, pioneers, ros);
     }
 
     /**
@@ -98,7 +102,7 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withRoom(Room newRoom) {
-        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers);
+        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers, ros);
     }
 
     /**
@@ -108,7 +112,7 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withPorts(LabPorts newPorts) {
-        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel, hemisson, pioneers);
+        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel, hemisson, pioneers, ros);
     }
 
     /**
@@ -119,7 +123,7 @@ public record LabOptions(
      * @throws IllegalArgumentException if there is no such Pioneer; the message lists the models
      */
     public LabOptions withPioneer(String newModel) {
-        return new LabOptions(room, exact, seed, ports, jitter, newModel, hemisson, pioneers);
+        return new LabOptions(room, exact, seed, ports, jitter, newModel, hemisson, pioneers, ros);
     }
 
     /**
@@ -129,7 +133,7 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withHemisson(HemissonOptions newHemisson) {
-        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, newHemisson, pioneers);
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, newHemisson, pioneers, ros);
     }
 
     /**
@@ -140,11 +144,29 @@ public record LabOptions(
      * @throws IllegalArgumentException if there cannot be that many
      */
     public LabOptions withPioneers(int count) {
-        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, count);
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, count, ros);
+    }
+
+    /**
+     * The same lab with a ROS robot.
+     *
+     * @param newRos its version of ROS and what else distinguishes it; null for none
+     * @return the options
+     */
+    public LabOptions withRos(@Nullable RosOptions newRos) {
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers, newRos);
     }
 
     private static LabOptions standard(boolean exact, LabPorts ports) {
         return new LabOptions(
-                Room.standard(), exact, 1, ports, !exact, PioneerRobot.STANDARD_MODEL, HemissonOptions.standard(), 1);
+                Room.standard(),
+                exact,
+                1,
+                ports,
+                !exact,
+                PioneerRobot.STANDARD_MODEL,
+                HemissonOptions.standard(),
+                1,
+                null);
     }
 }

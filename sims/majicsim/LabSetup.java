@@ -5,6 +5,7 @@ import java.lang.System.Logger.Level;
 import java.net.BindException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Function;
 import majicsim.aibo.AiboRobot;
@@ -18,14 +19,18 @@ import majicsim.net.PtyPort;
 import majicsim.net.TcpPort;
 import majicsim.net.Wiring;
 import majicsim.pioneer.PioneerRobot;
+import majicsim.ros.RosRobot;
+import majicsim.ros.options.RosOptions;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import majicsim.world.World;
+import org.jspecify.annotations.Nullable;
 
 /** Puts the robots into the room, in the order of their numbers, and opens their ports. For one use. */
 final class LabSetup {
     private static final System.Logger LOG = System.getLogger(LabSetup.class.getName());
+    private static final Set<Integer> USUAL_PORTS = Set.of(LabPorts.AIBO, LabPorts.PIONEER, LabPorts.ROS);
     private static final double JITTER_FROM_MS = 5;
     private static final double JITTER_TO_MS = 50;
 
@@ -64,6 +69,7 @@ final class LabSetup {
                     HemissonRobot::body,
                     new PortChoice(options.ports().hemisson(), Clients.ONE));
             addPty(hemisson);
+            addRos(options.ros());
             for (int number = 2; number <= options.pioneers(); number++) {
                 add("pioneer" + number, this::pioneer, PioneerRobot::body, new PortChoice(0, Clients.ONE));
             }
@@ -94,6 +100,17 @@ final class LabSetup {
         return robot;
     }
 
+    /** Its classes, and those of the JSON library, are loaded only for a lab that has one. */
+    private void addRos(@Nullable RosOptions kind) throws IOException {
+        if (kind != null) {
+            add(
+                    "ros",
+                    (in, home, own) -> new RosRobot(in, home, own, kind),
+                    RosRobot::body,
+                    new PortChoice(options.ports().ros(), Clients.MANY));
+        }
+    }
+
     private PioneerRobot pioneer(World in, Pose home, Noise own) {
         return new PioneerRobot(in, home, own, options.pioneerModel());
     }
@@ -115,7 +132,7 @@ final class LabSetup {
         try {
             return TcpPort.open(choice.port(), choice.clients(), wiring);
         } catch (BindException e) {
-            if (choice.port() != LabPorts.AIBO && choice.port() != LabPorts.PIONEER) {
+            if (!USUAL_PORTS.contains(choice.port())) {
                 throw new IOException(
                         "port " + choice.port() + " for the " + name + " is taken; 0 takes a free one", e);
             }

@@ -4,13 +4,18 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Map;
+import java.util.Stack;
 import majic.program.UsageException;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.pioneer.PioneerRobot;
+import majicsim.ros.options.RosOptions;
 import majicsim.world.Room;
 import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.IParameterConsumer;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
@@ -89,6 +94,26 @@ final class LabChoice {
     private String hemissonModel = KTEAM;
 
     @Option(
+            names = "--ros-port",
+            scope = ScopeType.INHERIT,
+            paramLabel = "N",
+            description = "TCP port of the ROS robot's rosbridge server (9090, or a free one).")
+    private int rosPort = LabPorts.ROS;
+
+    @Option(
+            names = "--ros",
+            scope = ScopeType.INHERIT,
+            paramLabel = "MODEL",
+            arity = "0..1",
+            parameterConsumer = RosModelConsumer.class,
+            description = {
+                "Puts a ROS robot into the lab, a TurtleBot3 behind a rosbridge server: 1 (ROS 1, the default) or 2 (ROS 2), and",
+                "what is different about it: +stamped (TwistStamped commands), +timeout=1.0 or +timeout=none (when it"
+                        + " stops without commands), +unblocked, +nonavigation, +namespace=NAME, +auth=SECRET."
+            })
+    private @Nullable String rosModel;
+
+    @Option(
             names = "--pioneers",
             scope = ScopeType.INHERIT,
             paramLabel = "N",
@@ -101,14 +126,16 @@ final class LabChoice {
         boolean ports = aiboPort != LabPorts.AIBO || pioneerPort != LabPorts.PIONEER || hemissonPort != 0;
         boolean model = !pioneerModel.equalsIgnoreCase(PioneerRobot.STANDARD_MODEL);
         boolean hemisson = !hemissonModel.equalsIgnoreCase(KTEAM);
-        return exact || seed != 1 || world != null || speed != 1 || ports || model || hemisson || pioneers != 1;
+        boolean ros = rosModel != null || rosPort != LabPorts.ROS;
+        return ros || exact || seed != 1 || world != null || speed != 1 || ports || model || hemisson || pioneers != 1;
     }
 
     /** Returns the options with which a lab of this choice is opened. */
     LabOptions options() throws IOException {
-        Room room = world == null ? LabOptions.roomFor(pioneers()) : Room.load(world);
-        LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort));
-        return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson(), pioneers());
+        RosOptions ros = ros();
+        Room room = world == null ? LabOptions.roomFor(pioneers() + (ros == null ? 0 : 1)) : Room.load(world);
+        LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort), port(rosPort));
+        return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson(), pioneers(), ros);
     }
 
     /** Returns its speed, after a check. */
@@ -123,6 +150,9 @@ final class LabChoice {
     void tellTakenPorts(Map<String, String> addresses) {
         tellIfTaken("aibo", aiboPort, addresses);
         tellIfTaken("pioneer", pioneerPort, addresses);
+        if (rosModel != null) {
+            tellIfTaken("ros", rosPort, addresses);
+        }
     }
 
     private String model() {
@@ -148,6 +178,14 @@ final class LabChoice {
         }
     }
 
+    private @Nullable RosOptions ros() {
+        try {
+            return rosModel == null ? null : RosOptions.parse(rosModel);
+        } catch (IllegalArgumentException e) {
+            throw new UsageException("--ros " + rosModel + ": " + e.getMessage());
+        }
+    }
+
     private static void tellIfTaken(String robot, int wanted, Map<String, String> addresses) {
         String address = addresses.getOrDefault(robot, "");
         if (wanted != 0 && !address.endsWith(":" + wanted)) {
@@ -160,6 +198,17 @@ final class LabChoice {
             throw new UsageException("port " + port + ": outside 0 … 65535");
         }
         return port;
+    }
+
+    /** Takes the next word only if it is a model, so that a file or a command can follow {@code --ros}. */
+    private static final class RosModelConsumer implements IParameterConsumer {
+        private static final String STANDARD = "1";
+
+        @Override
+        public void consumeParameters(Stack<String> words, ArgSpec option, CommandSpec command) {
+            boolean isModel = !words.isEmpty() && words.peek().matches("\\d.*");
+            option.setValue(isModel ? words.pop() : STANDARD);
+        }
     }
 
     /** Lists the Pioneer models for the help. */

@@ -28,6 +28,9 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     /** The number that distinguishes a further robot of a type from the first: {@code pioneer2}. */
     private static final Pattern COUNT = Pattern.compile("\\d+$");
 
+    /** Its addresses are those of a server, {@code ros://host:port}; the others can be serial lines too. */
+    private static final String ROS = "ros";
+
     private final Lab lab;
     private final LabClock clock;
     private final Notice tooSlow;
@@ -107,7 +110,8 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     @Override
     public Optional<BotAddress> address(String robot) {
         String type = COUNT.matcher(robot).replaceFirst("");
-        return Optional.ofNullable(lab.addresses().get(robot)).map(where -> new BotAddress(type, "tcp://" + where));
+        String prefix = type.equals(ROS) ? "//" : "tcp://";
+        return Optional.ofNullable(lab.addresses().get(robot)).map(where -> new BotAddress(type, prefix + where));
     }
 
     @Override

@@ -1,0 +1,123 @@
+package majicsim.ros.robot;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import majicsim.ros.graph.RosNetwork;
+import majicsim.ros.message.RosVersion;
+import majicsim.ros.options.RosOptions;
+import majicsim.world.Body;
+import majicsim.world.Noise;
+import majicsim.world.World;
+
+/**
+ * A TurtleBot3 Burger: its body in the room, and its nodes in a ROS network. It neither checks nor notices whether a client is
+ * connected. Guarded by the lab's lock.
+ */
+public final class TurtleBot3 {
+    /** The radius of the disc that stands for its body, mm; it turns about its centre. */
+    public static final double RADIUS_MM = 100;
+
+    private static final long MS = 1_000_000;
+    private static final long FAST_NANOS = 32 * MS;
+    private static final long IMU_NANOS = 12 * MS;
+    private static final long SCAN_NANOS = 200 * MS;
+    private static final long BATTERY_NANOS = 200 * MS;
+    private static final double NANOS = 1e9;
+
+    private final Body body;
+    private final RosNetwork network;
+    private final RosOptions options;
+    private final String node;
+    private final BurgerDrive drive;
+    private final WheelOdometry odometry = new WheelOdometry();
+    private final BurgerSensors sensors;
+    private final LaserScanner laser;
+    private final List<PeriodicTopic> topics = new ArrayList<>();
+
+    /**
+     * Puts the robot into the room and starts its nodes.
+     *
+     * @param world the room
+     * @param body its body, not yet in the room
+     * @param noise of its wheels and sensors
+     * @param network its computer
+     * @param options its kind
+     * @throws IllegalArgumentException if the body does not fit there
+     */
+    public TurtleBot3(World world, Body body, Noise noise, RosNetwork network, RosOptions options) {
+        world.add(body);
+        this.body = body;
+        this.network = network;
+        this.options = options;
+        this.node =
+                options.namespace() + (options.version() == RosVersion.ROS1 ? "/turtlebot3_core" : "/turtlebot3_node");
+        drive = new BurgerDrive(body, options.timeoutS(), noise.fork("wheels"));
+        sensors = new BurgerSensors(network.clock(), options.version(), body, odometry, noise.fork("imu"));
+        laser = new LaserScanner(world, body, noise.fork("laser"));
+        network.nodes().add(node);
+        startTopics();
+    }
+
+    private void startTopics() {
+        String type = options.isStamped() ? "geometry_msgs/TwistStamped" : "geometry_msgs/Twist";
+        network.subscribe(node, named("/cmd_vel"), type, new VelocityInput(drive, network.clock(), options));
+        add("/odom", "nav_msgs/Odometry", FAST_NANOS, sensors::odometry);
+        add("/tf", "tf2_msgs/TFMessage", FAST_NANOS, sensors::baseTransform);
+        add("/joint_states", "sensor_msgs/JointState", FAST_NANOS, sensors::joints);
+        add("/imu", "sensor_msgs/Imu", IMU_NANOS, sensors::imu);
+        add(
+                "/scan",
+                "sensor_msgs/LaserScan",
+                SCAN_NANOS,
+                () -> laser.scan(network.clock().nanos()));
+        add("/battery_state", "sensor_msgs/BatteryState", BATTERY_NANOS, sensors::battery);
+        add("/sensor_state", "turtlebot3_msgs/SensorState", FAST_NANOS, sensors::board);
+        network.advertise(node, named("/tf_static"), "tf2_msgs/TFMessage").latch(sensors.mounting());
+    }
+
+    private void add(String name, String type, long periodNanos, Supplier<ObjectNode> maker) {
+        topics.add(new PeriodicTopic(network.advertise(node, named(name), type), periodNanos, maker));
+    }
+
+    private String named(String name) {
+        return options.namespace() + name;
+    }
+
+    /**
+     * Its body in the world.
+     *
+     * @return as it was given
+     */
+    public Body body() {
+        return body;
+    }
+
+    /**
+     * Lets time pass; the world has just been stepped, and the network's clock advanced.
+     *
+     * @param seconds lab time
+     */
+    public void step(double seconds) {
+        drive.step(seconds);
+        odometry.step(drive.measuredLeft(), drive.measuredRight(), seconds);
+        topics.forEach(topic -> topic.step(network.clock().elapsedNanos()));
+    }
+
+    /**
+     * For how long nothing will change but the time.
+     *
+     * @return lab time, ns; 0 while it moves
+     */
+    public long restNanos() {
+        if (!drive.isResting()) {
+            return 0;
+        }
+        long due = Long.MAX_VALUE;
+        for (PeriodicTopic topic : topics) {
+            due = Math.min(due, topic.dueNanos());
+        }
+        return Math.max(0, due - network.clock().elapsedNanos());
+    }
+}
