@@ -1,5 +1,7 @@
 package majic.ros.motion;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
@@ -20,6 +22,8 @@ import org.jspecify.annotations.Nullable;
  * calculated from the velocities sent, and its stop is not confirmed by anything. Thread-safe.
  */
 public final class RosMotion {
+    private static final Logger LOG = System.getLogger(RosMotion.class.getName());
+
     /** Long enough to brake from the highest speed, seconds. */
     private static final double HALT_S = 4;
 
@@ -234,7 +238,24 @@ public final class RosMotion {
         return sender.isMoving() || (base.isKnown() && !base.now().stationary());
     }
 
-    /** Ends all waiting and sends nothing any more: the connection has ended or is being closed. */
+    /**
+     * Ends in order, while there is still a connection: the stop of a base that was moved is repeated first, since the timer
+     * of the robot has ended by now. Takes 0.1 s at most.
+     */
+    public void close() {
+        for (int stop = 1; sender.isActive() && stop < LEAST_STOPS; stop++) {
+            owner.waiting().awaitClosing(base::hasEnded, VelocitySender.PERIOD_S);
+            try {
+                sender.send(0, 0);
+            } catch (LinkLost e) {
+                LOG.log(Level.DEBUG, "the last stop was not sent", e);
+                break;
+            }
+        }
+        end();
+    }
+
+    /** Ends all waiting and sends nothing any more: the connection has ended. */
     public void end() {
         sender.end();
         base.end();

@@ -95,10 +95,10 @@ final class ModelDriver extends BotDriver {
     @Override
     protected void shut() {
         RosMotion now = motions;
-        motions = null;
         if (now != null) {
-            now.end();
+            now.close();
         }
+        motions = null;
     }
 
     @Override

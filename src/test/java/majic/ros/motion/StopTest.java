@@ -151,6 +151,17 @@ class StopTest {
         assertThat(report.amount().number()).isBetween(99.0, 101.0);
     }
 
+    @Test
+    void aClosedRobotHasReceivedTheStopSeveralTimes() {
+        moving();
+        long closedMs = robot.base.nowMs();
+
+        bot.close();
+
+        assertThat(since(closedMs)).hasSizeGreaterThanOrEqualTo(3).allMatch(BaseModel.Command::isZero);
+        assertThat(robot.base.nowMs() - closedMs).isLessThan(200);
+    }
+
     private void pass(double seconds) {
         try {
             bot.time().sleep(seconds);
