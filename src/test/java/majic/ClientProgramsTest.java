@@ -74,6 +74,34 @@ class ClientProgramsTest {
         }
     }
 
+    @Test
+    void theClientInPythonOnAnotherComputerReportsAnotherCertificateInOneLine(@TempDir Path other) throws Exception {
+        Tool.require("python3");
+        ListenKey.create(folder);
+        ListenKey.create(other);
+        InetSocketAddress all = new InetSocketAddress(0);
+        try (Team team = new Team(TimeSource.system());
+                LineServer server = LineServer.openTls(all, withARobotIn(team), this::token, ListenKey.in(folder))) {
+            server.ready();
+            Process client = new ProcessBuilder(
+                            "python3",
+                            EXAMPLES.resolve("tls_client.py").toString(),
+                            "127.0.0.1",
+                            String.valueOf(server.port()),
+                            other.resolve(ListenKey.CERTIFICATE).toString(),
+                            server.token().orElseThrow().file().toString(),
+                            "1 move 30")
+                    .redirectErrorStream(true)
+                    .start();
+            String printed = new String(client.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+            assertThat(printed.lines())
+                    .singleElement()
+                    .asString()
+                    .contains("certificate", "must be the newest listen.pem");
+            assertThat(client.waitFor()).isEqualTo(1);
+        }
+    }
+
     /** The client in MATLAB is not run. It sends what the one in Python sends. */
     @Test
     void theLastLineOfTheClientInMatlabOnAnotherComputerEndsTheConnection() throws IOException {

@@ -141,6 +141,7 @@ final class StartOptions {
         if (server.isEncrypted()) {
             System.err.println("majic: programs on other computers use TLS and check the certificate "
                     + program.folder().file(ListenKey.CERTIFICATE));
+            server.certificateWarning().ifPresent(text -> System.err.println("majic: " + text));
         }
     }
 

@@ -167,6 +167,7 @@ final class LineClient {
         } else {
             receivesAll = admission.receivesAll(line);
             admitted = true;
+            server.certificateWarning().ifPresent(answers::add);
             if (admission.isScript(line)) {
                 take(line);
             }

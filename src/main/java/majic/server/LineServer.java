@@ -117,7 +117,7 @@ public final class LineServer implements AutoCloseable {
         try {
             int port = socket.socket().getLocalPort();
             Admission admission = new Admission(tokens == null ? null : tokens.token(port), nanos);
-            TlsHandshakes handshakes = key == null ? null : new TlsHandshakes(key, nanos);
+            TlsHandshakes handshakes = key == null ? null : new TlsHandshakes(key, nanos, session::alarm);
             LineServer server = new LineServer(socket, Selector.open(), session, admission, handshakes, nanos);
             server.start();
             return server;
@@ -165,6 +165,11 @@ public final class LineServer implements AutoCloseable {
     /** Returns whether clients have to use TLS. */
     public boolean isEncrypted() {
         return handshakes != null;
+    }
+
+    /** Returns a sentence about the certificate if it has expired or expires within 30 days; empty otherwise. */
+    public Optional<String> certificateWarning() {
+        return handshakes == null ? Optional.empty() : handshakes.warning();
     }
 
     /** Starts to carry out lines; called when the robots that were requested at the start have been added. */

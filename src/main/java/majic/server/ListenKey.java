@@ -10,11 +10,17 @@ import java.security.KeyStore;
 import java.security.cert.Certificate;
 import java.security.cert.CertificateException;
 import java.security.cert.CertificateExpiredException;
+import java.security.cert.CertificateNotYetValidException;
 import java.security.cert.X509Certificate;
+import java.time.Duration;
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneId;
 import java.util.Base64;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
@@ -23,9 +29,11 @@ import javax.net.ssl.SSLContext;
  * The key with which MAJIC proves to programs on other computers that it is the right one: a key store that only its
  * user can read, and beside it the certificate, which these programs get.
  *
+ * @param file the key store
+ * @param certificate what programs on other computers accept
  * @param context encrypts connections with the key
  */
-public record ListenKey(SSLContext context) {
+public record ListenKey(Path file, X509Certificate certificate, SSLContext context) {
     /** The file of the key store, in MAJIC's folder. */
     public static final String FILE = "listen.p12";
 
@@ -38,6 +46,7 @@ public record ListenKey(SSLContext context) {
     private static final String PASSWORD_VARIABLE = "MAJIC_KEY_STORE_PASSWORD";
     private static final String ALIAS = "majic";
     private static final String FORMAT = "PKCS12";
+    private static final Duration WARNED_BEFORE = Duration.ofDays(30);
     private static final int BASE64_LINE = 64;
 
     /**
@@ -103,19 +112,45 @@ public record ListenKey(SSLContext context) {
                     + "; programs on this computer need none at 127.0.0.1");
         }
         try {
-            KeyStore store = read(file);
-            certificate(store).checkValidity();
-            KeyManagerFactory keys = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
-            keys.init(store, PASSWORD.toCharArray());
-            SSLContext context = SSLContext.getInstance("TLSv1.3");
-            context.init(keys.getKeyManagers(), null, null);
-            return new ListenKey(context);
+            ListenKey key = unchecked(file);
+            key.certificate.checkValidity();
+            return key;
         } catch (CertificateExpiredException e) {
             throw new IOException(
                     file + ": its certificate has expired; delete the file, and \"majic key\" makes a new one", e);
+        } catch (CertificateNotYetValidException e) {
+            throw new IOException(file + ": its certificate is not valid yet; set the clock of this computer right", e);
         } catch (GeneralSecurityException e) {
             throw new IOException(file + ": " + e.getMessage() + "; delete it, and \"majic key\" makes a new one", e);
         }
+    }
+
+    /** Reads a key whose certificate may have expired. */
+    static ListenKey unchecked(Path file) throws IOException, GeneralSecurityException {
+        KeyStore store = read(file);
+        KeyManagerFactory keys = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
+        keys.init(store, PASSWORD.toCharArray());
+        SSLContext context = SSLContext.getInstance("TLSv1.3");
+        context.init(keys.getKeyManagers(), null, null);
+        return new ListenKey(file, certificate(store), context);
+    }
+
+    /**
+     * Returns a warning about the age of the certificate: a program that checks it refuses the connection once it has
+     * expired.
+     *
+     * @param now the time to compare with
+     * @return a sentence if it has expired or will in 30 days; empty otherwise
+     */
+    Optional<String> warning(Instant now) {
+        Instant end = certificate.getNotAfter().toInstant();
+        if (now.plus(WARNED_BEFORE).isBefore(end)) {
+            return Optional.empty();
+        }
+        String date = LocalDate.ofInstant(end, ZoneId.systemDefault()).toString();
+        return Optional.of("the certificate of --listen " + (now.isAfter(end) ? "expired on " : "expires on ") + date
+                + ", and programs on other computers refuse it then; delete " + file
+                + ", run \"majic key\", start MAJIC again, and copy " + CERTIFICATE + " to these computers");
     }
 
     private static KeyStore read(Path file) throws IOException, GeneralSecurityException {
