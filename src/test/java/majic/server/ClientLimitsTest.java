@@ -6,11 +6,10 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
-import org.junit.jupiter.api.AfterEach;
+import javax.net.SocketFactory;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -21,35 +20,25 @@ class ClientLimitsTest {
     private Path folder;
 
     private final AtomicLong nanos = new AtomicLong();
-    private final List<TestClient> clients = new ArrayList<>();
-    private RobotTeam robots;
-    private LineServer server;
+
+    @AutoClose
+    private ServedClients clients;
 
     @BeforeEach
     void listen() throws IOException {
-        robots = new RobotTeam();
         InetSocketAddress any = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
-        server = LineServer.open(any, robots.session, port -> ListenToken.create(folder, port), null, nanos::get);
-        server.ready();
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        for (TestClient client : clients) {
-            client.close();
-        }
-        server.close();
-        robots.close();
+        clients = new ServedClients(
+                SocketFactory.getDefault(),
+                robots -> LineServer.open(
+                        any, robots.session, port -> ListenToken.create(folder, port), null, nanos::get));
     }
 
     private TestClient admitted() throws IOException {
-        clients.add(TestClient.admitted(server));
-        return clients.get(clients.size() - 1);
+        return clients.admitted();
     }
 
     private TestClient stranger() throws IOException {
-        clients.add(TestClient.of(server));
-        return clients.get(clients.size() - 1);
+        return clients.stranger();
     }
 
     private void pass(long amount, TimeUnit unit) {

@@ -5,29 +5,22 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.io.InputStream;
-import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.security.GeneralSecurityException;
-import java.security.KeyStore;
 import java.security.cert.CertificateFactory;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
-import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.SSLSocketFactory;
-import javax.net.ssl.TrustManagerFactory;
-import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.condition.DisabledOnOs;
-import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -40,57 +33,36 @@ class TlsClientsTest {
 
     private static SSLSocketFactory sockets;
 
-    private final List<TestClient> clients = new ArrayList<>();
-    private RobotTeam robots;
-    private LineServer server;
+    @AutoClose
+    private ServedClients clients;
 
     @BeforeAll
     static void makeKey() throws IOException, GeneralSecurityException {
         ListenKey.create(folder);
-        KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
-        trusted.load(null, null);
         try (InputStream pem = Files.newInputStream(folder.resolve(ListenKey.CERTIFICATE))) {
-            trusted.setCertificateEntry(
-                    "majic", CertificateFactory.getInstance("X.509").generateCertificate(pem));
+            sockets = TrustedSockets.of(CertificateFactory.getInstance("X.509").generateCertificate(pem));
         }
-        TrustManagerFactory trust = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
-        trust.init(trusted);
-        SSLContext context = SSLContext.getInstance("TLS");
-        context.init(null, trust.getTrustManagers(), null);
-        sockets = context.getSocketFactory();
     }
 
     @BeforeEach
     void listen() throws IOException {
-        robots = new RobotTeam();
-        server = LineServer.openTls(
-                new InetSocketAddress(0),
-                robots.session,
-                port -> ListenToken.create(folder, port),
-                ListenKey.in(folder));
-        server.ready();
-    }
-
-    @AfterEach
-    void close() throws IOException {
-        for (TestClient client : clients) {
-            client.close();
-        }
-        server.close();
-        robots.close();
+        ListenKey key = ListenKey.in(folder);
+        clients = new ServedClients(
+                sockets,
+                robots -> LineServer.openTls(
+                        new InetSocketAddress(0), robots.session, port -> ListenToken.create(folder, port), key));
     }
 
     private SSLSocket socket() throws IOException {
-        return (SSLSocket) sockets.createSocket(InetAddress.getLoopbackAddress(), server.port());
+        return (SSLSocket) clients.socket();
     }
 
     private TestClient stranger() throws IOException {
-        clients.add(new TestClient(socket()));
-        return clients.get(clients.size() - 1);
+        return clients.stranger();
     }
 
     private TestClient admitted() throws IOException {
-        return stranger().say(server.token().orElseThrow().word());
+        return clients.admitted();
     }
 
     @Test
@@ -119,16 +91,16 @@ class TlsClientsTest {
     void withoutTheTokenNothingIsObeyed() throws IOException {
         TestClient client = stranger().say("1 move 30", "stop");
         assertThat(client.untilItIsClosed()).first().asString().startsWith("the first line must be the token");
-        assertThat(robots.bot.sent()).doesNotContain("move 30");
-        assertThat(robots.team.isLatched()).isFalse();
+        assertThat(clients.robots.bot.sent()).doesNotContain("move 30");
+        assertThat(clients.robots.team.isLatched()).isFalse();
     }
 
     @Test
     void aProgramWithoutTlsGetsTheReasonInPlainText() throws IOException {
-        TestClient plain = TestClient.admitted(server);
-        clients.add(plain);
-        assertThat(plain.next()).startsWith("this port is for programs that use TLS");
-        assertThat(plain.untilItIsClosed()).isSubsetOf("reset");
+        try (TestClient plain = TestClient.admitted(clients.server)) {
+            assertThat(plain.next()).startsWith("this port is for programs that use TLS");
+            assertThat(plain.untilItIsClosed()).isSubsetOf("reset");
+        }
     }
 
     @ParameterizedTest
@@ -146,7 +118,7 @@ class TlsClientsTest {
         InetSocketAddress any = new InetSocketAddress(0);
         try (LineServer hasty = LineServer.open(
                         any,
-                        robots.session,
+                        clients.robots.session,
                         port -> ListenToken.create(folder, port),
                         ListenKey.in(folder),
                         () -> nanos.addAndGet(1_000_000_000));
@@ -173,34 +145,5 @@ class TlsClientsTest {
                 .say("1 stop");
         assertThat(client.await("lines not run: stopped")).isNotNull();
         assertThat(client.await("1 drive 100 0 for 60s")).endsWith(": stopped");
-    }
-
-    @Test
-    @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has access lists in place of POSIX permissions")
-    void onlyItsUserCanReadTheKey() throws IOException {
-        assertThat(PosixFilePermissions.toString(Files.getPosixFilePermissions(folder.resolve(ListenKey.FILE))))
-                .isEqualTo("rw-------");
-    }
-
-    @Test
-    void aKeyThatExistsIsNotReplaced() {
-        assertThatThrownBy(() -> ListenKey.create(folder))
-                .isInstanceOf(IOException.class)
-                .hasMessageEndingWith("exists, and other computers may trust it; delete it to make a new key");
-    }
-
-    @Test
-    void withoutAKeyTheReasonNamesTheCommandThatMakesOne(@TempDir Path empty) {
-        assertThatThrownBy(() -> ListenKey.in(empty))
-                .isInstanceOf(IOException.class)
-                .hasMessageContaining("\"majic key\" makes");
-    }
-
-    @Test
-    void aDamagedKeyIsReportedInOneSentence(@TempDir Path damaged) throws IOException {
-        Files.writeString(damaged.resolve(ListenKey.FILE), "rubbish");
-        assertThatThrownBy(() -> ListenKey.in(damaged))
-                .isInstanceOf(IOException.class)
-                .hasMessageContaining("is not a key store with MAJIC's password");
     }
 }
