@@ -24,26 +24,6 @@ record PlainWire(SocketChannel socket) implements Wire {
     }
 
     @Override
-    public void flush() {
-        // nothing waits here
-    }
-
-    @Override
-    public boolean hasUnsent() {
-        return false;
-    }
-
-    @Override
-    public boolean isReady() {
-        return true;
-    }
-
-    @Override
-    public boolean isBusy() {
-        return false;
-    }
-
-    @Override
     public void endOutput() throws IOException {
         socket.shutdownOutput();
     }

@@ -4,7 +4,10 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 
-/** A connection that never blocks, plain or encrypted. Used on the server's thread, except {@link #isOpen}. */
+/**
+ * A connection that never blocks, plain or encrypted. The defaults are those of a connection that keeps no bytes and needs
+ * no handshake. Used on the server's thread, except {@link #isOpen}.
+ */
 interface Wire extends Closeable {
     /** Size of the buffer that {@link #read} needs, in bytes. */
     int CHUNK = 40_000;
@@ -21,16 +24,22 @@ interface Wire extends Closeable {
     void write(ByteBuffer source) throws IOException;
 
     /** Sends what an earlier call could not send. */
-    void flush() throws IOException;
+    default void flush() throws IOException {}
 
     /** Returns whether bytes wait in the connection itself until the system takes them. */
-    boolean hasUnsent();
+    default boolean hasUnsent() {
+        return false;
+    }
 
     /** Returns whether answers can be sent already. */
-    boolean isReady();
+    default boolean isReady() {
+        return true;
+    }
 
     /** Returns whether reading must pause, because something else has to happen first. */
-    boolean isBusy();
+    default boolean isBusy() {
+        return false;
+    }
 
     /** Ends the sending direction. */
     void endOutput() throws IOException;

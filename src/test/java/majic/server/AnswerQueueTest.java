@@ -30,24 +30,6 @@ class AnswerQueueTest {
         }
 
         @Override
-        public void flush() {}
-
-        @Override
-        public boolean hasUnsent() {
-            return false;
-        }
-
-        @Override
-        public boolean isReady() {
-            return true;
-        }
-
-        @Override
-        public boolean isBusy() {
-            return false;
-        }
-
-        @Override
         public void endOutput() {}
 
         @Override
