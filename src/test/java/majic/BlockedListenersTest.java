@@ -1,14 +1,12 @@
 package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.mockito.Mockito.mock;
 
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
-import java.util.concurrent.CountDownLatch;
 import majic.bot.BotListener;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
@@ -17,6 +15,7 @@ import majic.environment.Settings;
 import majic.program.Plugins;
 import majic.simulation.SimulatedLab;
 import majic.team.BotFactory;
+import majic.team.Gate;
 import majic.team.QueuedCommand;
 import majic.team.Team;
 import majic.team.TeamListener;
@@ -28,23 +27,7 @@ import org.junit.jupiter.api.Test;
  * clock here.
  */
 class BlockedListenersTest {
-    private final CountDownLatch testIsOver = new CountDownLatch(1);
-
-    private void blockForEver() {
-        try {
-            testIsOver.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    /** Creates a listener each of whose methods blocks until the test is over. */
-    private <T> T blocked(Class<T> listener) {
-        return mock(listener, call -> {
-            blockForEver();
-            return null;
-        });
-    }
+    private final Gate gate = Gate.closed();
 
     @Test
     void everyRobotOfTheLabIsStopped() throws IOException, InterruptedException {
@@ -66,8 +49,8 @@ class BlockedListenersTest {
             while (!allMoved(start, lab.truePoses())) {
                 lab.time().sleep(0.1);
             }
-            team.members().forEach(member -> member.bot().addListener(blocked(BotListener.class)));
-            team.addListener(blocked(TeamListener.class));
+            team.members().forEach(member -> member.bot().addListener(gate.blocked(BotListener.class)));
+            team.addListener(gate.blocked(TeamListener.class));
             lab.time().sleep(0.3);
 
             team.stopAll();
@@ -77,7 +60,7 @@ class BlockedListenersTest {
             lab.time().sleep(1);
             assertThat(lab.truePoses()).isEqualTo(stopped);
         } finally {
-            testIsOver.countDown();
+            gate.open();
         }
     }
 

@@ -1,7 +1,6 @@
 package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.mockito.Mockito.mock;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -16,7 +15,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.concurrent.BlockingQueue;
-import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
@@ -25,6 +23,7 @@ import majic.log.SessionListener;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.server.LineServer;
+import majic.team.Gate;
 import majic.team.TeamListener;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterEach;
@@ -43,7 +42,7 @@ class StopThroughBlockedLinksTest {
     @TempDir
     private Path folder;
 
-    private final CountDownLatch testIsOver = new CountDownLatch(1);
+    private final Gate gate = Gate.closed();
     private final List<FakeBot> bots = new ArrayList<>();
     private final BlockingQueue<String> typed = new LinkedBlockingQueue<>();
     private final BlockingQueue<String> shown = new LinkedBlockingQueue<>();
@@ -58,33 +57,18 @@ class StopThroughBlockedLinksTest {
             bots.add(bot);
             program.team().add(bot, OptionalInt.of(number));
             if (BLOCKED.contains(number)) {
-                bot.whenStoppedAhead(this::block);
+                bot.whenStoppedAhead(gate::pass);
             }
         }
-        program.team().addListener(blocked(TeamListener.class));
-        program.session().addListener(blocked(SessionListener.class));
-        bots.forEach(bot -> bot.addListener(blocked(BotListener.class)));
+        program.team().addListener(gate.blocked(TeamListener.class));
+        program.session().addListener(gate.blocked(SessionListener.class));
+        bots.forEach(bot -> bot.addListener(gate.blocked(BotListener.class)));
     }
 
     @AfterEach
     void close() {
-        testIsOver.countDown();
+        gate.open();
         program.close();
-    }
-
-    private void block() {
-        try {
-            testIsOver.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    private <T> T blocked(Class<T> listener) {
-        return mock(listener, call -> {
-            block();
-            return null;
-        });
     }
 
     @Test

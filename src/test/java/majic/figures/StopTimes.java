@@ -32,6 +32,7 @@ import majic.program.UserFolder;
 import majic.program.Window;
 import majic.script.MajicParser;
 import majic.server.LineServer;
+import majic.team.Gate;
 import majic.team.Member;
 import majic.team.Team;
 import majic.team.TeamListener;

@@ -1,7 +1,6 @@
 package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.mockito.Mockito.mock;
 
 import java.util.List;
 import java.util.OptionalInt;
@@ -27,7 +26,7 @@ import org.junit.jupiter.api.Test;
  */
 class StopOrderTest {
     private final Team team = new Team(TimeSource.system());
-    private final CountDownLatch testIsOver = new CountDownLatch(1);
+    private final Gate gate = Gate.closed();
     private final FakeBot first = FakeBot.on(TimeSource.system());
     private final FakeBot second = FakeBot.on(TimeSource.system());
 
@@ -41,24 +40,8 @@ class StopOrderTest {
 
     @AfterEach
     void close() {
-        testIsOver.countDown();
+        gate.open();
         team.close();
-    }
-
-    private void blockForEver() {
-        try {
-            testIsOver.await();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-    }
-
-    /** Creates a listener each of whose methods blocks until the test is over. */
-    private <T> T blocked(Class<T> listener) {
-        return mock(listener, call -> {
-            blockForEver();
-            return null;
-        });
     }
 
     private static void awaitSent(String command, FakeBot... bots) {
@@ -94,7 +77,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDelaysNoByteOfStopAllNorItsCaller() {
         moveBothWithACommandWaiting();
-        team.addListener(blocked(TeamListener.class));
+        team.addListener(gate.blocked(TeamListener.class));
 
         team.stopAll();
 
@@ -104,7 +87,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDelaysNoByteOfAStopNorItsCaller() {
         moveBothWithACommandWaiting();
-        team.addListener(blocked(TeamListener.class));
+        team.addListener(gate.blocked(TeamListener.class));
 
         team.stop(team.members(), null);
 
@@ -114,7 +97,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDelaysNoByteOfTheTeamsEnd() {
         moveBothWithACommandWaiting();
-        team.addListener(blocked(TeamListener.class));
+        team.addListener(gate.blocked(TeamListener.class));
 
         aside(team::close);
 
@@ -124,7 +107,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDelaysNoByteToARobotThatIsRemoved() {
         moveBothWithACommandWaiting();
-        team.addListener(blocked(TeamListener.class));
+        team.addListener(gate.blocked(TeamListener.class));
 
         aside(() -> team.remove(1));
 
@@ -133,7 +116,7 @@ class StopOrderTest {
 
     @Test
     void anOwnerThatDoesNotReturnDelaysNoByte() {
-        team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", this::blockForEver));
+        team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", gate::pass));
 
         team.stop(team.members(), null);
 
@@ -143,9 +126,9 @@ class StopOrderTest {
     @Test
     void anOwnerThatDoesNotReturnDelaysNoOtherOwnersEnd() {
         List<String> ended = new CopyOnWriteArrayList<>();
-        team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", this::blockForEver));
+        team.member(1).claim(new Owner(Owner.Kind.ACT, "WanderDog", gate::pass));
         team.member(2).claim(new Owner(Owner.Kind.ACT, "Guard", () -> ended.add("Guard")));
-        team.addListener(blocked(TeamListener.class));
+        team.addListener(gate.blocked(TeamListener.class));
 
         team.stopAll();
 
@@ -154,7 +137,7 @@ class StopOrderTest {
 
     @Test
     void aRobotsListenerThatBlocksDelaysNoByteToIt() {
-        first.addListener(blocked(BotListener.class));
+        first.addListener(gate.blocked(BotListener.class));
         first.sendDrivesThrough(() -> first.notice("motors on"));
         aside(() -> first.drive(100, 0));
         awaitSent("drive 100 0", first);
@@ -166,7 +149,7 @@ class StopOrderTest {
 
     @Test
     void aRobotsListenerThatBlocksDelaysNoClosing() {
-        first.addListener(blocked(BotListener.class));
+        first.addListener(gate.blocked(BotListener.class));
 
         aside(first::close);
 
@@ -175,7 +158,7 @@ class StopOrderTest {
 
     @Test
     void aDriveExpiresThoughAListenerBlocksTheRobotsTimer() {
-        first.addListener(blocked(BotListener.class));
+        first.addListener(gate.blocked(BotListener.class));
         first.every("report", 0.01, () -> first.tell("voltage", Value.of(11, Unit.V)));
 
         first.drive(100, 0);
@@ -188,7 +171,7 @@ class StopOrderTest {
         CompletableFuture<MotionReport> move =
                 CompletableFuture.supplyAsync(() -> first.move(3000), task -> new Thread(task).start());
         awaitSent("move 3000", first);
-        first.addListener(blocked(BotListener.class));
+        first.addListener(gate.blocked(BotListener.class));
 
         aside(first::cut);
 
@@ -201,8 +184,8 @@ class StopOrderTest {
         Permit lease = new Permit();
         Owner act = new Owner(Owner.Kind.ACT, "Guard", () -> ended.add("Guard"));
         team.members().forEach(member -> member.lend(act, lease, null));
-        first.addListener(blocked(BotListener.class));
-        team.addListener(blocked(TeamListener.class));
+        first.addListener(gate.blocked(BotListener.class));
+        team.addListener(gate.blocked(TeamListener.class));
 
         aside(first::cut);
 
@@ -213,7 +196,7 @@ class StopOrderTest {
     @Test
     void aListenerThatBlocksDoesNotKeepTheAnswersFromTheOthers() {
         List<Integer> answered = new CopyOnWriteArrayList<>();
-        team.addListener(blocked(TeamListener.class));
+        team.addListener(gate.blocked(TeamListener.class));
         team.addListener(new TeamListener() {
             @Override
             public void answered(Answer answer) {
@@ -235,7 +218,7 @@ class StopOrderTest {
             public void latchChanged(boolean latched) {
                 telling.countDown();
                 if (latched) {
-                    blockForEver();
+                    gate.pass();
                 }
                 told.add(latched);
             }
@@ -244,7 +227,7 @@ class StopOrderTest {
         aside(team::stopAll);
         until(() -> telling.getCount() == 0);
         team.release();
-        testIsOver.countDown();
+        gate.open();
 
         until(() -> told.size() == 2);
         assertThat(told).containsExactly(true, false);

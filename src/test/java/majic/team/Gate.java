@@ -1,21 +1,28 @@
-package majic.figures;
+package majic.team;
 
 import java.lang.reflect.Proxy;
 
 /** Blocks all threads that pass it while it is closed. Thread-safe. */
-final class Gate {
+public final class Gate {
     private boolean closed;
 
-    synchronized void close() {
+    /** Returns a gate that is closed, for a test that opens it at its end. */
+    public static Gate closed() {
+        Gate gate = new Gate();
+        gate.close();
+        return gate;
+    }
+
+    public synchronized void close() {
         closed = true;
     }
 
-    synchronized void open() {
+    public synchronized void open() {
         closed = false;
         notifyAll();
     }
 
-    synchronized void pass() {
+    public synchronized void pass() {
         try {
             while (closed) {
                 wait();
@@ -26,7 +33,7 @@ final class Gate {
     }
 
     /** Returns a listener each of whose methods passes the gate. */
-    <T> T blocked(Class<T> listener) {
+    public <T> T blocked(Class<T> listener) {
         return listener.cast(Proxy.newProxyInstance(
                 listener.getClassLoader(),
                 new Class<?>[] {listener},
