@@ -11,6 +11,7 @@ import java.util.Optional;
 import javax.swing.UIManager;
 import majic.environment.Settings;
 import majic.gui.kit.BackgroundSettings;
+import majic.gui.kit.PlainTextUi;
 
 /** Installs the light or the dark look and feel in a text size, and stores what is chosen. */
 final class LookAndFeels {
@@ -42,6 +43,7 @@ final class LookAndFeels {
      */
     static void install(Settings settings) {
         set(settings.get(KEY).equals(Optional.of(DARK)));
+        PlainTextUi.install();
         int percent = textSize(settings);
         if (percent != NORMAL) {
             setTextSize(percent);

@@ -1,5 +1,7 @@
 package majic.gui;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
@@ -52,7 +54,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Opens a real window with toy robots, and operates it. The only class that uses the library for window tests. Without
  * a display it cannot be opened, and the test fails. Using Swing off its thread, and keeping that thread busy for a second,
- * fail the test too.
+ * fail the test too, and so does a component that interprets HTML.
  */
 public final class TestWindow implements AutoCloseable {
     private static final String MARKED = "test.marked";
@@ -416,9 +418,13 @@ public final class TestWindow implements AutoCloseable {
 
     @Override
     public void close() {
+        List<String> html = GuiActionRunner.execute(() -> Stream.of(Window.getWindows())
+                .flatMap(window -> WindowAudit.interpretingHtml(window).stream())
+                .toList());
         robot.cleanUp();
         arrived.close();
         team.close();
         checks.close();
+        assertThat(html).as("components that interpret HTML").isEmpty();
     }
 }

@@ -30,6 +30,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.JTree;
 import javax.swing.JViewport;
+import javax.swing.plaf.basic.BasicHTML;
 import javax.swing.text.JTextComponent;
 import majic.gui.kit.Paragraph;
 import majic.text.MarkedTexts;
@@ -40,6 +41,22 @@ import majic.text.MarkedTexts;
  */
 public final class WindowAudit {
     private WindowAudit() {}
+
+    /** Lists the components that show a text as HTML without saying that it is the program's own; see PlainTextUi. */
+    static List<String> interpretingHtml(Container root) {
+        return everything(root)
+                .filter(part -> part instanceof JComponent component
+                        && component.getClientProperty(BasicHTML.propertyKey) != null
+                        && !Boolean.FALSE.equals(component.getClientProperty("html.disable")))
+                .map(WindowAudit::describe)
+                .toList();
+    }
+
+    private static Stream<Component> everything(Container root) {
+        return Stream.of(root.getComponents())
+                .flatMap(part -> Stream.concat(
+                        Stream.of(part), part instanceof Container inner ? everything(inner) : Stream.empty()));
+    }
 
     /** Lists the components that take the focus, a click or the place of a picture, and have no accessible name. */
     public static List<String> nameless(Container root) {

@@ -10,7 +10,6 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.Timer;
 import javax.swing.UIManager;
-import majic.gui.kit.Html;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
 import majic.team.Member;
@@ -74,7 +73,7 @@ public final class ActBar extends JPanel {
         time.setText(act.time());
         time.setForeground(Palette.faint());
         message.setText(owner.status().isEmpty() ? " " : owner.status());
-        message.setToolTipText(owner.status().isEmpty() ? null : "<html>" + Html.escaped(owner.status()));
+        message.setToolTipText(owner.status().isEmpty() ? null : owner.status());
     }
 
     /** Continues to update when the bar was moved to another place. */

@@ -6,7 +6,7 @@ import javax.swing.JList;
 import majic.gui.kit.Palette;
 import majic.text.Texts;
 
-/** Shows an act in a list; paler, and in words, if a robot cannot run it. Its name is never interpreted as HTML. */
+/** Shows an act in a list; paler, and in words, if a robot cannot run it. */
 final class ActCell extends DefaultListCellRenderer {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(ActCell.class);
@@ -15,7 +15,6 @@ final class ActCell extends DefaultListCellRenderer {
 
     ActCell(LoadTargets targets) {
         this.targets = targets;
-        putClientProperty("html.disable", Boolean.TRUE);
     }
 
     @Override

@@ -3,7 +3,6 @@ package majic.gui.acts;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
-import majic.gui.kit.Html;
 import majic.team.Member;
 import majic.text.Texts;
 
@@ -26,15 +25,16 @@ public record LoadTargets(List<LoadTarget> all) {
     /** Returns the question whether to end what runs on the robots; empty if nothing does. */
     Optional<String> question() {
         List<String> busy = all.stream()
-                .flatMap(target -> Optional.ofNullable(target.ends())
-                        .map(owner -> Html.escaped(LoadTarget.occupation(target.member(), owner)))
-                        .stream())
+                .flatMap(target ->
+                        Optional.ofNullable(target.ends())
+                                .map(owner -> LoadTarget.occupation(target.member(), owner))
+                                .stream())
                 .toList();
         if (busy.isEmpty()) {
             return Optional.empty();
         }
         String question = TEXTS.get(busy.size() == 1 ? "replaceOne" : "replaceSeveral");
-        return Optional.of("<html>" + String.join("<br>", busy) + "<br>" + question);
+        return Optional.of(String.join("\n", busy) + "\n" + question);
     }
 
     /** Returns why one of the robots cannot run an act, as sentences; empty if all can. */

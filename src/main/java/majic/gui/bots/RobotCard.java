@@ -20,7 +20,6 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.gui.acts.RunningAct;
-import majic.gui.kit.Html;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
@@ -245,7 +244,7 @@ final class RobotCard extends JPanel implements PlotHost {
         if (shown == null) {
             return;
         }
-        setToolTipText("<html>" + Html.escaped(member.number() + " " + shown.description()));
+        setToolTipText(member.number() + " " + shown.description());
         getAccessibleContext()
                 .setAccessibleName(
                         selected

@@ -32,7 +32,6 @@ public final class CommandPane extends JPanel {
         messages = new MessagePane(services.settings(), line::requestFocusInWindow);
         line.leaveInView(messages.area());
         hint.setName("hint");
-        hint.putClientProperty("html.disable", true);
         JLabel prompt = new JLabel(TEXTS.get("prompt"));
         prompt.setLabelFor(line);
         prompt.setDisplayedMnemonic(prompt.getText().charAt(0));

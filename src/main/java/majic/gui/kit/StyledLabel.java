@@ -4,8 +4,7 @@ import java.awt.Font;
 import javax.swing.UIManager;
 
 /**
- * A label in another style or size than usual, which follow the look and feel; never interprets its text as HTML. FlatLaf
- * can style any component by a client property, but reads annotations for it and installs the look of the component
+ * A label in another style or size than usual, which follow the look and feel. FlatLaf can style any component by a client property, but reads annotations for it and installs the look of the component
  * twice, which delays the first window.
  */
 public final class StyledLabel extends PlainLabel {

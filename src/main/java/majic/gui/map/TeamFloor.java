@@ -9,10 +9,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.bot.Pose;
-import majic.gui.kit.Html;
 import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapContent;
 import majic.panel.map.MapView;
@@ -131,11 +129,7 @@ final class TeamFloor implements MapContent {
         List<String> robots = robotsUnder(mouse, view)
                 .map(robot -> describe(alone && placeable ? placeableKey(robot) : "robot", robot))
                 .toList();
-        return switch (robots.size()) {
-            case 0 -> MapContent.super.tip(xMm, yMm, view);
-            case 1 -> robots.get(0);
-            default -> "<html>" + robots.stream().map(Html::escaped).collect(Collectors.joining("<br>"));
-        };
+        return robots.isEmpty() ? MapContent.super.tip(xMm, yMm, view) : String.join("\n", robots);
     }
 
     private static String placeableKey(MapScene.Robot robot) {

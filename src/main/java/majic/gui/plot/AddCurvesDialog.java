@@ -138,6 +138,10 @@ final class AddCurvesDialog extends MajicDialog {
     private static final class Renderer extends DefaultListCellRenderer {
         private static final long serialVersionUID = 1L;
 
+        Renderer() {
+            putClientProperty("html.disable", false);
+        }
+
         @Override
         public Component getListCellRendererComponent(
                 JList<?> list, Object value, int index, boolean selected, boolean focused) {

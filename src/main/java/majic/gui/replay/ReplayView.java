@@ -20,6 +20,7 @@ import javax.swing.JTabbedPane;
 import majic.bot.Pose;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.NumberBadge;
+import majic.gui.kit.PlainTextUi;
 import majic.gui.map.MapScene;
 import majic.gui.map.TeamMap;
 import majic.gui.plot.Plots;
@@ -93,7 +94,10 @@ final class ReplayView extends JPanel implements AutoCloseable {
         JPanel tab = new PlottedPanel(robot, plots);
         tab.add(words, BorderLayout.NORTH);
         tab.add(robot.display().component(), BorderLayout.CENTER);
-        panels.addTab(robot.robot().label(), new NumberBadge(robot.robot().number(), BADGE_PX), tab);
+        panels.addTab(
+                PlainTextUi.title(robot.robot().label()),
+                new NumberBadge(robot.robot().number(), BADGE_PX),
+                tab);
     }
 
     /** Shows the time at which the first robot was added, and starts the thread of the player. */
