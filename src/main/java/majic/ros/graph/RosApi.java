@@ -1,0 +1,164 @@
+package majic.ros.graph;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
+import majic.bot.LinkLost;
+import majic.ros.bridge.RosBridge;
+import majic.ros.bridge.ServiceFailed;
+
+/**
+ * Asks the node rosapi of a robot (rosbridge sheet 5). All methods block for at most {@value #TIMEOUT_S} s. Thread-safe.
+ */
+public final class RosApi {
+    /** A service that is forbidden on the robot is not answered, so each call has a time limit, seconds. */
+    static final double TIMEOUT_S = 5;
+
+    private final RosBridge bridge;
+
+    /**
+     * Creates the client.
+     *
+     * @param bridge an open connection
+     */
+    public RosApi(RosBridge bridge) {
+        this.bridge = bridge;
+    }
+
+    /**
+     * Reads the version, the topics and the nodes.
+     *
+     * @return what is there now
+     * @throws ConnectFailed if rosapi does not answer, or the server does not let this program in; the message says what
+     *     to do
+     */
+    public RosGraph graph() {
+        Version version = version();
+        JsonNode topics = required("/rosapi/topics");
+        return new RosGraph(version.number(), version.distribution(), types(topics), nodes());
+    }
+
+    private record Version(int number, String distribution) {}
+
+    /** Only ROS 2 has the service that tells the version. */
+    private Version version() {
+        JsonNode answer;
+        try {
+            answer = bridge.call("/rosapi/get_ros_version", empty(), TIMEOUT_S);
+        } catch (ServiceFailed e) {
+            if (!e.isAnswered()) {
+                throw silent(e);
+            }
+            return new Version(1, parameter("/rosdistro").orElse(""));
+        } catch (LinkLost e) {
+            throw new ConnectFailed(
+                    Reason.NOT_ALLOWED,
+                    "the rosbridge server closed the connection at the first request (" + e.getMessage()
+                            + "); does it demand authentication? MAJIC has none: start the server with"
+                            + " authenticate:=false",
+                    e);
+        }
+        int number = answer.path("version").asInt(2);
+        return new Version(number, clean(answer.path("distro").asText("")));
+    }
+
+    private JsonNode required(String service) {
+        try {
+            return bridge.call(service, empty(), TIMEOUT_S);
+        } catch (ServiceFailed e) {
+            throw silent(e);
+        }
+    }
+
+    private static ConnectFailed silent(ServiceFailed cause) {
+        return new ConnectFailed(
+                Reason.NO_ANSWER,
+                "the rosbridge server is there, but its node rosapi is not, which lists the topics (" + cause.getMessage()
+                        + "); start both by the launch file rosbridge_websocket of the package rosbridge_server",
+                cause);
+    }
+
+    private static Map<String, String> types(JsonNode answer) {
+        Map<String, String> types = new TreeMap<>();
+        JsonNode names = answer.path("topics");
+        for (int i = 0; i < names.size(); i++) {
+            types.put(names.path(i).asText(), answer.path("types").path(i).asText());
+        }
+        return types;
+    }
+
+    private TreeSet<String> nodes() {
+        return new TreeSet<>(names("/rosapi/nodes", empty(), "nodes").orElse(List.of()));
+    }
+
+    /**
+     * Returns the nodes that receive a topic.
+     *
+     * @param topic its absolute name
+     * @return without the rosbridge server; empty if the robot does not tell
+     */
+    public Optional<List<String>> subscribers(String topic) {
+        return names("/rosapi/subscribers", empty().put("topic", topic), "subscribers")
+                .map(nodes -> nodes.stream().filter(node -> !isBridge(node)).toList());
+    }
+
+    /**
+     * Returns the nodes that send a topic.
+     *
+     * @param topic its absolute name
+     * @return without the rosbridge server; empty if the robot does not tell
+     */
+    public Optional<List<String>> publishers(String topic) {
+        return names("/rosapi/publishers", empty().put("topic", topic), "publishers")
+                .map(nodes -> nodes.stream().filter(node -> !isBridge(node)).toList());
+    }
+
+    private static boolean isBridge(String node) {
+        return node.contains("rosbridge");
+    }
+
+    private Optional<List<String>> names(String service, ObjectNode arguments, String field) {
+        try {
+            List<String> names = new ArrayList<>();
+            bridge.call(service, arguments, TIMEOUT_S).path(field).forEach(name -> names.add(name.asText()));
+            return Optional.of(names);
+        } catch (ServiceFailed e) {
+            return Optional.empty();
+        }
+    }
+
+    /**
+     * Reads a parameter.
+     *
+     * @param name as {@code /tb3_model} in ROS 1, {@code /turtlebot3_node:wheels.separation} in ROS 2
+     * @return its value as text, a string without quotes; empty if there is none
+     */
+    public Optional<String> parameter(String name) {
+        try {
+            String json = bridge.call("/rosapi/get_param", empty().put("name", name), TIMEOUT_S)
+                    .path("value")
+                    .asText("");
+            return json.isBlank() || json.equals("null") ? Optional.empty() : Optional.of(clean(json));
+        } catch (ServiceFailed e) {
+            return Optional.empty();
+        }
+    }
+
+    /** Values are JSON texts; that of the distribution may end with a line break inside of its quotes. */
+    private static String clean(String json) {
+        return json.replace("\\n", " ").replace("\"", "").strip().toLowerCase(Locale.ROOT);
+    }
+
+    private static ObjectNode empty() {
+        return JsonNodeFactory.instance.objectNode();
+    }
+}
