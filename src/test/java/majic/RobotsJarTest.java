@@ -31,9 +31,9 @@ import org.junit.jupiter.api.io.TempDir;
 class RobotsJarTest {
     private static final Path CLASSES = Path.of(System.getProperty("majic.target", "target"), "classes");
 
-    /** Loaded only where there is a window, JNA, or a robot maker's library. */
-    private static final Pattern OPTIONAL =
-            Pattern.compile("majic\\.\\w+\\.panel\\..*|com\\.sun\\.jna\\..*|com\\.mobilerobots\\..*|liburbi\\..*");
+    /** Loaded only where there is a window, JNA, a robot maker's library, or a robot that speaks ROS and so needs JSON. */
+    private static final Pattern OPTIONAL = Pattern.compile("majic\\.\\w+\\.panel\\..*|com\\.sun\\.jna\\..*"
+            + "|com\\.mobilerobots\\..*|liburbi\\..*|com\\.fasterxml\\.jackson\\..*");
 
     private static final Pattern LIBRARY =
             Pattern.compile("java\\..*|javax\\..*|com\\.fazecast\\..*|org\\.jspecify\\..*");

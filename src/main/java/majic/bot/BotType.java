@@ -62,6 +62,15 @@ public interface BotType {
     String name();
 
     /**
+     * Returns further schemes of addresses that mean this type, such as one for an encrypted connection.
+     *
+     * @return lower-case letters
+     */
+    default List<String> otherSchemes() {
+        return List.of();
+    }
+
+    /**
      * Returns the short name for users.
      *
      * @return for instance {@code Pioneer}

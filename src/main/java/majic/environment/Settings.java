@@ -1,5 +1,6 @@
 package majic.environment;
 
+import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedSet;
@@ -32,6 +33,15 @@ public interface Settings {
      * @return the names of all settings that begin so, those with an empty value included; sorted
      */
     SortedSet<String> keys(String prefix);
+
+    /**
+     * Returns the folder in which the user keeps files for the drivers, such as a table of robots.
+     *
+     * @return the folder, which need not exist; empty if the program keeps no files
+     */
+    default Optional<Path> folder() {
+        return Optional.empty();
+    }
 
     /**
      * Settings that are forgotten when the program ends.

@@ -56,6 +56,11 @@ final class UserSettings implements Settings {
     }
 
     @Override
+    public Optional<Path> folder() {
+        return Optional.ofNullable(file.getParent());
+    }
+
+    @Override
     public synchronized Optional<String> get(String key) {
         try {
             readOnce();

@@ -7,6 +7,7 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
@@ -29,8 +30,8 @@ import org.jspecify.annotations.Nullable;
 public final class BotFactory {
     private static final System.Logger LOG = System.getLogger(BotFactory.class.getName());
 
-    /** The types in the order of the thesis; others follow by name. */
-    private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson");
+    /** The types in the order of the thesis, then the one of today's robots; others follow by name. */
+    private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros");
 
     private final List<BotType> types;
     private final Settings settings;
@@ -167,7 +168,8 @@ public final class BotFactory {
         Collection<String> names =
                 new TreeSet<>(types.stream().map(BotType::name).toList());
         return types.stream()
-                .filter(type -> type.name().equalsIgnoreCase(name))
+                .filter(type -> type.name().equalsIgnoreCase(name)
+                        || type.otherSchemes().contains(name.toLowerCase(Locale.ROOT)))
                 .findFirst()
                 .orElseThrow(() -> new BotException(name + ": no such type of robot (there are "
                         + String.join(", ", names) + ")" + Suggestion.didYouMean(name, names)));

@@ -10,7 +10,11 @@ import org.jspecify.annotations.Nullable;
  * @param commandType {@code geometry_msgs/Twist} or {@code geometry_msgs/TwistStamped}
  * @param odometry the topic of its odometry; null if it has none
  */
-public record Base(String namespace, String command, String commandType, @Nullable String odometry) {
+public record Base(
+        String namespace,
+        String command,
+        String commandType,
+        @Nullable String odometry) {
     /** The types of velocity commands, with two parts. */
     public static final String TWIST = "geometry_msgs/Twist";
 

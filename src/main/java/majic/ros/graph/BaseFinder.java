@@ -70,7 +70,8 @@ public final class BaseFinder {
         if (name == null) {
             return inNamespace;
         }
-        List<Base> named = inNamespace.stream().filter(base -> base.isNamed(name)).toList();
+        List<Base> named =
+                inNamespace.stream().filter(base -> base.isNamed(name)).toList();
         return named.isEmpty() ? byTopic(name) : named;
     }
 
@@ -93,8 +94,7 @@ public final class BaseFinder {
     private List<Command> commands() {
         List<Command> commands = new ArrayList<>();
         for (String type : List.of(Base.TWIST, Base.TWIST_STAMPED)) {
-            graph.topicsOf(type)
-                    .forEach(topic -> commands.add(new Command(TopicNames.namespace(topic), topic, type)));
+            graph.topicsOf(type).forEach(topic -> commands.add(new Command(TopicNames.namespace(topic), topic, type)));
         }
         return commands;
     }

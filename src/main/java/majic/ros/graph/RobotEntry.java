@@ -67,8 +67,9 @@ final class RobotEntry {
             case "odometry" -> odometry = List.copyOf(words);
             case "note" -> note = String.join(" ", words);
             default ->
-                throw new IllegalArgumentException("\"" + key + "\" is no property; there are when, like, radius, speed,"
-                        + " turn, acceleration, slowest, timeout, command, odometry and note");
+                throw new IllegalArgumentException(
+                        "\"" + key + "\" is no property; there are when, like, radius, speed,"
+                                + " turn, acceleration, slowest, timeout, command, odometry and note");
         }
     }
 

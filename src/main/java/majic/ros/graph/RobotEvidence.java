@@ -36,10 +36,9 @@ public record RobotEvidence(RosGraph graph, String namespace, Function<String, O
      */
     boolean hasParameter(String name, String value) {
         int colon = name.indexOf(':');
-        boolean there = graph.isRos2()
-                ? colon > 0 && graph.nodes().contains(name.substring(0, colon))
-                : colon < 0;
-        return there && parameters.apply(name).filter(found -> isSame(found, value)).isPresent();
+        boolean there = graph.isRos2() ? colon > 0 && graph.nodes().contains(name.substring(0, colon)) : colon < 0;
+        return there
+                && parameters.apply(name).filter(found -> isSame(found, value)).isPresent();
     }
 
     private static boolean isSame(String found, String value) {

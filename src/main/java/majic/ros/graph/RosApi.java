@@ -82,7 +82,8 @@ public final class RosApi {
     private static ConnectFailed silent(ServiceFailed cause) {
         return new ConnectFailed(
                 Reason.NO_ANSWER,
-                "the rosbridge server is there, but its node rosapi is not, which lists the topics (" + cause.getMessage()
+                "the rosbridge server is there, but its node rosapi is not, which lists the topics ("
+                        + cause.getMessage()
                         + "); start both by the launch file rosbridge_websocket of the package rosbridge_server",
                 cause);
     }

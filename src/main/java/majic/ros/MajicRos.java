@@ -1,0 +1,260 @@
+package majic.ros;
+
+import java.util.concurrent.atomic.AtomicReference;
+import majic.bot.BotAddress;
+import majic.bot.BotException;
+import majic.bot.BotState;
+import majic.bot.LinkLost;
+import majic.bot.Parameter;
+import majic.bot.Pose;
+import majic.bot.Value;
+import majic.driver.BotDriver;
+import majic.driver.Motion;
+import majic.driver.RobotWait;
+import majic.environment.BotEnvironment;
+import majic.ros.graph.KnownRobot;
+import majic.ros.graph.KnownRobots;
+import majic.ros.message.OdometryMessage;
+import majic.ros.motion.BaseOwner;
+import majic.ros.motion.ObstructionSource;
+import majic.ros.motion.RosMotion;
+import majic.ros.motion.RosMotion.PoseSource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot that speaks ROS 1 or ROS 2, through a rosbridge server. Its topics are found by their types, its model by a table.
+ * Motions are controlled here by its odometry, and velocities are published 20 times a second while it moves.
+ *
+ * <p>The connection is given up when the server has sent nothing for 1 s, answers to pings included. The server does not stop
+ * a robot whose client is gone: whether it stops by itself depends on the model, and the parameter {@code timeout} tells it.
+ */
+public final class MajicRos extends BotDriver {
+    private static final double WATCH_S = 0.25;
+    private static final double RENEWAL_S = 1;
+
+    private final RosAddress address;
+    private final AtomicReference<@Nullable RosSession> session = new AtomicReference<>();
+    private final Owner owner = new Owner();
+    private volatile @Nullable RosMotion motions;
+    private volatile Pose lastPose = Pose.START;
+    private volatile boolean mayMove;
+
+    /**
+     * Creates the driver of a robot, with the system's clock and no settings.
+     *
+     * @param address as users type it: {@code ros://192.168.1.20}, {@code ros://192.168.1.20:9090/robot1}
+     * @throws BotException if it is no such address
+     */
+    public MajicRos(String address) {
+        this(BotAddress.parse(address), BotEnvironment.plain());
+    }
+
+    /**
+     * Creates the driver of a robot.
+     *
+     * @param address with the scheme {@code ros} or {@code ross}
+     * @param environment the clock and settings to use
+     * @throws BotException if it is no such address; the message shows a right one
+     */
+    public MajicRos(BotAddress address, BotEnvironment environment) {
+        super(new RosType(), RosProfiles.profile(KnownRobots.UNKNOWN, false), environment);
+        this.address = RosAddress.parse(address);
+        describe();
+        every("ros link", WATCH_S, this::watch);
+        every("ros subscriptions", RENEWAL_S, this::renew);
+    }
+
+    private void describe() {
+        table().add(Parameter.text("model", "which robot of the table it is"), () -> Value.text(robot().name()));
+        table().add(
+                        Parameter.text("timeout", "what it does when commands end without a stop"),
+                        () -> Value.text(robot().afterCommands()));
+    }
+
+    private KnownRobot robot() {
+        RosSession open = session.get();
+        return open == null ? KnownRobots.UNKNOWN : open.robot();
+    }
+
+    @Override
+    protected void open() {
+        RosSession opening = new RosSession(address, new RobotWait(time(), changes()), new SessionEvents());
+        motions = null;
+        session.set(opening);
+        try {
+            opening.find(RobotTables.read(settings(), this::notice));
+            begin(opening);
+        } catch (RuntimeException e) {
+            opening.abort();
+            throw e;
+        }
+        adviseAbout(opening);
+    }
+
+    private void begin(RosSession opening) {
+        boolean hasOdometry = opening.base().odometry() != null;
+        profile(RosProfiles.profile(opening.robot(), !hasOdometry));
+        RosMotion next = new RosMotion(
+                owner,
+                opening,
+                RosProfiles.dynamics(opening.robot()),
+                ObstructionSource.NONE,
+                lastPose,
+                hasOdometry ? PoseSource.ODOMETRY : PoseSource.COMMANDS);
+        motions = next;
+        opening.advertise();
+        next.begin(mayMove);
+        opening.awaitOdometry();
+        mayMove = false;
+    }
+
+    /** Tells what the user has to know before the robot moves. */
+    private void adviseAbout(RosSession opened) {
+        KnownRobot robot = opened.robot();
+        if (opened.base().odometry() == null) {
+            notice("it has no odometry, so its distances and angles are calculated from the commands");
+        }
+        if (Double.isInfinite(robot.timeoutS())) {
+            notice("a " + robot.name()
+                    + " keeps its last velocity when the connection is lost: be ready to stop it at the robot");
+        } else if (Double.isNaN(robot.timeoutS())) {
+            notice(
+                    "whether it stops by itself when the connection is lost is not known: be ready to stop it at the robot");
+        }
+        if (!robot.note().isEmpty()) {
+            notice(robot.note());
+        }
+    }
+
+    /** The model and the version of ROS. */
+    @Override
+    public String introduction() {
+        RosSession open = session.get();
+        if (open == null || !isConnected()) {
+            return super.introduction();
+        }
+        return super.introduction() + " (" + open.robot().name() + ", "
+                + open.graph().title() + ", drives by " + open.base() + ")";
+    }
+
+    @Override
+    protected void shut() {
+        RosMotion moving = motions;
+        if (moving != null) {
+            moving.end();
+        }
+        RosSession open = session.get();
+        if (open != null) {
+            open.close();
+        }
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        return motions().move(mm, cruiseMmPerSec(), motion);
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        return motions().turn(degrees, cruiseTurnDegPerSec(), motion);
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        motions().drive(mmPerSec, degPerSec);
+    }
+
+    @Override
+    protected void halt() {
+        motions().halt();
+    }
+
+    @Override
+    public void confirmHalt() {
+        motions().confirmHalt();
+    }
+
+    private RosMotion motions() {
+        RosMotion moving = motions;
+        if (moving == null) {
+            throw new BotException(name() + " is not connected");
+        }
+        return moving;
+    }
+
+    private void watch() {
+        RosSession open = session.get();
+        if (open != null && isConnected()) {
+            open.watch();
+        }
+    }
+
+    private void renew() {
+        RosSession open = session.get();
+        if (open != null && connection() != Connection.LOST) {
+            open.renewSubscriptions();
+        }
+    }
+
+    /** Handles what happens in the session. */
+    private final class SessionEvents implements RosSession.Events {
+        @Override
+        public void odometry(RosSession from, OdometryMessage reading) {
+            RosMotion moving = motions;
+            if (from == session.get() && moving != null) {
+                moving.reported(reading.pose(), reading.speedMmPerSec(), reading.turnRateDegPerSec());
+            }
+        }
+
+        @Override
+        public void lost(RosSession from, LinkLost cause) {
+            RosMotion moving = motions;
+            if (from != session.get() || moving == null) {
+                return;
+            }
+            mayMove |= moving.isMoving();
+            String message = cause.getMessage() + moving.afterLoss();
+            moving.end();
+            MajicRos.this.lost(new LinkLost(message, cause));
+        }
+
+        @Override
+        public void notice(String message) {
+            MajicRos.this.notice(message);
+        }
+    }
+
+    /** The driver as its motions use it. */
+    private final class Owner implements BaseOwner {
+        @Override
+        public String name() {
+            return MajicRos.this.name();
+        }
+
+        @Override
+        public RobotWait waiting() {
+            return new RobotWait(time(), changes());
+        }
+
+        @Override
+        public void once(String what, double seconds, Runnable task) {
+            MajicRos.this.once(what, seconds, task);
+        }
+
+        @Override
+        public void every(String what, double seconds, Runnable task) {
+            MajicRos.this.every(what, seconds, task);
+        }
+
+        @Override
+        public void publish(BotState state) {
+            lastPose = state.pose();
+            MajicRos.this.publish(state);
+        }
+
+        @Override
+        public void notice(String message) {
+            MajicRos.this.notice(message);
+        }
+    }
+}

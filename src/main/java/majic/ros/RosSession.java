@@ -1,0 +1,270 @@
+package majic.ros;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.concurrent.atomic.AtomicBoolean;
+import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
+import majic.bot.LinkLost;
+import majic.driver.RobotWait;
+import majic.ros.bridge.RosBridge;
+import majic.ros.bridge.TopicSubscription;
+import majic.ros.graph.Base;
+import majic.ros.graph.BaseChoice;
+import majic.ros.graph.BaseFinder;
+import majic.ros.graph.KnownRobot;
+import majic.ros.graph.KnownRobots;
+import majic.ros.graph.RobotEvidence;
+import majic.ros.graph.RosApi;
+import majic.ros.graph.RosGraph;
+import majic.ros.message.OdometryMessage;
+import majic.ros.message.UnusableMessage;
+import majic.ros.message.VelocityForm;
+import majic.ros.motion.VelocityOutput;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One connection to a robot: finds its topics, receives its odometry, sends its velocities, and notices when the server
+ * falls silent. Thread-safe.
+ */
+final class RosSession implements VelocityOutput {
+    private static final Logger LOG = System.getLogger(RosSession.class.getName());
+
+    /** The connection is lost when nothing has arrived for this time, answers to pings included. */
+    private static final double SILENCE_S = 1;
+
+    private static final int ODOMETRY_THROTTLE_MS = 40;
+
+    /** Longer than the time after which a silent topic is subscribed to again. */
+    private static final double FIRST_ODOMETRY_S = 5;
+
+    /** The server removes what a client announced only after it has processed the messages before. */
+    private static final double LAST_STOP_S = 0.1;
+
+    private static final double CLOSE_S = 0.2;
+
+    private final RosAddress address;
+    private final RobotWait waiting;
+    private final Events events;
+    private final RosConnections connections;
+    private final AtomicBoolean over = new AtomicBoolean();
+    private final AtomicBoolean problemNoticed = new AtomicBoolean();
+    private volatile @Nullable RosGraph graph;
+    private volatile @Nullable Base base;
+    private volatile @Nullable VelocityForm form;
+    private volatile KnownRobot robot = KnownRobots.UNKNOWN;
+    private volatile boolean reporting;
+    private volatile @Nullable String problem;
+
+    /** Handles what happens in a session. Called on the reader thread or the timer thread of the robot. */
+    interface Events {
+        /** Handles a message of the odometry. */
+        void odometry(RosSession from, OdometryMessage reading);
+
+        /** Handles the end of the connection; called at most once. */
+        void lost(RosSession from, LinkLost cause);
+
+        /** Handles a message for the user. */
+        void notice(String message);
+    }
+
+    RosSession(RosAddress address, RobotWait waiting, Events events) {
+        this.address = address;
+        this.waiting = waiting;
+        this.events = events;
+        this.connections = new RosConnections(address.bridge(), waiting.time(), new Listener());
+    }
+
+    /**
+     * Connects and finds the robot. Moves nothing.
+     *
+     * @param known the table of robots
+     * @throws ConnectFailed if there is no server, or no robot that the address means
+     */
+    void find(KnownRobots known) {
+        RosApi api = new RosApi(connections.open());
+        RosGraph found = api.graph();
+        Base chosen = new BaseChoice(found, new BaseFinder(found, api::subscribers), address.server())
+                .choose(address.namespace(), address.base());
+        robot = model(known, new RobotEvidence(found, chosen.namespace(), api::parameter));
+        // What the address names is used even if the table prefers another topic.
+        base = address.base() == null ? KnownRobots.withTopics(robot, chosen, found) : chosen;
+        graph = found;
+        form = VelocityForm.ofType(base().commandType()).orElseThrow();
+        if (found.isRos2()) {
+            connections.openServices();
+        }
+    }
+
+    private KnownRobot model(KnownRobots known, RobotEvidence evidence) {
+        String named = address.robot();
+        if (named == null) {
+            return known.recognise(evidence);
+        }
+        return known.named(named)
+                .orElseThrow(() -> new ConnectFailed(
+                        Reason.OTHER,
+                        "there is no robot " + named + " in the table of robots; it has "
+                                + String.join(", ", known.names())));
+    }
+
+    /** Announces velocities. Moves nothing. */
+    void advertise() {
+        connections.drive().advertise(base().command(), graph().typeName(base().commandType()));
+    }
+
+    /**
+     * Subscribes to the odometry, and waits for the first reading.
+     *
+     * @throws ConnectFailed if no usable odometry arrives
+     */
+    void awaitOdometry() {
+        String odometry = base().odometry();
+        if (odometry == null) {
+            return;
+        }
+        connections
+                .drive()
+                .subscribe(
+                        new TopicSubscription(odometry, graph().typeName(Base.ODOMETRY), ODOMETRY_THROTTLE_MS),
+                        this::receiveOdometry);
+        waiting.awaitConnecting(() -> reporting || over.get(), FIRST_ODOMETRY_S);
+        if (!reporting && !over.get()) {
+            throw new ConnectFailed(Reason.NO_ANSWER, noOdometry(odometry));
+        }
+    }
+
+    private String noOdometry(String topic) {
+        String unusable = problem;
+        return unusable == null
+                ? "the topic " + topic + " is there, but nothing arrives within " + FIRST_ODOMETRY_S
+                        + " s; do the robot's own nodes run? Another topic is chosen by ?base=TOPIC"
+                : "the odometry " + topic + " cannot be used: " + unusable;
+    }
+
+    private void receiveOdometry(JsonNode message) {
+        try {
+            OdometryMessage reading = OdometryMessage.from(message);
+            reporting = true;
+            events.odometry(this, reading);
+        } catch (UnusableMessage e) {
+            problem = e.getMessage();
+            waiting.changes().raise();
+            if (reporting && problemNoticed.compareAndSet(false, true)) {
+                events.notice("its odometry cannot be used: " + problem);
+            }
+        }
+    }
+
+    /** Pings the server, and ends the connection if nothing has arrived for a second. Called a few times a second. */
+    void watch() {
+        for (RosBridge bridge : connections.all()) {
+            if (bridge.silenceS() > SILENCE_S) {
+                end(bridge, new LinkLost("the rosbridge server has sent nothing for " + (int) SILENCE_S + " s"));
+                return;
+            }
+            bridge.ping();
+        }
+    }
+
+    /** Subscribes again to topics that are silent. Called about once a second. */
+    void renewSubscriptions() {
+        connections.all().forEach(RosBridge::renewSilentSubscriptions);
+    }
+
+    @Override
+    public void publish(double mmPerSec, double degPerSec) {
+        VelocityForm used = form;
+        if (used == null || over.get()) {
+            throw new LinkLost("not connected");
+        }
+        connections.drive().publish(base().command(), used.message(mmPerSec, degPerSec));
+    }
+
+    /** Ends the session in order, after the last stop has had the time to reach the robot. */
+    void close() {
+        if (over.compareAndSet(false, true) && base != null) {
+            waiting.awaitClosing(() -> false, LAST_STOP_S);
+            try {
+                connections.drive().unadvertise(base().command());
+            } catch (BotException e) {
+                LOG.log(Level.DEBUG, "the announcement was not withdrawn", e);
+            }
+        }
+        connections.close(CLOSE_S);
+    }
+
+    /** Cuts the connection of a session that could not begin. */
+    void abort() {
+        over.set(true);
+        connections.abort();
+    }
+
+    /** The topics and nodes at the time of the connection. */
+    RosGraph graph() {
+        return present(graph);
+    }
+
+    /** The topics that drive the robot. */
+    Base base() {
+        return present(base);
+    }
+
+    /** What is known about the robot. */
+    KnownRobot robot() {
+        return robot;
+    }
+
+    /** The connections, for parameters and commands. */
+    RosConnections connections() {
+        return connections;
+    }
+
+    private static <T> T present(@Nullable T value) {
+        if (value == null) {
+            throw new BotException("not connected");
+        }
+        return value;
+    }
+
+    private void end(RosBridge ended, LinkLost cause) {
+        if (over.compareAndSet(false, true)) {
+            stopByOther(ended);
+            events.lost(this, cause);
+        }
+    }
+
+    /** A robot that keeps its velocity can still be stopped if only one of two connections has ended. */
+    private void stopByOther(RosBridge ended) {
+        VelocityForm used = form;
+        Base driven = base;
+        waiting.time().runAsync("ros last stop", () -> {
+            try {
+                for (RosBridge bridge : connections.all()) {
+                    if (used != null && driven != null && bridge != ended && bridge.isOpen()) {
+                        bridge.publish(driven.command(), used.message(0, 0));
+                    }
+                }
+            } catch (BotException e) {
+                LOG.log(Level.DEBUG, "the last stop was not sent", e);
+            } finally {
+                connections.close(CLOSE_S);
+            }
+        });
+    }
+
+    /** Handles the ends of the connections. */
+    private final class Listener implements RosBridge.Listener {
+        @Override
+        public void lost(RosBridge bridge, LinkLost cause) {
+            end(bridge, cause);
+        }
+
+        @Override
+        public void notice(String message) {
+            events.notice(message);
+        }
+    }
+}
