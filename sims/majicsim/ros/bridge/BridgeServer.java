@@ -113,6 +113,15 @@ public final class BridgeServer {
         List.copyOf(clients.values()).forEach(client -> client.close(code, reason));
     }
 
+    /**
+     * Sends a huge message to all clients. A fault.
+     *
+     * @param bytes its size, 100 or more
+     */
+    public void sendHuge(int bytes) {
+        clients.values().forEach(client -> client.sendHuge(bytes));
+    }
+
     private void publishClients() {
         List<BridgeClient> open =
                 clients.values().stream().filter(BridgeClient::isOpen).toList();

@@ -4,11 +4,13 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 
 /**
  * Writes messages as the bridge of one version of ROS does (sheet 4): all fields in order, zero for missing ones, {@code null}
- * for NaN and infinity but in fixed arrays of ROS 2, base64 for bytes, float32 widened.
+ * for NaN and infinity but in fixed arrays of ROS 2, base64 for bytes, float32 widened. CBOR keeps NaN and infinity, and has bytes and
+ * typed arrays.
  */
 public final class MessageOutput {
     private static final long NANOS_PER_SECOND = 1_000_000_000;
@@ -66,6 +68,8 @@ public final class MessageOutput {
         if (type.isBytes()) {
             byte[] bytes = value.isBinary() ? value.binaryValue() : new byte[Math.max(0, type.length())];
             to.writeBinary(bytes);
+        } else if (type.isArray() && to instanceof CBORGenerator binary && TypedArray.exists(type)) {
+            TypedArray.write(binary, type, value);
         } else if (type.isArray()) {
             int length = type.isFixed() ? type.length() : value.size();
             to.writeStartArray();
@@ -95,7 +99,7 @@ public final class MessageOutput {
 
     private void number(JsonGenerator to, FieldType type, double number) throws IOException {
         boolean isBare = types.version() == RosVersion.ROS2 && type.isFixed();
-        if (Double.isFinite(number) || isBare) {
+        if (Double.isFinite(number) || isBare || to instanceof CBORGenerator) {
             to.writeNumber(number);
         } else {
             to.writeNull();

@@ -4,7 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.dataformat.cbor.databind.CBORMapper;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
+import java.util.List;
+import javax.imageio.ImageIO;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -20,7 +26,7 @@ class BridgeTest {
 
     @BeforeEach
     void open() throws IOException {
-        stand = new RosStand("1");
+        stand = new RosStand("1+nonavigation");
         client = stand.client();
     }
 
@@ -34,7 +40,7 @@ class BridgeTest {
     }
 
     @Test
-    void odometryComesAtItsRateOrAsThrottled() throws IOException {
+    void odometryComesAsOftenAsItIsThrottled() throws IOException {
         client.send("{'op':'subscribe','topic':'/odom','throttle_rate':100,'queue_length':1}");
         client.settle();
         stand.pass(2);
@@ -42,34 +48,205 @@ class BridgeTest {
     }
 
     @Test
-    void theRobotDrivesAndStopsHalfASecondAfterTheLastCommand() throws IOException {
-        Pose start = stand.pose();
-        client.drive(0.2, 0);
-        stand.pass(2);
-        assertThat(stand.pose().distanceTo(start)).isCloseTo(100, within(10.0));
-    }
-
-    @Test
-    void odometryAgreesWithTheTruePath() throws IOException {
-        client.sendAll("{'op':'subscribe','topic':'/odom'}");
-        client.drive(0.1, 0);
-        JsonNode odometry = client.message("/odom");
-        Pose start = stand.pose();
-        for (int i = 0; i < 50; i++) {
-            odometry = client.message("/odom");
+    void withoutQueueTheLastMessageBeforeAPauseIsLostAndWithOneItComes() throws IOException {
+        client.sendAll("{'op':'advertise','topic':'/n','type':'std_msgs/Int32'}");
+        try (RosStand.Client queued = stand.client()) {
+            queued.sendAll("{'op':'subscribe','topic':'/n','throttle_rate':1000,'queue_length':1}");
+            client.sendAll("{'op':'subscribe','topic':'/n','throttle_rate':1000}");
+            for (int i = 1; i <= 3; i++) {
+                client.sendAll("{'op':'publish','topic':'/n','msg':{'data':" + i + "}}");
+            }
+            stand.pass(2);
+            assertThat(numbers(client.taken())).containsExactly(1);
+            assertThat(numbers(queued.taken())).containsExactly(1, 3);
         }
-        double moved =
-                odometry.path("pose").path("pose").path("position").path("x").asDouble();
-        assertThat(moved * 1000)
-                .isCloseTo(stand.pose().distanceTo(start), within(5.0))
-                .isGreaterThan(40);
+    }
+
+    private static List<Integer> numbers(List<JsonNode> messages) {
+        return messages.stream()
+                .map(message -> message.path("msg").path("data").asInt())
+                .toList();
     }
 
     @Test
-    void aScanHas360BeamsAndNullWhereNothingIsInReach() throws IOException {
-        client.sendAll("{'op':'subscribe','topic':'/scan'}");
-        JsonNode scan = client.message("/scan");
-        assertThat(scan.path("ranges")).hasSize(360);
-        assertThat(scan.path("ranges")).anyMatch(JsonNode::isNull).anyMatch(JsonNode::isNumber);
+    void aSlashIsEscapedAndAPublishedMessageHasNoId() throws IOException {
+        client.sendAll("{'op':'subscribe','id':'mine','topic':'/odom'}");
+        client.message("/odom");
+        assertThat(client.texts())
+                .anySatisfy(text -> assertThat(text)
+                        .startsWith("{\"op\":\"publish\",\"topic\":\"\\/odom\",\"msg\":{\"header\":{\"seq\":")
+                        .doesNotContain("mine"));
+    }
+
+    @Test
+    void aBareNumberEndsTheInputForEverWhileSubscriptionsGoOn() throws IOException {
+        client.sendAll("{'op':'subscribe','topic':'/odom'}");
+        client.send("5");
+        client.send("{'op':'publish','topic':'/cmd_vel','msg':{'linear':{'x':0.2}}}");
+        client.socket().sendBytes(RawWebSocket.frame(RawWebSocket.PING, true, new byte[1]));
+        assertThat(client.socket().read().opcode()).isEqualTo(RawWebSocket.PONG);
+        Pose before = stand.pose();
+        stand.pass(1);
+        assertThat(client.socket().read().text()).contains("\\/odom");
+        assertThat(stand.pose()).isEqualTo(before);
+    }
+
+    @Test
+    void badJsonIsDroppedAndTheNextMessageWorks() throws IOException {
+        client.send("{'op':'call_service','id':'broken'");
+        client.send("not json at all");
+        assertThat(client.call("/rosapi/get_time", "{}").path("result").asBoolean())
+                .isTrue();
+    }
+
+    @Test
+    void twoObjectsInOneFrameBothWork() throws IOException {
+        client.send("{'op':'call_service','id':'a','service':'/rosapi/get_time'}"
+                + "{'op':'call_service','id':'b','service':'/rosapi/get_time'}");
+        assertThat(RosStand.json(client.socket().read().text()).path("id").asText())
+                .isEqualTo("a");
+        assertThat(RosStand.json(client.socket().read().text()).path("id").asText())
+                .isEqualTo("b");
+    }
+
+    @Test
+    void thePublisherRemainsTenSecondsAfterAClose() throws IOException {
+        try (RosStand.Client other = stand.client()) {
+            other.sendAll("{'op':'advertise','topic':'/cmd_vel','type':'geometry_msgs/Twist'}");
+        }
+        awaitClients(1);
+        stand.pass(6);
+        assertThat(publishersOfCommands()).contains("rosbridge_websocket");
+        stand.pass(4.1);
+        assertThat(publishersOfCommands()).doesNotContain("rosbridge_websocket");
+    }
+
+    private String publishersOfCommands() throws IOException {
+        return client.call("/rosapi/publishers", "{'topic':'/cmd_vel'}")
+                .path("values")
+                .toString();
+    }
+
+    private void awaitClients(int count) throws IOException {
+        try (RosStand.Client watcher = stand.client()) {
+            watcher.sendAll("{'op':'subscribe','topic':'/client_count'}");
+            watcher.await(message -> message.path("msg").path("data").asInt() == count + 1);
+        }
+    }
+
+    @Test
+    void aMessageInFragmentsIsPutTogether() throws IOException {
+        client.send(
+                "{'op':'fragment','id':'f','num':0,'total':2,'data':'{\\'op\\':\\'call_service\\',\\'id\\':\\'whole\\','}"
+                        .replace("\\'", "\\\""));
+        client.send("{'op':'fragment','id':'f','num':1,'total':2,'data':'\\'service\\':\\'/rosapi/get_time\\'}'}"
+                .replace("\\'", "\\\""));
+        assertThat(RosStand.json(client.socket().read().text()).path("id").asText())
+                .isEqualTo("whole");
+    }
+
+    @Test
+    void fragmentsAskedForHaveATotalThatIsNotWhole() throws IOException {
+        client.send("{'op':'call_service','id':'f1','service':'/rosapi/topics','fragment_size':300}");
+        StringBuilder whole = new StringBuilder();
+        JsonNode part = RosStand.json(client.socket().read().text());
+        double total = part.path("total").asDouble();
+        for (int number = 0; number < Math.floor(total); number++) {
+            part = number == 0 ? part : RosStand.json(client.socket().read().text());
+            assertThat(part.path("op").asText()).isEqualTo("fragment");
+            assertThat(part.path("id").asText()).isEqualTo("f1");
+            assertThat(part.path("num").asInt()).isEqualTo(number);
+            whole.append(part.path("data").asText());
+        }
+        assertThat(RosStand.json(whole.toString()).path("id").asText()).isEqualTo("f1");
+        assertThat(total).isCloseTo(whole.length() / 300.0 + 1, within(1e-9));
+    }
+
+    @Test
+    void aMessageAsPngHoldsItsTextInThePixels() throws IOException {
+        client.sendAll("{'op':'subscribe','topic':'/battery_state','compression':'png'}");
+        JsonNode png = client.await(message -> message.path("op").asText().equals("png"));
+        byte[] file = Base64.getDecoder().decode(png.path("data").asText());
+        byte[] pixels = (byte[]) ImageIO.read(new ByteArrayInputStream(file))
+                .getData()
+                .getDataElements(0, 0, widthOf(file), heightOf(file), null);
+        assertThat(RosStand.json(new String(pixels, StandardCharsets.UTF_8).trim())
+                        .path("topic")
+                        .asText())
+                .isEqualTo("/battery_state");
+    }
+
+    private static int widthOf(byte[] png) {
+        return (png[18] & 0xFF) << 8 | png[19] & 0xFF;
+    }
+
+    private static int heightOf(byte[] png) {
+        return (png[22] & 0xFF) << 8 | png[23] & 0xFF;
+    }
+
+    @Test
+    void aMessageAsCborKeepsNotANumber() throws IOException {
+        client.send("{'op':'subscribe','topic':'/battery_state','compression':'cbor'}");
+        client.settle();
+        stand.pass(0.3);
+        RawWebSocket.Received frame = client.socket().read();
+        assertThat(frame.opcode()).isEqualTo(RawWebSocket.BINARY);
+        JsonNode message = new CBORMapper().readTree(frame.payload());
+        assertThat(message.path("msg").path("current").asDouble()).isNaN();
+        assertThat(message.path("topic").asText()).isEqualTo("/battery_state");
+    }
+
+    @Test
+    void aClientThatStopsReadingStallsTheTopicForTheOthersUnlessItHasAQueue() throws IOException {
+        client.sendAll(
+                "{'op':'advertise','topic':'/big','type':'std_msgs/String'}", "{'op':'subscribe','topic':'/big'}");
+        try (RosStand.Client queued = stand.client();
+                RosStand.Client slow = stand.client()) {
+            queued.sendAll("{'op':'subscribe','topic':'/big','queue_length':1}");
+            assertThat(publishBig(60)).isEqualTo(60);
+            slow.sendAll("{'op':'subscribe','topic':'/big'}");
+            assertThat(publishBig(60)).isLessThan(60);
+            assertThat(publishBig(20)).isZero();
+        }
+    }
+
+    /** Publishes 200 kB so many times, and returns how often this client received it. */
+    private int publishBig(int times) throws IOException {
+        String text = "x".repeat(200_000);
+        for (int i = 0; i < times; i++) {
+            client.sendAll("{'op':'publish','topic':'/big','msg':{'data':'" + text + "'}}");
+            stand.pass(0.1);
+        }
+        return client.taken().size();
+    }
+
+    @Test
+    void aServiceThatAClientOffersIsCalledThroughTheBridge() throws IOException {
+        client.sendAll("{'op':'advertise_service','service':'/own','type':'std_srvs/Trigger'}");
+        try (RosStand.Client caller = stand.client()) {
+            caller.send("{'op':'call_service','id':'q1','service':'/own'}");
+            assertThat(client.socket().read().text())
+                    .isEqualTo("{\"op\":\"call_service\",\"id\":\"service_request:\\/own:1\",\"service\":\"\\/own\","
+                            + "\"args\":{}}");
+            client.send("{'op':'service_response','id':'service_request:/own:1','service':'/own',"
+                    + "'values':{'success':true,'message':'hello'},'result':true}");
+            assertThat(caller.socket().read().text())
+                    .isEqualTo("{\"op\":\"service_response\",\"service\":\"\\/own\","
+                            + "\"values\":{\"success\":true,\"message\":\"hello\"},\"result\":true,\"id\":\"q1\"}");
+        }
+    }
+
+    @Test
+    void aLatchedMessageReachesALaterSubscriberAlone() throws IOException {
+        client.sendAll(
+                "{'op':'advertise','topic':'/kept','type':'std_msgs/String','latch':true}",
+                "{'op':'publish','topic':'/kept','msg':{'data':'kept'}}",
+                "{'op':'subscribe','topic':'/kept'}");
+        assertThat(client.taken()).hasSize(1);
+        try (RosStand.Client later = stand.client()) {
+            later.sendAll("{'op':'subscribe','topic':'/kept'}");
+            assertThat(later.taken()).hasSize(1);
+        }
+        assertThat(client.taken()).isEmpty();
     }
 }
