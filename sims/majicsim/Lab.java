@@ -19,6 +19,8 @@ import majicsim.net.LineCount;
 import majicsim.net.Port;
 import majicsim.pioneer.PioneerHandling;
 import majicsim.pioneer.PioneerRobot;
+import majicsim.ros.RosHandling;
+import majicsim.ros.RosRobot;
 import majicsim.world.Point;
 import majicsim.world.Pose;
 import majicsim.world.Room;
@@ -199,6 +201,15 @@ public final class Lab implements AutoCloseable {
      */
     public void besideHemisson(Consumer<HemissonHandling> action) {
         beside(HemissonRobot.class, hemisson -> action.accept(hemisson.handling()));
+    }
+
+    /**
+     * Acts on the ROS robot and its computer: faults beside those of its line. The lab does not step meanwhile.
+     *
+     * @param action what to do; must not wait for anything
+     */
+    public void besideRos(Consumer<RosHandling> action) {
+        beside(RosRobot.class, ros -> action.accept(ros.handling()));
     }
 
     /**

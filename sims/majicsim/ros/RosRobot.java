@@ -29,6 +29,7 @@ public final class RosRobot implements Firmware {
     private final BridgeFaults bridgeFaults = new BridgeFaults();
     private final BridgeServer bridge;
     private final TurtleBot3 robot;
+    private final RosHandling handling;
 
     /**
      * A robot that has just been switched on.
@@ -44,6 +45,7 @@ public final class RosRobot implements Firmware {
         bridge = new BridgeServer(network, options, bridgeFaults);
         Body body = Body.disc("ros", TurtleBot3.RADIUS_MM, start);
         robot = new TurtleBot3(world, body, noise, network, options);
+        handling = new RosHandling(network, bridge, bridgeFaults, robot);
         Rosapi.start(network, distribution(options));
         if (options.version() == RosVersion.ROS1) {
             network.parameters().put("/rosdistro", "\"" + distribution(options) + "\\n\"");
@@ -65,6 +67,15 @@ public final class RosRobot implements Firmware {
      */
     public Body body() {
         return robot.body();
+    }
+
+    /**
+     * What can be done to it.
+     *
+     * @return the same object at every call
+     */
+    public RosHandling handling() {
+        return handling;
     }
 
     @Override

@@ -5,11 +5,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import majicsim.ros.graph.RosNetwork;
+import majicsim.ros.graph.Topic;
 import majicsim.ros.message.RosVersion;
 import majicsim.ros.options.RosOptions;
 import majicsim.world.Body;
 import majicsim.world.Noise;
 import majicsim.world.World;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A TurtleBot3 Burger: its body in the room, and its nodes in a ROS network. It neither checks nor notices whether a client is
@@ -35,6 +37,7 @@ public final class TurtleBot3 {
     private final BurgerSensors sensors;
     private final LaserScanner laser;
     private final List<PeriodicTopic> topics = new ArrayList<>();
+    private final @Nullable Navigation navigation;
 
     /**
      * Puts the robot into the room and starts its nodes.
@@ -57,12 +60,19 @@ public final class TurtleBot3 {
         sensors = new BurgerSensors(network.clock(), options.version(), body, odometry, noise.fork("imu"));
         laser = new LaserScanner(world, body, noise.fork("laser"));
         network.nodes().add(node);
+        Topic commands = startCommands();
         startTopics();
+        navigation = options.hasNavigation() ? new Navigation(network, options, commands, odometry, body) : null;
+    }
+
+    private Topic startCommands() {
+        String type = options.isStamped() ? "geometry_msgs/TwistStamped" : "geometry_msgs/Twist";
+        Topic commands = network.topics().at(named("/cmd_vel"), network.types().get(type));
+        commands.subscribe(node, new VelocityInput(drive, network.clock(), options));
+        return commands;
     }
 
     private void startTopics() {
-        String type = options.isStamped() ? "geometry_msgs/TwistStamped" : "geometry_msgs/Twist";
-        network.subscribe(node, named("/cmd_vel"), type, new VelocityInput(drive, network.clock(), options));
         add("/odom", "nav_msgs/Odometry", FAST_NANOS, sensors::odometry);
         add("/tf", "tf2_msgs/TFMessage", FAST_NANOS, sensors::baseTransform);
         add("/joint_states", "sensor_msgs/JointState", FAST_NANOS, sensors::joints);
@@ -102,7 +112,58 @@ public final class TurtleBot3 {
     public void step(double seconds) {
         drive.step(seconds);
         odometry.step(drive.measuredLeft(), drive.measuredRight(), seconds);
-        topics.forEach(topic -> topic.step(network.clock().elapsedNanos()));
+        long now = network.clock().elapsedNanos();
+        topics.forEach(topic -> topic.step(now));
+        if (navigation != null) {
+            navigation.step(now);
+        }
+    }
+
+    /**
+     * Stops publishing a topic, as a sensor that has failed, or goes on. A fault.
+     *
+     * @param topic its name
+     * @param silent whether it is silent from now on
+     */
+    public void silence(String topic, boolean silent) {
+        of(topic).silence(silent);
+    }
+
+    /**
+     * Publishes a topic at another rate.
+     *
+     * @param topic its name
+     * @param hertz messages a second, above 0; the lab's steps of 4 ms bring several at once above 250
+     */
+    public void rate(String topic, double hertz) {
+        of(topic).period(Math.round(NANOS / hertz), network.clock().elapsedNanos());
+    }
+
+    private PeriodicTopic of(String name) {
+        return topics.stream()
+                .filter(topic -> topic.name().equals(name))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("the robot does not publish " + name));
+    }
+
+    /**
+     * Makes most readings of its laser unusable. A fault.
+     *
+     * @param spoilt whether it is so from now on
+     */
+    public void spoilScans(boolean spoilt) {
+        laser.spoil(spoilt);
+    }
+
+    /**
+     * Rejects the goals of its navigation. A fault.
+     *
+     * @param rejects whether it is so from now on
+     */
+    public void rejectGoals(boolean rejects) {
+        if (navigation != null) {
+            navigation.faults().reject(rejects);
+        }
     }
 
     /**
@@ -114,7 +175,7 @@ public final class TurtleBot3 {
         if (!drive.isResting()) {
             return 0;
         }
-        long due = Long.MAX_VALUE;
+        long due = navigation == null ? Long.MAX_VALUE : navigation.dueNanos();
         for (PeriodicTopic topic : topics) {
             due = Math.min(due, topic.dueNanos());
         }

@@ -1,0 +1,173 @@
+package majicsim.ros;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.io.IOException;
+import majicsim.ros.options.RosOptions;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** What is different on ROS 2. */
+class DialectTest {
+    @AutoClose
+    private RosStand stand;
+
+    @AutoClose
+    private RosStand.Client client;
+
+    @BeforeEach
+    void open() throws IOException {
+        stand = new RosStand("2");
+        client = stand.client();
+    }
+
+    @Test
+    void theVersionIsAnswered() throws IOException {
+        assertThat(client.values("/rosapi/get_ros_version"))
+                .isEqualTo(RosStand.json("{\"version\":2,\"distro\":\"humble\"}"));
+    }
+
+    @Test
+    void typesHaveThreePartsAndAreFoundByThemAlone() throws IOException {
+        assertThat(type("/cmd_vel")).isEqualTo("geometry_msgs/msg/Twist");
+        assertThat(client.call("/rosapi/topics_for_type", "{'type':'nav_msgs/msg/Odometry'}")
+                        .path("values")
+                        .path("topics"))
+                .hasSize(1);
+        assertThat(client.call("/rosapi/topics_for_type", "{'type':'nav_msgs/Odometry'}")
+                        .path("values")
+                        .path("topics"))
+                .isEmpty();
+    }
+
+    private String type(String topic) throws IOException {
+        return client.call("/rosapi/topic_type", "{'topic':'" + topic + "'}")
+                .path("values")
+                .path("type")
+                .asText();
+    }
+
+    @Test
+    void aSubscriptionTakesTypesOfTwoPartsToo() throws IOException {
+        client.sendAll("{'op':'subscribe','topic':'/odom','type':'nav_msgs/Odometry'}");
+        JsonNode header = client.message("/odom").path("header");
+        assertThat(header.path("stamp").fieldNames()).toIterable().containsExactly("sec", "nanosec");
+        assertThat(header.has("seq")).isFalse();
+    }
+
+    @Test
+    void aMessageWithANumberOfItsHeaderIsDropped() throws IOException {
+        client.sendAll(
+                "{'op':'advertise','topic':'/p','type':'geometry_msgs/msg/PoseStamped'}",
+                "{'op':'subscribe','topic':'/p'}",
+                "{'op':'publish','topic':'/p','msg':{'header':{'seq':1}}}");
+        assertThat(client.taken()).isEmpty();
+    }
+
+    @Test
+    void bothNamesOfTimesAreTaken() throws IOException {
+        client.sendAll(
+                "{'op':'advertise','topic':'/p','type':'geometry_msgs/msg/PoseStamped'}",
+                "{'op':'subscribe','topic':'/p'}",
+                "{'op':'publish','topic':'/p','msg':{'header':{'stamp':{'secs':5,'nsecs':6}}}}",
+                "{'op':'publish','topic':'/p','msg':{'header':{'stamp':{'sec':5,'nanosec':6}}}}");
+        assertThat(client.taken())
+                .hasSize(2)
+                .allSatisfy(
+                        message -> assertThat(message.path("msg").path("header").path("stamp"))
+                                .isEqualTo(RosStand.json("{\"sec\":5,\"nanosec\":6}")));
+    }
+
+    @Test
+    void fixedArraysHoldBareWordsThatAreNoJson() throws IOException {
+        client.sendAll(
+                "{'op':'advertise','topic':'/i','type':'sensor_msgs/msg/Imu'}",
+                "{'op':'subscribe','topic':'/i'}",
+                "{'op':'publish','topic':'/i','msg':{'orientation':{'x':NaN},"
+                        + "'orientation_covariance':[NaN,Infinity,-Infinity,0,0,0,0,0,0]}}");
+        assertThat(client.texts())
+                .anySatisfy(text -> assertThat(text)
+                        .contains("\"orientation\":{\"x\":null,")
+                        .contains("\"orientation_covariance\":[NaN,Infinity,-Infinity,0.0,"));
+    }
+
+    @Test
+    void aSlashIsNotEscaped() throws IOException {
+        client.sendAll("{'op':'subscribe','topic':'/odom'}");
+        client.message("/odom");
+        assertThat(client.texts()).anySatisfy(text -> assertThat(text).contains("\"topic\":\"/odom\""));
+    }
+
+    @Test
+    void aPendingGoalHoldsUpTheConnectionAndAnotherConnectionCancelsIt() throws IOException {
+        client.send("{'op':'send_action_goal','id':'g','action':'/navigate_to_pose',"
+                + "'action_type':'nav2_msgs/action/NavigateToPose',"
+                + "'args':{'pose':{'header':{'frame_id':'map'},'pose':{'position':{'x':1},'orientation':{'w':1}}}}}");
+        client.send("{'op':'call_service','id':'late','service':'/rosapi/get_time'}");
+        try (RosStand.Client other = stand.client()) {
+            other.sendAll("{'op':'subscribe','topic':'/cmd_vel'}");
+            other.message("/cmd_vel");
+            other.sendAll("{'op':'cancel_action_goal','id':'g','action':'/navigate_to_pose'}");
+        }
+        assertThat(client.socket().read().text())
+                .startsWith("{\"op\":\"action_result\",\"action\":\"/navigate_to_pose\",\"values\":{},\"status\":5,"
+                        + "\"result\":true,\"id\":\"g\"}");
+        assertThat(client.socket().read().text()).contains("\"id\":\"late\"");
+    }
+
+    @Test
+    void aBridgeFromVersion22OnHoldsNothingUp() throws IOException {
+        try (RosStand newer = new RosStand("2+unblocked");
+                RosStand.Client one = newer.client()) {
+            one.send("{'op':'send_action_goal','id':'g','action':'/missing','action_type':'x/action/X','args':{}}");
+            assertThat(one.values("/rosapi/get_time").has("time")).isTrue();
+        }
+    }
+
+    @Test
+    void aRejectedGoalNeverAnswersAndItsConnectionIsLost() throws IOException {
+        stand.lab().besideRos(robot -> robot.rejectGoals(true));
+        client.send("{'op':'send_action_goal','id':'g','action':'/navigate_to_pose',"
+                + "'action_type':'nav2_msgs/action/NavigateToPose','args':{}}");
+        client.send("{'op':'call_service','id':'late','service':'/rosapi/get_time'}");
+        client.socket().sendBytes(RawWebSocket.frame(RawWebSocket.PING, true, new byte[1]));
+        stand.pass(10);
+        assertThat(client.socket().read().opcode()).isEqualTo(RawWebSocket.PONG);
+    }
+
+    @Test
+    void stampedCommandsHaveTheirTypeAndTheNewerDistribution() throws IOException {
+        try (RosStand stamped = new RosStand("2+stamped");
+                RosStand.Client one = stamped.client()) {
+            assertThat(one.call("/rosapi/topic_type", "{'topic':'/cmd_vel'}")
+                            .path("values")
+                            .path("type")
+                            .asText())
+                    .isEqualTo("geometry_msgs/msg/TwistStamped");
+            assertThat(one.values("/rosapi/get_ros_version").path("distro").asText())
+                    .isEqualTo("jazzy");
+        }
+    }
+
+    @Test
+    void namesMayLieInANamespace() throws IOException {
+        try (RosStand spaced = new RosStand("2+namespace=tb3_0");
+                RosStand.Client one = spaced.client()) {
+            assertThat(one.values("/rosapi/topics").path("topics").toString())
+                    .contains("\"/tb3_0/cmd_vel\"", "\"/tb3_0/odom\"")
+                    .doesNotContain("\"/odom\"");
+        }
+    }
+
+    @Test
+    void aModelThatDoesNotExistIsRefusedWithThoseThatDo() {
+        assertThatThrownBy(() -> RosOptions.parse("2+fast"))
+                .hasMessageStartingWith("there is no 'fast' for a ROS robot; known are 1 or 2, then +stamped ");
+        assertThatThrownBy(() -> RosOptions.parse("1+timeout=soon"))
+                .hasMessage("timeout must be seconds or none, not 'soon'");
+        assertThatThrownBy(() -> RosOptions.parse("2+auth=x")).hasMessage("auth exists with ROS 1 only");
+    }
+}
