@@ -1,18 +1,14 @@
 package majic.aibo.panel;
 
 import java.awt.image.BufferedImage;
-import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.Iterator;
 import java.util.List;
 import javax.imageio.ImageIO;
-import javax.imageio.ImageReader;
-import javax.imageio.stream.ImageInputStream;
-import javax.imageio.stream.MemoryCacheImageInputStream;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
+import majic.panel.PictureFile;
 import majic.text.Texts;
 
 /** Turns what the dog's camera sends into pictures: a JFIF file, or three bytes for each pixel (URBI sheet 12). */
@@ -62,22 +58,10 @@ public final class CameraPicture {
     }
 
     private static BufferedImage jpeg(byte[] bytes) {
-        Iterator<ImageReader> readers = ImageIO.getImageReadersByFormatName("jpeg");
-        ImageReader reader = readers.next();
-        try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(bytes))) {
-            reader.setInput(in, true, true);
-            reader.addIIOReadWarningListener((source, warning) -> {
-                throw new UrbiRefusal(TEXTS.get("picture.damaged", warning));
-            });
-            check(reader.getWidth(0), reader.getHeight(0));
-            return reader.read(0);
-        } catch (IOException | RuntimeException e) {
-            if (e instanceof UrbiRefusal refusal) {
-                throw refusal;
-            }
-            throw new UrbiRefusal(TEXTS.get("picture.damaged", e.getMessage()));
-        } finally {
-            reader.dispose();
+        try {
+            return PictureFile.decode(bytes);
+        } catch (IOException e) {
+            throw new UrbiRefusal(e.getMessage());
         }
     }
 

@@ -8,6 +8,7 @@ import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.BotException;
 import majic.driver.RobotWait;
+import majic.panel.FrameRate;
 import majic.text.Texts;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;

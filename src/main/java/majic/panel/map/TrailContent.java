@@ -1,15 +1,19 @@
 package majic.panel.map;
 
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 import majic.panel.DrawingColors;
+import majic.text.Texts;
 
 /**
  * The part of the map that all robots share: the robot's start, its trail, and the visible area. {@link #poseReported} may be
  * called on the driver's threads, everything else on the event dispatch thread.
  */
 public abstract class TrailContent implements RobotContent {
+    private static final Texts TEXTS = Texts.of(TrailContent.class);
+
     private final Trail trail = new Trail();
     private final TrailDrawing path;
     private final Reach reach;
@@ -84,5 +88,34 @@ public abstract class TrailContent implements RobotContent {
      */
     protected final void paintTrail(Graphics2D pen, MapView view, DrawingColors colors) {
         path.paint(pen, view, colors);
+    }
+
+    /**
+     * Paints that the robot has reported nothing yet.
+     *
+     * @param pen in pixels
+     * @param view from the floor to the pixels
+     */
+    protected static void paintNoReading(Graphics2D pen, MapView view) {
+        String text = TEXTS.get("noReading");
+        FontMetrics metrics = pen.getFontMetrics();
+        pen.setColor(DrawingColors.current().faint());
+        pen.drawString(text, (view.width() - metrics.stringWidth(text)) / 2, view.height() / 2);
+    }
+
+    /**
+     * Makes a pen for the robot's own frame.
+     *
+     * @param pen in pixels
+     * @param view from the floor to the pixels
+     * @param pose the robot's, on the floor
+     * @return a copy: x ahead, y to the left, mm; to be disposed of
+     */
+    protected static Graphics2D inRobotFrame(Graphics2D pen, MapView view, Pose pose) {
+        Graphics2D robot = (Graphics2D) pen.create();
+        robot.transform(view.transform());
+        robot.translate(pose.xMm(), pose.yMm());
+        robot.rotate(Math.toRadians(pose.headingDeg()));
+        return robot;
     }
 }

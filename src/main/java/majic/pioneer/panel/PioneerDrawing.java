@@ -1,11 +1,11 @@
 package majic.pioneer.panel;
 
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 import majic.panel.DrawingColors;
 import majic.panel.map.Echoes;
+import majic.panel.map.EchoesDrawing;
 import majic.panel.map.MapView;
 import majic.panel.map.TrailContent;
 import majic.panel.map.TrailDrawing;
@@ -13,7 +13,6 @@ import majic.pioneer.state.Model;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.SonarDisc;
 import majic.pioneer.state.SonarScan;
-import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -21,7 +20,6 @@ import org.jspecify.annotations.Nullable;
  * {@link #record} is for the driver's threads, everything else for the event thread.
  */
 final class PioneerDrawing extends TrailContent {
-    private static final Texts TEXTS = Texts.of(PioneerDrawing.class);
     private static final Reach REACH = new Reach(0.065, 2000, 4200, 900);
 
     private final Echoes echoes = new Echoes();
@@ -77,7 +75,7 @@ final class PioneerDrawing extends TrailContent {
     public void paint(Graphics2D pen, MapView view) {
         PioneerScene shown = scene;
         if (shown == null) {
-            paintNothing(pen, view);
+            paintNoReading(pen, view);
             return;
         }
         DrawingColors colors = shown.isConnected()
@@ -96,21 +94,5 @@ final class PioneerDrawing extends TrailContent {
         echoPen.dispose();
         new PioneerBodyDrawing(shown, colors, view.pxPerMm()).paint(robot);
         robot.dispose();
-    }
-
-    private static void paintNothing(Graphics2D pen, MapView view) {
-        String text = TEXTS.get("noReading");
-        FontMetrics metrics = pen.getFontMetrics();
-        pen.setColor(DrawingColors.current().faint());
-        pen.drawString(text, (view.width() - metrics.stringWidth(text)) / 2, view.height() / 2);
-    }
-
-    /** x ahead, y to the left, mm. */
-    private static Graphics2D inRobotFrame(Graphics2D pen, MapView view, Pose pose) {
-        Graphics2D robot = (Graphics2D) pen.create();
-        robot.transform(view.transform());
-        robot.translate(pose.xMm(), pose.yMm());
-        robot.rotate(Math.toRadians(pose.headingDeg()));
-        return robot;
     }
 }

@@ -2,16 +2,20 @@ package majic.pioneer.panel;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.panel.Banner;
 import majic.panel.Dashboard;
+import majic.panel.DriveGauges;
 import majic.panel.ReadingsPanel;
 import majic.panel.RefreshingPanel;
 import majic.panel.SidePane;
 import majic.panel.map.ZoomableMap;
+import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Power;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
@@ -44,7 +48,7 @@ public final class PioneerPanel extends RefreshingPanel {
     private final transient Supplier<Optional<PioneerScene>> scenes;
     private final transient PioneerDrawing drawing = new PioneerDrawing();
     private final ZoomableMap map = new ZoomableMap(drawing);
-    private final GaugesPanel gauges = new GaugesPanel();
+    private final DriveGauges gauges = new DriveGauges();
     private final transient PioneerLights lights = new PioneerLights();
     private final ReadingsPanel<MajicBot> readings = ReadingsPanel.ofParameters(LONGEST_READING, READINGS)
             .labelled(TEXTS::get)
@@ -99,7 +103,15 @@ public final class PioneerPanel extends RefreshingPanel {
         shown = scene;
         drawing.show(scene);
         map.repaint();
-        gauges.show(scene);
+        PioneerState state = scene.state();
+        gauges.setCurrent(scene.isConnected());
+        gauges.showMotion(state.speedMmPerSec(), scene.speedLimits(), state.turnRateDegPerSec(), scene.turnLimits());
+        Power power = state.power();
+        gauges.showBattery(
+                OptionalDouble.of(power.volts()),
+                power.percent(),
+                power.charging().isCharging(),
+                power.charging().words());
         lights.show(scene);
     }
 }

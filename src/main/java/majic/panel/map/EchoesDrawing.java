@@ -1,4 +1,4 @@
-package majic.pioneer.panel;
+package majic.panel.map;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
@@ -8,11 +8,9 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Point2D;
 import java.util.List;
 import majic.panel.DrawingColors;
-import majic.panel.map.Echoes;
-import majic.panel.map.MapView;
 
-/** Echoes as dots that get smaller and paler with age, but never disappear. */
-final class EchoesDrawing {
+/** Draws echoes as dots that get smaller and paler with age, but never disappear. */
+public final class EchoesDrawing {
     private static final double[] UNTIL_S = {0.5, 3, 15, 60, Double.POSITIVE_INFINITY};
     private static final double[] RADIUS_PX = {3.4, 2.9, 2, 1.5, 1.5};
     private static final double[] SHARE = {1, 0.8, 0.65, 0.6, 0.45};
@@ -23,15 +21,27 @@ final class EchoesDrawing {
     private final MapView view;
     private final Color[] colors = new Color[UNTIL_S.length];
 
-    EchoesDrawing(DrawingColors palette, MapView view) {
+    /**
+     * Creates a drawing of one moment.
+     *
+     * @param palette the colours of the look
+     * @param view from the floor to the pixels
+     */
+    public EchoesDrawing(DrawingColors palette, MapView view) {
         this.view = view;
         for (int age = 0; age < colors.length; age++) {
             colors[age] = palette.tint(SHARE[age]);
         }
     }
 
-    /** Paints in pixels, the newest on top. */
-    void paint(Graphics2D pen, List<Echoes.Echo> oldestFirst, long nowNanos) {
+    /**
+     * Paints the newest on top.
+     *
+     * @param pen in pixels; its colour and hints change
+     * @param oldestFirst what to paint
+     * @param nowNanos the present time, on the clock of the echoes
+     */
+    public void paint(Graphics2D pen, List<Echoes.Echo> oldestFirst, long nowNanos) {
         AffineTransform floor = view.transform();
         Point2D.Double at = new Point2D.Double();
         int penAge = -1;

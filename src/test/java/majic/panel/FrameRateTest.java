@@ -1,4 +1,4 @@
-package majic.aibo.panel;
+package majic.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
