@@ -26,6 +26,7 @@ import majic.team.Team;
 import majic.time.TimeSource.Membership;
 import majicsim.LabOptions;
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.ros.options.RosOptions;
 
 /**
  * Holds a stepped lab, a team and a session on it, for one test. The creating thread is registered with the lab's
@@ -75,6 +76,11 @@ public final class LabRig implements AutoCloseable {
     /** Creates a lab as {@link #exact()}, with this Hemisson and its extras, as {@code kteam+camera+overrun}. */
     public static LabRig exactWithHemisson(String model) {
         return new LabRig(LabOptions.exactOnFreePorts().withHemisson(HemissonOptions.parse(model)));
+    }
+
+    /** Creates a lab as {@link #exact()}, with this ROS robot, as {@code 2+stamped}. */
+    public static LabRig exactWithRos(String model) {
+        return new LabRig(LabOptions.exactOnFreePorts().withRos(RosOptions.parse(model)));
     }
 
     /** Creates a lab with noise and jitter, without connected robots. */

@@ -10,12 +10,18 @@ public final class LabRobot implements TestedRobot {
     private static final double WALL_X_MM = 4500;
     private static final double GAP_MM = 30;
 
-    private final LabRig rig = LabRig.exact();
+    private final LabRig rig;
     private final String type;
     private final MajicBot bot;
 
     /** Creates a lab; the driver is not connected. */
     public LabRobot(String type) {
+        this(type, LabRig.exact());
+    }
+
+    /** Uses a lab, which is closed with the robot; the driver is not connected. */
+    public LabRobot(String type, LabRig rig) {
+        this.rig = rig;
         this.type = type;
         this.bot = rig.session().factory().create("sim:" + type);
     }

@@ -26,7 +26,7 @@ final class OdometryTracker {
     /** Readings that were held up by the network arrive closer together than they were made, by this time at most, seconds. */
     private static final double LATE_S = 0.3;
 
-    /** A reading of exactly zero that is farther than this from the one before is a reset. */
+    /** What a base may have covered beyond its highest velocity to a reading of exactly zero without counting as a reset. */
     private static final double RESET_MM = 10;
 
     private static final double RESET_DEG = 2;
@@ -72,10 +72,10 @@ final class OdometryTracker {
             turnedDeg += Pose.normalised(raw.headingDeg() - last.headingDeg());
         }
         lastRaw = raw;
+        forget(atNanos);
         reportsVelocities |= mmPerSec != 0 || degPerSec != 0;
         TrackedState now = state(origin.plus(raw), mmPerSec, degPerSec, atNanos);
         window.add(now);
-        forget(atNanos);
         return now;
     }
 
@@ -85,7 +85,9 @@ final class OdometryTracker {
         double mostDeg = limits.fastestDegPerSec() * (seconds + LATE_S) + JUMP_DEG;
         return mm > limits.fastestMmPerSec() * (seconds + LATE_S) + JUMP_MM
                 || (deg > mostDeg && mostDeg < 180)
-                || (raw.equals(Pose.START) && (mm > RESET_MM || deg > RESET_DEG));
+                || (raw.equals(Pose.START)
+                        && (mm > limits.fastestMmPerSec() * seconds + RESET_MM
+                                || deg > limits.fastestDegPerSec() * seconds + RESET_DEG));
     }
 
     /** A base that leaves the velocities of its odometry at zero has those that follow from its poses. */
@@ -121,10 +123,10 @@ final class OdometryTracker {
         return Math.abs(mmPerSec) < STATIONARY_MM_PER_SEC && Math.abs(degPerSec) < STATIONARY_DEG_PER_SEC;
     }
 
-    /** Keeps the newest state, and the last one that is older than the window. */
+    /** Keeps the states within the window, and the last one that is older. */
     private void forget(long nowNanos) {
         long oldest = nowNanos - (long) (WINDOW_S * 1e9);
-        while (window.size() > 2 && second().atNanos() <= oldest) {
+        while (window.size() > 1 && second().atNanos() <= oldest) {
             window.remove();
         }
     }
