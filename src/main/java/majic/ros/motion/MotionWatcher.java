@@ -15,8 +15,8 @@ final class MotionWatcher {
 
     private static final double PROGRESS_DEG = 1;
 
-    /** A contact that was reported longer ago than this when the motion began was over by then, seconds. */
-    private static final double OLD_S = 0.5;
+    /** A contact that was reported longer before the motion than this was over when it began, seconds. */
+    private static final double OLD_S = 0.3;
 
     private final MovingBase base;
     private final ObstructionSource obstructions;
@@ -80,7 +80,7 @@ final class MotionWatcher {
 
     private @Nullable String obstructed() {
         Obstruction newest = obstructions.newest();
-        if (newest == null || newest.atNanos() < startNanos || !prevents(newest)) {
+        if (newest == null || isOver(newest) || !prevents(newest)) {
             return null;
         }
         return newest.reflex() ? "its own reflex stopped it: " + newest.what() : newest.what();
@@ -96,6 +96,10 @@ final class MotionWatcher {
     }
 
     private boolean isNew(Obstruction found) {
-        return before == null || !before.what().equals(found.what()) || (startNanos - before.atNanos()) / 1e9 > OLD_S;
+        return before == null || !before.what().equals(found.what()) || isOver(before);
+    }
+
+    private boolean isOver(Obstruction found) {
+        return (startNanos - found.atNanos()) / 1e9 > OLD_S;
     }
 }

@@ -16,6 +16,9 @@ final class OdometryMotion {
     /** Long enough for a heavy base to come to rest, seconds. */
     private static final double SETTLE_S = 4;
 
+    /** A base that ended its motion by itself may go on with a reflex; this is not awaited for longer, seconds. */
+    private static final double FAILED_S = 1;
+
     /** A motion that takes longer than planned by this factor and time fails, though the base moves. */
     private static final double LATE_FACTOR = 5;
 
@@ -102,10 +105,10 @@ final class OdometryMotion {
     private void check(TrackedState now) {
         String fault = watcher.check(now);
         if (fault != null) {
-            throw failed(fault, now);
+            throw failed(fault);
         }
         if (motion.seconds() > LATE_FACTOR * way.limits().seconds(way.amount()) + LATE_S) {
-            throw failed("much slower than commanded", now);
+            throw failed("much slower than commanded");
         }
     }
 
@@ -115,14 +118,20 @@ final class OdometryMotion {
             return false;
         }
         if (isOff(way.tolerable())) {
-            throw failed("blocked: no progress for 2 s", now);
+            throw failed("blocked: no progress for 2 s");
         }
         motion.send(() -> base.sender().send(0, 0));
         return true;
     }
 
-    private MotionFailed failed(String reason, TrackedState now) {
-        return new MotionFailed(reason + " after " + way.value(now));
+    /** Stops the base and lets it come to rest, so that the distance is the final one, and no velocity is under way any more. */
+    private MotionFailed failed(String reason) {
+        motion.send(base.sender()::stop);
+        if (base.silence() == null) {
+            base.awaitStationary(FAILED_S);
+        }
+        motion.check();
+        return new MotionFailed(reason + " after " + way.value(base.now()));
     }
 
     private Value endEarly() {

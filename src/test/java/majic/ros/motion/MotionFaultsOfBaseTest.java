@@ -96,7 +96,7 @@ class MotionFaultsOfBaseTest {
     void anOldContactDoesNotPreventAMotion() {
         bot.connect();
         bot.obstruction = new Obstruction("bump", Obstruction.Side.ALL, true, now());
-        pass(0.1);
+        pass(0.4);
 
         assertThat(bot.move(50).amount().number()).isCloseTo(50, within(5.0));
     }
