@@ -141,7 +141,7 @@ public final class MajicRos extends BotDriver {
     protected void shut() {
         RosMotion moving = motions;
         if (moving != null) {
-            moving.end();
+            moving.close();
         }
         RosSession open = session.get();
         if (open != null) {
@@ -203,6 +203,14 @@ public final class MajicRos extends BotDriver {
             RosMotion moving = motions;
             if (from == session.get() && moving != null) {
                 moving.reported(reading.pose(), reading.speedMmPerSec(), reading.turnRateDegPerSec());
+            }
+        }
+
+        @Override
+        public void unusable(RosSession from, String reason) {
+            RosMotion moving = motions;
+            if (from == session.get() && moving != null) {
+                moving.unusable(reason);
             }
         }
 

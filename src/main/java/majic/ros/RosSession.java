@@ -63,6 +63,9 @@ final class RosSession implements VelocityOutput {
         /** Handles a message of the odometry. */
         void odometry(RosSession from, OdometryMessage reading);
 
+        /** Handles a message of the odometry that cannot be used; the reason is half a sentence. */
+        void unusable(RosSession from, String reason);
+
         /** Handles the end of the connection; called at most once. */
         void lost(RosSession from, LinkLost cause);
 
@@ -150,10 +153,12 @@ final class RosSession implements VelocityOutput {
             reporting = true;
             events.odometry(this, reading);
         } catch (UnusableMessage e) {
-            problem = e.getMessage();
+            String reason = String.valueOf(e.getMessage());
+            problem = reason;
+            events.unusable(this, reason);
             waiting.changes().raise();
             if (reporting && problemNoticed.compareAndSet(false, true)) {
-                events.notice("its odometry cannot be used: " + problem);
+                events.notice("its odometry cannot be used: " + reason);
             }
         }
     }
