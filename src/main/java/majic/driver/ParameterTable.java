@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
@@ -23,9 +24,31 @@ public final class ParameterTable {
     private final Map<String, Entry> entries = Collections.synchronizedMap(new LinkedHashMap<>());
     private volatile Map<String, Entry> renewed = Map.of();
     private volatile @Nullable List<Entry> merged;
+    private volatile Finder finder = name -> Optional.empty();
 
     /** Made by {@link MajicBot}, one for each robot. */
     ParameterTable() {}
+
+    /** Finds parameters that are too many to be listed, such as the fields of all topics of a robot. */
+    @FunctionalInterface
+    public interface Finder {
+        /**
+         * Finds a parameter that the table does not have.
+         *
+         * @param name as it was typed
+         * @return its description, whose reader is called with its name; empty if this finder is not meant
+         * @throws ParameterException if this finder is meant but has no such parameter; the message lists near ones
+         */
+        Optional<Found> find(String name);
+
+        /**
+         * A parameter that was found.
+         *
+         * @param parameter its description; its name is that which is looked up
+         * @param reader gives the present value, as in {@link ParameterTable#add}
+         */
+        record Found(Parameter parameter, Supplier<Value> reader) {}
+    }
 
     /** A parameter with its reader and writer. */
     public static final class Entry {
@@ -99,6 +122,15 @@ public final class ParameterTable {
     }
 
     /**
+     * Sets what finds the parameters that are not in the table. One that was found once is in the table from then on.
+     *
+     * @param newFinder quick, on any thread; waits for nothing
+     */
+    public void findOthers(Finder newFinder) {
+        finder = newFinder;
+    }
+
+    /**
      * Describes what depends on the robot that was found: what the call before described and this one does not is gone
      * afterwards. Concurrent readers see either all of the old or all of the new. One of the same name as a parameter
      * added otherwise replaces it.
@@ -131,6 +163,11 @@ public final class ParameterTable {
      */
     Entry find(String bot, String name) {
         Entry found = renewed.getOrDefault(key(name), entries.get(key(name)));
+        if (found == null) {
+            found = finder.find(name)
+                    .map(other -> add(other.parameter(), other.reader()))
+                    .orElse(null);
+        }
         if (found == null) {
             List<String> names = all().stream().map(Parameter::name).toList();
             throw new ParameterException(

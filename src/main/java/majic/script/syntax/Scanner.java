@@ -12,7 +12,7 @@ public final class Scanner {
     private static final Pattern BLANK = Pattern.compile("[\\s\\x{FEFF}\\x{A0}]+");
     private static final Pattern SPAN = Pattern.compile("\\d+-\\d+(?![\\p{L}\\d]|\\.\\d)");
     private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?([\\p{L}%°][\\p{L}\\d%/²]*)?");
-    private static final Pattern WORD = Pattern.compile("\\p{L}[\\p{L}\\d_]*");
+    private static final Pattern WORD = Pattern.compile("\\p{L}[\\p{L}\\d_]*(/[\\p{L}\\d_]+)*");
     private static final Pattern VARIABLE = Pattern.compile("-?\\$\\p{L}[\\p{L}\\d_]*");
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
     private static final Pattern OPERATOR = Pattern.compile("[<>=!]=|[<>=]");
