@@ -47,6 +47,15 @@ public final class CompressedPicture {
     }
 
     /**
+     * Returns the size of the file.
+     *
+     * @return bytes, at least 1
+     */
+    public int size() {
+        return file.length;
+    }
+
+    /**
      * Returns the bytes of the file.
      *
      * @return a copy, at least one byte

@@ -63,8 +63,13 @@ public record Orientation(double x, double y, double z, double w) {
         return Math.toDegrees(Math.asin(Math.max(-1, Math.min(1, sine))));
     }
 
-    /** Rotates a vector. */
-    Vector rotate(Vector vector) {
+    /**
+     * Rotates a vector.
+     *
+     * @param vector before the rotation
+     * @return the vector after it, of the same length
+     */
+    public Vector rotate(Vector vector) {
         double scale = 2 / square();
         double tx = scale * (y * vector.z() - z * vector.y());
         double ty = scale * (z * vector.x() - x * vector.z());

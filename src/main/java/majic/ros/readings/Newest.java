@@ -1,0 +1,77 @@
+package majic.ros.readings;
+
+import java.util.Optional;
+import majic.bot.Value;
+import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The newest reading of one kind, with its age. A reading becomes unknown when the next one is overdue: after the given time,
+ * or after twice the time between the last two, whichever is longer. Thread-safe.
+ *
+ * @param <T> the reading, immutable
+ */
+public final class Newest<T> {
+    /** A lasting condition that is only reported when it changes does not age. */
+    static final double NEVER = Double.POSITIVE_INFINITY;
+
+    private static final double OVERDUE = 2;
+
+    private final TimeSource time;
+    private final double freshS;
+    private volatile @Nullable Arrived<T> newest;
+
+    /** A reading with the time of its arrival. */
+    private record Arrived<T>(T reading, long atNanos, double intervalS) {}
+
+    /**
+     * No reading yet.
+     *
+     * @param freshS how long a reading is valid at least, s
+     */
+    Newest(TimeSource time, double freshS) {
+        this.time = time;
+        this.freshS = freshS;
+    }
+
+    void arrived(T reading) {
+        Arrived<T> before = newest;
+        long now = time.nanos();
+        newest = new Arrived<>(reading, now, before == null ? 0 : (now - before.atNanos()) / 1e9);
+    }
+
+    /**
+     * Returns the reading.
+     *
+     * @return empty without one, and if it is too old
+     */
+    public Optional<T> get() {
+        Arrived<T> known = newest;
+        return known == null || isOld(known) ? Optional.empty() : Optional.of(known.reading());
+    }
+
+    /**
+     * Returns why there is no reading.
+     *
+     * @return an unknown value
+     */
+    public Value unknown() {
+        return Value.unknown(newest == null ? "no reading yet" : "no reading of late");
+    }
+
+    /**
+     * Returns the age of the newest reading.
+     *
+     * @return s since its arrival; positive infinity without one
+     */
+    public double ageS() {
+        Arrived<T> known = newest;
+        return known == null ? Double.POSITIVE_INFINITY : time.secondsSince(known.atNanos());
+    }
+
+    /** A pause may have been an outage, so an interval counts only while it is not much longer than expected. */
+    private boolean isOld(Arrived<T> known) {
+        double limitS = Math.max(freshS, OVERDUE * Math.min(known.intervalS(), OVERDUE * freshS));
+        return time.secondsSince(known.atNanos()) > limitS;
+    }
+}

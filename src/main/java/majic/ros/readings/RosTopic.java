@@ -1,0 +1,35 @@
+package majic.ros.readings;
+
+import majic.ros.bridge.TopicSubscription;
+
+/**
+ * A topic. Immutable.
+ *
+ * @param name absolute
+ * @param type as rosapi names it, in the form of ROS 1 or of ROS 2
+ */
+public record RosTopic(String name, String type) {
+    /**
+     * Returns the type without the difference between the two systems.
+     *
+     * @param type {@code sensor_msgs/LaserScan} or {@code sensor_msgs/msg/LaserScan}
+     * @return the form of ROS 1
+     */
+    public static String plainType(String type) {
+        return type.replaceFirst("^(\\w+)/msg/", "$1/");
+    }
+
+    /**
+     * Returns the last part of the type.
+     *
+     * @return such as {@code LaserScan}
+     */
+    public String shortType() {
+        return type.substring(type.lastIndexOf('/') + 1);
+    }
+
+    /** Asks for its newest messages, no more often than each so many ms. */
+    TopicSubscription each(int throttleMs) {
+        return new TopicSubscription(name, type, throttleMs);
+    }
+}
