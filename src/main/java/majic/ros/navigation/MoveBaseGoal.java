@@ -1,0 +1,126 @@
+package majic.ros.navigation;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.UUID;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import majic.ros.bridge.TopicSubscription;
+import majic.ros.readings.RosClient;
+import majic.time.Signal;
+import org.jspecify.annotations.Nullable;
+
+/** A goal of move_base on ROS 1, where an action is five topics (rosbridge sheet 6). */
+final class MoveBaseGoal implements Goal {
+    /** Numbers of actionlib_msgs/GoalStatus: the goal is preempted, or was recalled before it began. */
+    private static final List<Integer> CANCELLED = List.of(2, 8);
+
+    private static final int SUCCEEDED = 3;
+
+    private final RosClient connection;
+    private final String server;
+    private final ObjectNode targetPose;
+    private final Signal changes;
+    private final String id = "majic-" + UUID.randomUUID();
+    private final AtomicBoolean cancelled = new AtomicBoolean();
+    private final List<Runnable> subscriptions;
+    private volatile boolean answered;
+    private volatile @Nullable Result result;
+    private volatile String reason = "";
+
+    /**
+     * A goal that is not sent yet; subscribes to its result.
+     *
+     * @param server the beginning of the names of its topics
+     * @param targetPose a {@code geometry_msgs/PoseStamped}
+     * @param changes raised after each event
+     */
+    MoveBaseGoal(RosClient connection, String server, ObjectNode targetPose, Signal changes) {
+        this.connection = connection;
+        this.server = server;
+        this.targetPose = targetPose;
+        this.changes = changes;
+        this.subscriptions = List.of(
+                subscribe("/status", "actionlib_msgs/GoalStatusArray", this::listed),
+                subscribe("/result", "move_base_msgs/MoveBaseActionResult", this::ended));
+    }
+
+    private Runnable subscribe(String topic, String type, Consumer<JsonNode> onMessage) {
+        return connection.subscribe(new TopicSubscription(server + topic, type, 0, 10, false), onMessage);
+    }
+
+    @Override
+    public void send() {
+        ObjectNode message = JsonNodeFactory.instance.objectNode();
+        message.putObject("header");
+        message.putObject("goal_id").put("id", id);
+        message.putObject("goal").set("target_pose", targetPose);
+        connection.publish(server + "/goal", "move_base_msgs/MoveBaseActionGoal", message);
+    }
+
+    /** An empty id and no stamp mean all goals, those of other programs too: the robot is to stop. */
+    @Override
+    public void cancel() {
+        if (!cancelled.getAndSet(true)) {
+            connection.publish(
+                    server + "/cancel",
+                    "actionlib_msgs/GoalID",
+                    JsonNodeFactory.instance.objectNode().put("id", ""));
+        }
+    }
+
+    private void listed(JsonNode message) {
+        for (JsonNode status : message.path("status_list")) {
+            if (isOwn(status)) {
+                answered = true;
+                changes.raise();
+            }
+        }
+    }
+
+    private void ended(JsonNode message) {
+        JsonNode status = message.path("status");
+        if (isOwn(status)) {
+            int number = status.path("status").asInt();
+            reason = status.path("text").asText("");
+            result = number == SUCCEEDED
+                    ? Result.SUCCEEDED
+                    : CANCELLED.contains(number) ? Result.CANCELLED : Result.FAILED;
+            answered = true;
+            changes.raise();
+        }
+    }
+
+    private boolean isOwn(JsonNode status) {
+        return status.path("goal_id").path("id").asText().equals(id);
+    }
+
+    @Override
+    public boolean isAnswered() {
+        return answered;
+    }
+
+    @Override
+    public Optional<Result> result() {
+        return Optional.ofNullable(result);
+    }
+
+    @Override
+    public String reason() {
+        return reason;
+    }
+
+    @Override
+    public OptionalDouble leftMm() {
+        return OptionalDouble.empty();
+    }
+
+    @Override
+    public void close() {
+        subscriptions.forEach(Runnable::run);
+    }
+}
