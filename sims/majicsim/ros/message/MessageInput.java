@@ -162,14 +162,15 @@ public final class MessageInput {
         return number.isMissingNode() || number.canConvertToInt() && number.isIntegralNumber();
     }
 
-    private static boolean isInRange(String type, JsonNode number) {
+    private boolean isInRange(String type, JsonNode number) {
         if (!number.canConvertToLong()) {
             return false;
         }
         long value = number.longValue();
         return switch (type) {
             case "int8" -> value == (byte) value;
-            case "uint8", "byte", "char" -> value >= 0 && value <= 0xFF;
+            case "byte" -> types.version() == RosVersion.ROS1 ? value == (byte) value : value >= 0 && value <= 0xFF;
+            case "uint8", "char" -> value >= 0 && value <= 0xFF;
             case "int16" -> value == (short) value;
             case "uint16" -> value >= 0 && value <= 0xFFFF;
             case "int32" -> value == (int) value;

@@ -26,6 +26,7 @@ final class BurgerDrive {
     private final double rightScale;
     private Velocity wanted = Velocity.ZERO;
     private double sinceCommandS;
+    private boolean isPowered = true;
     private double leftMetresPerSec;
     private double rightMetresPerSec;
     private double measuredLeft;
@@ -39,10 +40,17 @@ final class BurgerDrive {
         this.rightScale = noise.scale(DIAMETER_ERROR);
     }
 
+    /** Switches the motors on or off; off ends the present command. */
+    void power(boolean on) {
+        isPowered = on;
+        wanted = on ? wanted : Velocity.ZERO;
+    }
+
     /** Takes a command. A speed that is not a number counts as 0: no motor can follow it. */
     void command(Velocity velocity) {
-        wanted = new Velocity(
+        Velocity followed = new Velocity(
                 clamped(velocity.metresPerSec(), MOST_METRES_PER_SEC), clamped(velocity.radPerSec(), MOST_RAD_PER_SEC));
+        wanted = isPowered ? followed : Velocity.ZERO;
         sinceCommandS = 0;
     }
 

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import majicsim.ros.graph.RosNetwork;
+import majicsim.ros.graph.ServiceReply;
 import majicsim.ros.graph.Topic;
 import majicsim.ros.message.RosVersion;
 import majicsim.ros.options.RosOptions;
@@ -85,6 +86,20 @@ public final class TurtleBot3 {
         add("/battery_state", "sensor_msgs/BatteryState", BATTERY_NANOS, sensors::battery);
         add("/sensor_state", "turtlebot3_msgs/SensorState", FAST_NANOS, sensors::board);
         network.advertise(node, named("/tf_static"), "tf2_msgs/TFMessage").latch(sensors.mounting());
+        if (options.version() == RosVersion.ROS2) {
+            network.offer(node, named("/motor_power"), "std_srvs/SetBool", this::motorPower);
+            network.offer(node, named("/sound"), "turtlebot3_msgs/Sound", (request, reply) -> reply.succeed(done()));
+        }
+    }
+
+    /** Without power the wheels hold still and commands have no effect. */
+    private void motorPower(ObjectNode request, ServiceReply reply) {
+        drive.power(request.path("data").asBoolean());
+        reply.succeed(done());
+    }
+
+    private static ObjectNode done() {
+        return Messages.empty().put("success", true);
     }
 
     private void add(String name, String type, long periodNanos, Supplier<ObjectNode> maker) {

@@ -258,4 +258,24 @@ class TurtleBot3Test {
                     .isEqualTo(5);
         }
     }
+
+    @Test
+    void withoutMotorPowerCommandsHaveNoEffect() throws IOException {
+        try (RosStand stand = new RosStand("2");
+                RosStand.Client client = stand.client()) {
+            Pose start = stand.pose();
+            assertThat(client.call("/motor_power", "{'data':false}")
+                            .path("values")
+                            .path("success")
+                            .asBoolean())
+                    .isTrue();
+            client.drive(0.1, 0);
+            stand.pass(1);
+            assertThat(stand.pose()).isEqualTo(start);
+            client.call("/motor_power", "{'data':true}");
+            client.drive(0.1, 0);
+            stand.pass(1);
+            assertThat(stand.pose().distanceTo(start)).isCloseTo(100, within(5.0));
+        }
+    }
 }
