@@ -182,6 +182,15 @@ public final class MajicRos extends BotDriver {
         return moving;
     }
 
+    /** The session there is. */
+    RosSession session() {
+        RosSession open = session.get();
+        if (open == null) {
+            throw new BotException(name() + " is not connected");
+        }
+        return open;
+    }
+
     private void watch() {
         RosSession open = session.get();
         if (open != null && isConnected()) {

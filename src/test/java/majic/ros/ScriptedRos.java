@@ -40,6 +40,11 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
     private final MajicRos bot;
     private final Map<String, Integer> subscribed = new LinkedHashMap<>();
     private ServerFrames frames = new ServerFrames();
+
+    /** Answers a call with the text of a whole message; with none, {@link #services} answer it. */
+    Function<JsonNode, String> wholeAnswer = call -> "";
+
+    volatile int pongs;
     boolean silent;
     boolean reports = true;
     boolean hangsUpAtFirstRequest;
@@ -156,12 +161,14 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
 
     @Override
     public void received(ScriptedPeer from, byte[] bytes) {
-        frames.receive(bytes, () -> {}, from::send, this::frame);
+        frames.receive(bytes, from::send, this::frame);
     }
 
     private void frame(int opcode, byte[] content) {
         if (opcode == ServerFrames.PING && !silent) {
             peer.send(ServerFrames.frame(ServerFrames.PONG, content));
+        } else if (opcode == ServerFrames.PONG) {
+            pongs++;
         } else if (opcode == ServerFrames.CLOSE) {
             peer.hangUp();
         } else if (opcode == ServerFrames.TEXT) {
@@ -194,8 +201,13 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
     }
 
     private void call(JsonNode operation) {
+        String whole = wholeAnswer.apply(operation);
         if (hangsUpAtFirstRequest) {
             peer.hangUp();
+            return;
+        }
+        if (!whole.isEmpty()) {
+            peer.send(ServerFrames.text(whole));
             return;
         }
         String service = operation.path("service").asText();
@@ -223,6 +235,12 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
     void send(JsonNode message) {
         if (!silent) {
             peer.send(ServerFrames.text(message.toString().replace("/", "\\/")));
+        }
+    }
+
+    boolean isSubscribed(String topic) {
+        synchronized (peer) {
+            return subscribed.containsKey(topic);
         }
     }
 

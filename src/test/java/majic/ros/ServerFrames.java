@@ -8,6 +8,7 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -29,11 +30,7 @@ public final class ServerFrames {
      * @param answer receives what has to be sent: the answer to the handshake
      * @param frames receives each whole frame: its opcode and content
      */
-    public void receive(
-            byte[] bytes,
-            Runnable onUpgrade,
-            java.util.function.Consumer<byte[]> answer,
-            BiConsumer<Integer, byte[]> frames) {
+    public void receive(byte[] bytes, Consumer<byte[]> answer, BiConsumer<Integer, byte[]> frames) {
         waiting.writeBytes(bytes);
         if (!upgraded) {
             String head = waiting.toString(StandardCharsets.ISO_8859_1);
@@ -44,7 +41,6 @@ public final class ServerFrames {
             keepFrom(end + 4);
             upgraded = true;
             answer.accept(acceptance(head));
-            onUpgrade.run();
         }
         while (takeFrame(frames)) {
             // the next one
@@ -126,9 +122,9 @@ public final class ServerFrames {
     public static byte[] frame(int first, byte[] content, long announced) {
         ByteBuffer frame = ByteBuffer.allocate(10 + content.length);
         frame.put((byte) first);
-        if (announced < 126) {
+        if (announced >= 0 && announced < 126) {
             frame.put((byte) announced);
-        } else if (announced < 65536) {
+        } else if (announced >= 0 && announced < 65536) {
             frame.put((byte) 126).putShort((short) announced);
         } else {
             frame.put((byte) 127).putLong(announced);

@@ -54,7 +54,7 @@ final class Upgrade {
      */
     @Nullable
     String refusal(String head) {
-        String[] lines = head.split("\r?\n");
+        String[] lines = head.split("\r?\n", -1);
         boolean accepted = false;
         for (String line : lines) {
             int colon = line.indexOf(':');
