@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.Collection;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
@@ -161,6 +162,17 @@ public final class RosBridge implements AutoCloseable {
     public void renewSilentSubscriptions() {
         Collection<TopicStream> all = streams.values();
         all.forEach(TopicStream::renewIfSilent);
+    }
+
+    /**
+     * Returns the topics that are subscribed to on this connection. Never blocks.
+     *
+     * @return in no order
+     */
+    public List<TopicActivity> activity() {
+        return streams.values().stream()
+                .flatMap(stream -> stream.activity().stream())
+                .toList();
     }
 
     /**

@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import majic.bot.LinkLost;
@@ -27,7 +28,7 @@ final class TopicStream {
     private final TimeSource time;
     private final Consumer<ObjectNode> send;
     private final List<RosSubscription> subscriptions = new CopyOnWriteArrayList<>();
-    private @Nullable TopicSubscription requested;
+    private volatile @Nullable TopicSubscription requested;
     private double renewalS = FIRST_RENEWAL_S;
     private long requestedNanos;
     private volatile long count;
@@ -124,6 +125,12 @@ final class TopicStream {
                 LOG.log(Level.WARNING, "could not process a message of " + each.topic(), e);
             }
         }
+    }
+
+    /** Returns what has arrived; empty if the topic is not subscribed to now. Takes no lock, which is held while sending. */
+    Optional<TopicActivity> activity() {
+        return Optional.ofNullable(requested)
+                .map(wanted -> new TopicActivity(wanted.topic(), wanted.type(), count, ageS()));
     }
 
     long count() {
