@@ -179,9 +179,14 @@ public final class RosMotion {
     /** Lets a base that has only just been stopped come to rest first; false if the guard condition holds already. */
     private boolean isReady(Motion motion) {
         if (motion.pause(0) && sender.isStopping()) {
-            motion.await(() -> !sender.isStopping() || base.isStationarySince(sender.stopNanos()), HALT_S);
+            motion.await(this::hasSettled, HALT_S);
         }
         return !motion.guardReached();
+    }
+
+    /** Without odometry there is nothing to wait for: the motion fails at once. */
+    private boolean hasSettled() {
+        return !sender.isStopping() || base.isStationarySince(sender.stopNanos()) || base.silence() != null;
     }
 
     /**

@@ -38,11 +38,7 @@ final class VelocityDrive {
      * @throws LinkLost if the connection has ended
      */
     synchronized void drive(double newMmPerSec, double newDegPerSec) {
-        String reason = endReason;
-        if (reason != null) {
-            end();
-            throw new MotionFailed(reason);
-        }
+        failIfEnded();
         long now = base.time().nanos();
         if (watcher == null || Math.signum(newMmPerSec) != Math.signum(wantedMmPerSec)) {
             steppedNanos = watcher == null ? now - (long) (VelocitySender.PERIOD_S * 1e9) : steppedNanos;
@@ -51,6 +47,15 @@ final class VelocityDrive {
         wantedMmPerSec = newMmPerSec;
         wantedDegPerSec = newDegPerSec;
         step();
+        failIfEnded();
+    }
+
+    private void failIfEnded() {
+        String reason = endReason;
+        if (reason != null) {
+            end();
+            throw new MotionFailed(reason);
+        }
     }
 
     /** Sends the next velocity of the drive that is under way, or ends it. */

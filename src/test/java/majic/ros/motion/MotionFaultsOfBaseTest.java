@@ -113,6 +113,23 @@ class MotionFaultsOfBaseTest {
     }
 
     @Test
+    void aBaseWithSilentOdometryIsNotMoved() {
+        CompletableFuture<MotionReport> motion = movedTo(200);
+        robot.base.silent = true;
+        assertFails(motion, "its odometry has been silent for 1 s");
+        int before = robot.base.received().size();
+        double sinceS = seconds();
+
+        assertThatThrownBy(() -> bot.move(100)).hasMessage("its odometry has been silent for 1 s after 0 mm");
+        assertThatThrownBy(() -> bot.turn(90)).hasMessage("its odometry has been silent for 1 s after 0 deg");
+        assertThatThrownBy(() -> bot.drive(100, 0)).hasMessage("its odometry has been silent for 1 s");
+
+        assertThat(seconds() - sinceS).isLessThan(0.2);
+        assertThat(robot.base.received().subList(before, robot.base.received().size()))
+                .allMatch(BaseModel.Command::isZero);
+    }
+
+    @Test
     void aMotionEndsWhenTheOdometryHasNoUsablePoseForASecond() {
         CompletableFuture<MotionReport> motion = movedTo(200);
         robot.base.silent = true;
@@ -159,6 +176,7 @@ class MotionFaultsOfBaseTest {
         }
 
         assertThat(reason).isInstanceOf(MotionFailed.class).hasMessage("blocked: no progress for 2 s");
+        pass(0.3);
         assertThat(robot.base.received()).endsWith(zeros(robot.base.received(), 3));
     }
 
