@@ -87,7 +87,7 @@ public final class Lab implements AutoCloseable {
 
     /**
      * How to reach the robots: "aibo", "pioneer", "hemisson" and "ros" as "127.0.0.1:port", and "pioneer-pty" and "hemisson-pty" as
-     * the paths of pseudo-terminals where the system has them.
+     * the paths of pseudo-terminals where the system has them. The address of a ROS robot in a namespace has that behind the port.
      *
      * @return addresses by name, in the order of the robots' numbers
      */
@@ -96,7 +96,7 @@ public final class Lab implements AutoCloseable {
         for (LabRobot robot : robots) {
             String suffix = "";
             for (Port port : robot.ports()) {
-                addresses.put(robot.name() + suffix, port.address());
+                addresses.put(robot.name() + suffix, port.address() + robot.path());
                 suffix = "-pty";
             }
         }
@@ -220,7 +220,7 @@ public final class Lab implements AutoCloseable {
     public List<LineCount> lines() {
         List<LineCount> lines = new ArrayList<>();
         for (LabRobot robot : robots) {
-            for (Port port : robot.ports()) {
+            for (Port port : robot.ownPorts()) {
                 lines.addAll(port.lines());
             }
         }
@@ -256,6 +256,7 @@ public final class Lab implements AutoCloseable {
     private <R> void beside(Class<R> robot, Consumer<R> action) {
         locked(() -> {
             robots.stream()
+                    .filter(one -> !one.isSharing())
                     .map(one -> one.wiring().firmware())
                     .filter(robot::isInstance)
                     .map(robot::cast)

@@ -51,7 +51,7 @@ public record LabOptions(
     /**
      * A room with the space for a lab's robots.
      *
-     * @param pioneers how many Pioneers; the ROS robot needs as much space as one
+     * @param pioneers how many Pioneers; a ROS robot needs as much space as one
      * @return the standard room, or a larger hall
      */
     public static Room roomFor(int pioneers) {
@@ -61,10 +61,10 @@ public record LabOptions(
     /**
      * How many robots the lab has.
      *
-     * @return all Pioneers, the Aibo, the Hemisson, and the ROS robot if there is one
+     * @return all Pioneers, the Aibo, the Hemisson, and the ROS robots if there are any
      */
     public int robots() {
-        return pioneers + OTHER_ROBOTS + (ros == null ? 0 : 1);
+        return pioneers + OTHER_ROBOTS + (ros == null ? 0 : ros.robots());
     }
 
     /**

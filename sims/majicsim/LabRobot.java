@@ -1,22 +1,48 @@
 package majicsim;
 
+import java.util.ArrayList;
 import java.util.List;
 import majicsim.net.FirmwareClock;
 import majicsim.net.Port;
 import majicsim.net.Wiring;
 import majicsim.world.Body;
 
-/** One robot of the lab with its body and its ports; the second port, if there is one, is a pseudo-terminal. */
-record LabRobot(String name, Body body, FirmwareClock clock, Wiring wiring, List<Port> ports) {
+/**
+ * One robot of the lab with its body and its ports; the second port, if there is one, is a pseudo-terminal. Several ROS robots
+ * share the firmware and the port of the first one, which steps and closes them for all; the path behind the address tells them apart.
+ */
+record LabRobot(
+        String name, Body body, FirmwareClock clock, Wiring wiring, List<Port> ports, String path, boolean isSharing) {
+
+    static LabRobot alone(String name, Body body, FirmwareClock clock, Wiring wiring) {
+        return new LabRobot(name, body, clock, wiring, new ArrayList<>(), "", false);
+    }
+
+    /** The same robot, behind a path of its address. */
+    LabRobot at(String newPath) {
+        return new LabRobot(name, body, clock, wiring, ports, newPath, isSharing);
+    }
+
+    /** A further robot behind the same port. */
+    LabRobot sharing(String newName, Body newBody, String newPath) {
+        return new LabRobot(newName, newBody, clock, wiring, ports, newPath, true);
+    }
+
+    /** The ports that are its own. */
+    List<Port> ownPorts() {
+        return isSharing ? List.of() : ports;
+    }
 
     void step(long labNanos) {
-        clock.step(labNanos);
-        for (Port port : ports) {
+        if (!isSharing) {
+            clock.step(labNanos);
+        }
+        for (Port port : ownPorts()) {
             port.step(labNanos);
         }
     }
 
     void close() {
-        ports.forEach(Port::close);
+        ownPorts().forEach(Port::close);
     }
 }

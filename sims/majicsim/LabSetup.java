@@ -94,7 +94,7 @@ final class LabSetup {
         }
         FirmwareClock clock = new FirmwareClock(robot);
         Wiring wiring = new Wiring(lock, robot, faults, clock::wake);
-        LabRobot added = new LabRobot(name, body.apply(robot), clock, wiring, new ArrayList<>());
+        LabRobot added = LabRobot.alone(name, body.apply(robot), clock, wiring);
         robots.add(added);
         added.ports().add(open(name, choice, added.wiring()));
         return robot;
@@ -103,11 +103,17 @@ final class LabSetup {
     /** Its classes, and those of the JSON library, are loaded only for a lab that has one. */
     private void addRos(@Nullable RosOptions kind) throws IOException {
         if (kind != null) {
-            add(
+            List<Pose> starts = homes.subList(robots.size(), robots.size() + kind.robots());
+            RosRobot ros = add(
                     "ros",
-                    (in, home, own) -> new RosRobot(in, home, own, kind),
+                    (in, home, own) -> new RosRobot(in, starts, own, kind),
                     RosRobot::body,
                     new PortChoice(options.ports().ros(), Clients.MANY));
+            LabRobot first = robots.remove(robots.size() - 1);
+            robots.add(first.at(kind.namespaceOf(0)));
+            for (int i = 1; i < kind.robots(); i++) {
+                robots.add(first.sharing("ros" + (i + 1), ros.body(i), kind.namespaceOf(i)));
+            }
         }
     }
 

@@ -1,5 +1,6 @@
 package majicsim.ros;
 
+import java.util.List;
 import java.util.regex.Pattern;
 import majicsim.ros.bridge.BridgeFaults;
 import majicsim.ros.bridge.BridgeServer;
@@ -17,13 +18,13 @@ public final class RosHandling {
     private final RosNetwork network;
     private final BridgeServer bridge;
     private final BridgeFaults faults;
-    private final TurtleBot3 robot;
+    private final List<TurtleBot3> robots;
 
-    RosHandling(RosNetwork network, BridgeServer bridge, BridgeFaults faults, TurtleBot3 robot) {
+    RosHandling(RosNetwork network, BridgeServer bridge, BridgeFaults faults, List<TurtleBot3> robots) {
         this.network = network;
         this.bridge = bridge;
         this.faults = faults;
-        this.robot = robot;
+        this.robots = robots;
     }
 
     /**
@@ -93,7 +94,7 @@ public final class RosHandling {
      * @throws IllegalArgumentException if the robot does not publish it
      */
     public void silence(String topic, boolean silent) {
-        robot.silence(topic, silent);
+        publisher(topic).silence(topic, silent);
     }
 
     /**
@@ -107,7 +108,14 @@ public final class RosHandling {
         if (!(hertz > 0)) {
             throw new IllegalArgumentException("a rate must be above 0 Hz, not " + hertz);
         }
-        robot.rate(topic, hertz);
+        publisher(topic).rate(topic, hertz);
+    }
+
+    private TurtleBot3 publisher(String topic) {
+        return robots.stream()
+                .filter(robot -> robot.publishes(topic))
+                .findFirst()
+                .orElseThrow(() -> new IllegalArgumentException("the robot does not publish " + topic));
     }
 
     /**
@@ -116,7 +124,7 @@ public final class RosHandling {
      * @param spoilt whether it is so from now on
      */
     public void spoilScans(boolean spoilt) {
-        robot.spoilScans(spoilt);
+        robots.forEach(robot -> robot.spoilScans(spoilt));
     }
 
     /**
@@ -134,6 +142,6 @@ public final class RosHandling {
      * @param rejects whether it is so from now on
      */
     public void rejectGoals(boolean rejects) {
-        robot.rejectGoals(rejects);
+        robots.forEach(robot -> robot.rejectGoals(rejects));
     }
 }

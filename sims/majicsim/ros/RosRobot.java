@@ -1,5 +1,7 @@
 package majicsim.ros;
 
+import java.util.ArrayList;
+import java.util.List;
 import majicsim.net.Firmware;
 import majicsim.net.Line;
 import majicsim.ros.bridge.BridgeFaults;
@@ -16,7 +18,7 @@ import majicsim.world.Pose;
 import majicsim.world.World;
 
 /**
- * A robot and its computer: the nodes of a TurtleBot3, rosapi and a rosbridge server. Without a client it drives on until its
+ * A robot and its computer: the nodes of a TurtleBot3, rosapi and a rosbridge server; or several such robots behind one server. Without a client it drives on until its
  * command time-out, if it has one. Every method with the lab's lock held.
  */
 public final class RosRobot implements Firmware {
@@ -28,24 +30,27 @@ public final class RosRobot implements Firmware {
     private final RosNetwork network;
     private final BridgeFaults bridgeFaults = new BridgeFaults();
     private final BridgeServer bridge;
-    private final TurtleBot3 robot;
+    private final List<TurtleBot3> robots = new ArrayList<>();
     private final RosHandling handling;
 
     /**
      * A robot that has just been switched on.
      *
      * @param world the room; the robot adds its body
-     * @param start its start pose
+     * @param starts the start pose of each robot
      * @param noise of its wheels and sensors
      * @param options its kind
      * @throws IllegalArgumentException if it does not fit there
      */
-    public RosRobot(World world, Pose start, Noise noise, RosOptions options) {
+    public RosRobot(World world, List<Pose> starts, Noise noise, RosOptions options) {
         network = new RosNetwork(MessageTypes.of(options.version()));
         bridge = new BridgeServer(network, options, bridgeFaults);
-        Body body = Body.disc("ros", TurtleBot3.RADIUS_MM, start);
-        robot = new TurtleBot3(world, body, noise, network, options);
-        handling = new RosHandling(network, bridge, bridgeFaults, robot);
+        for (int i = 0; i < options.robots(); i++) {
+            String name = i == 0 ? "ros" : "ros" + (i + 1);
+            Body body = Body.disc(name, TurtleBot3.RADIUS_MM, starts.get(i));
+            robots.add(new TurtleBot3(world, body, noise.fork(name), network, options, options.namespaceOf(i)));
+        }
+        handling = new RosHandling(network, bridge, bridgeFaults, robots);
         Rosapi.start(network, distribution(options));
         if (options.version() == RosVersion.ROS1) {
             network.parameters().put("/rosdistro", "\"" + distribution(options) + "\\n\"");
@@ -61,12 +66,22 @@ public final class RosRobot implements Firmware {
     }
 
     /**
-     * Its body in the world.
+     * The body of the first robot.
      *
      * @return the body, named ros
      */
     public Body body() {
-        return robot.body();
+        return body(0);
+    }
+
+    /**
+     * The body of one robot.
+     *
+     * @param number of the robot, from 0
+     * @return the body, named ros, ros2 and so on
+     */
+    public Body body(int number) {
+        return robots.get(number).body();
     }
 
     /**
@@ -96,12 +111,16 @@ public final class RosRobot implements Firmware {
     @Override
     public void step(double seconds) {
         network.clock().advance(Math.round(seconds * NANOS));
-        robot.step(seconds);
+        robots.forEach(robot -> robot.step(seconds));
         bridge.step();
     }
 
     @Override
     public long restNanos() {
-        return Math.min(robot.restNanos(), bridge.restNanos());
+        long rest = bridge.restNanos();
+        for (TurtleBot3 robot : robots) {
+            rest = Math.min(rest, robot.restNanos());
+        }
+        return rest;
     }
 }

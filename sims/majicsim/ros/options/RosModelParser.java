@@ -6,7 +6,8 @@ import majicsim.ros.message.RosVersion;
 /** Parses the words of a model, one after the other. */
 final class RosModelParser {
     static final String KNOWN =
-            "1 or 2, then +stamped +timeout=0.5 +timeout=none +unblocked +nonavigation +namespace=tb3 +auth=SECRET";
+            "1 or 2, then +stamped +timeout=0.5 +timeout=none +unblocked +nonavigation +namespace=tb3 +robots=2"
+                    + " +auth=SECRET";
 
     private RosModelParser() {}
 
@@ -45,6 +46,7 @@ final class RosModelParser {
         return switch (word) {
             case "timeout" -> options.withTimeout(seconds(value));
             case "namespace" -> options.withNamespace(value);
+            case "robots" -> options.withRobots(count(value));
             case "auth" -> options.withSecret(value);
             default -> throw unknown(word);
         };
@@ -55,6 +57,14 @@ final class RosModelParser {
             return value.equalsIgnoreCase("none") ? 0 : Double.parseDouble(value);
         } catch (NumberFormatException e) {
             throw new IllegalArgumentException("timeout must be seconds or none, not '" + value + "'", e);
+        }
+    }
+
+    private static int count(String value) {
+        try {
+            return Integer.parseInt(value);
+        } catch (NumberFormatException e) {
+            throw new IllegalArgumentException("robots must be a number, not '" + value + "'", e);
         }
     }
 

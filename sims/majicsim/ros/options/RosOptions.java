@@ -12,7 +12,8 @@ import majicsim.ros.message.RosVersion;
  *     2.1.0 does on ROS 2 (sheet 1, rule 5)
  * @param hasNavigation whether it drives to goals: move_base on ROS 1, navigate_to_pose on ROS 2
  * @param secret with which clients must authenticate; empty if they need not (ROS 1 alone)
- * @param namespace before the names of the robot's topics, as {@code /tb3_0}; empty for none
+ * @param namespace before the names of the robot's topics, as {@code /tb3}; empty for none
+ * @param robots how many robots are behind the bridge, 1 to {@value #MOST_ROBOTS}; several have a namespace each
  */
 public record RosOptions(
         RosVersion version,
@@ -21,7 +22,11 @@ public record RosOptions(
         boolean blocksConnection,
         boolean hasNavigation,
         String secret,
-        String namespace) {
+        String namespace,
+        int robots) {
+    /** How many robots a bridge has at most. */
+    public static final int MOST_ROBOTS = 9;
+
     /** The time-out of the TurtleBot3's firmware for ROS 1, s (sheet 8). */
     public static final double FIRMWARE_TIMEOUT_S = 0.5;
 
@@ -39,6 +44,9 @@ public record RosOptions(
         if (!secret.isEmpty() && version != RosVersion.ROS1) {
             throw new IllegalArgumentException("auth exists with ROS 1 only");
         }
+        if (robots < 1 || robots > MOST_ROBOTS) {
+            throw new IllegalArgumentException("robots must be 1 to " + MOST_ROBOTS + ", not " + robots);
+        }
         if (!namespace.isEmpty() && !namespace.matches("/[A-Za-z][A-Za-z0-9_]*")) {
             throw new IllegalArgumentException(
                     "namespace must be a word of letters, digits and _, not '" + namespace + "'");
@@ -54,7 +62,7 @@ public record RosOptions(
      */
     public static RosOptions of(RosVersion version) {
         boolean isRos2 = version == RosVersion.ROS2;
-        return new RosOptions(version, false, isRos2 ? 0 : FIRMWARE_TIMEOUT_S, isRos2, true, "", "");
+        return new RosOptions(version, false, isRos2 ? 0 : FIRMWARE_TIMEOUT_S, isRos2, true, "", "", 1);
     }
 
     /**
@@ -74,7 +82,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions stamped() {
-        return new RosOptions(version, true, timeoutS, blocksConnection, hasNavigation, secret, namespace);
+        return new RosOptions(version, true, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots);
     }
 
     /**
@@ -85,7 +93,7 @@ public record RosOptions(
      * @throws IllegalArgumentException if it is outside
      */
     public RosOptions withTimeout(double seconds) {
-        return new RosOptions(version, isStamped, seconds, blocksConnection, hasNavigation, secret, namespace);
+        return new RosOptions(version, isStamped, seconds, blocksConnection, hasNavigation, secret, namespace, robots);
     }
 
     /**
@@ -94,7 +102,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions unblocked() {
-        return new RosOptions(version, isStamped, timeoutS, false, hasNavigation, secret, namespace);
+        return new RosOptions(version, isStamped, timeoutS, false, hasNavigation, secret, namespace, robots);
     }
 
     /**
@@ -103,7 +111,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions withoutNavigation() {
-        return new RosOptions(version, isStamped, timeoutS, blocksConnection, false, secret, namespace);
+        return new RosOptions(version, isStamped, timeoutS, blocksConnection, false, secret, namespace, robots);
     }
 
     /**
@@ -114,7 +122,8 @@ public record RosOptions(
      * @throws IllegalArgumentException with ROS 2
      */
     public RosOptions withSecret(String newSecret) {
-        return new RosOptions(version, isStamped, timeoutS, blocksConnection, hasNavigation, newSecret, namespace);
+        return new RosOptions(
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, newSecret, namespace, robots);
     }
 
     /**
@@ -125,6 +134,28 @@ public record RosOptions(
      * @throws IllegalArgumentException if it is not a word
      */
     public RosOptions withNamespace(String word) {
-        return new RosOptions(version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, "/" + word);
+        return new RosOptions(
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, "/" + word, robots);
+    }
+
+    /**
+     * Several such robots behind one bridge.
+     *
+     * @param count 1 to {@value #MOST_ROBOTS}
+     * @return the options
+     * @throws IllegalArgumentException if it is outside
+     */
+    public RosOptions withRobots(int count) {
+        return new RosOptions(version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, count);
+    }
+
+    /**
+     * What stands before the names of one robot.
+     *
+     * @param number of the robot, from 0
+     * @return the namespace, for one of several {@code /tb3_0} behind it; empty for none
+     */
+    public String namespaceOf(int number) {
+        return robots == 1 ? namespace : namespace + "/tb3_" + number;
     }
 }

@@ -14,12 +14,18 @@ final class Navigation {
     private final @Nullable MoveBase moveBase;
     private final @Nullable NavigateToPose navigateToPose;
 
-    Navigation(RosNetwork network, RosOptions options, Topic commands, WheelOdometry odometry, Body body) {
+    Navigation(
+            RosNetwork network,
+            RosOptions options,
+            String namespace,
+            Topic commands,
+            WheelOdometry odometry,
+            Body body) {
         boolean isRos1 = options.version() == RosVersion.ROS1;
-        commands.addPublisher(options.namespace() + (isRos1 ? "/move_base" : "/controller_server"));
+        commands.addPublisher(namespace + (isRos1 ? "/move_base" : "/controller_server"));
         navigator = new Navigator(commands, options, odometry, body::blocked);
-        moveBase = isRos1 ? new MoveBase(network, options.namespace(), navigator, faults) : null;
-        navigateToPose = isRos1 ? null : new NavigateToPose(network, options.namespace(), navigator, faults);
+        moveBase = isRos1 ? new MoveBase(network, namespace, navigator, faults) : null;
+        navigateToPose = isRos1 ? null : new NavigateToPose(network, namespace, navigator, faults);
     }
 
     NavigationFaults faults() {

@@ -32,6 +32,7 @@ public final class TurtleBot3 {
     private final Body body;
     private final RosNetwork network;
     private final RosOptions options;
+    private final String namespace;
     private final String node;
     private final BurgerDrive drive;
     private final WheelOdometry odometry = new WheelOdometry();
@@ -48,22 +49,24 @@ public final class TurtleBot3 {
      * @param noise of its wheels and sensors
      * @param network its computer
      * @param options its kind
+     * @param namespace before its names; empty for none
      * @throws IllegalArgumentException if the body does not fit there
      */
-    public TurtleBot3(World world, Body body, Noise noise, RosNetwork network, RosOptions options) {
+    public TurtleBot3(World world, Body body, Noise noise, RosNetwork network, RosOptions options, String namespace) {
         world.add(body);
         this.body = body;
         this.network = network;
         this.options = options;
-        this.node =
-                options.namespace() + (options.version() == RosVersion.ROS1 ? "/turtlebot3_core" : "/turtlebot3_node");
+        this.namespace = namespace;
+        this.node = namespace + (options.version() == RosVersion.ROS1 ? "/turtlebot3_core" : "/turtlebot3_node");
         drive = new BurgerDrive(body, options.timeoutS(), noise.fork("wheels"));
         sensors = new BurgerSensors(network.clock(), options.version(), body, odometry, noise.fork("imu"));
         laser = new LaserScanner(world, body, noise.fork("laser"));
         network.nodes().add(node);
         Topic commands = startCommands();
         startTopics();
-        navigation = options.hasNavigation() ? new Navigation(network, options, commands, odometry, body) : null;
+        navigation =
+                options.hasNavigation() ? new Navigation(network, options, namespace, commands, odometry, body) : null;
     }
 
     private Topic startCommands() {
@@ -107,7 +110,7 @@ public final class TurtleBot3 {
     }
 
     private String named(String name) {
-        return options.namespace() + name;
+        return namespace + name;
     }
 
     /**
@@ -132,6 +135,16 @@ public final class TurtleBot3 {
         if (navigation != null) {
             navigation.step(now);
         }
+    }
+
+    /**
+     * Whether it publishes a topic at a rate.
+     *
+     * @param topic its name
+     * @return true for a topic that {@link #silence} and {@link #rate} take
+     */
+    public boolean publishes(String topic) {
+        return topics.stream().anyMatch(one -> one.name().equals(topic));
     }
 
     /**

@@ -109,7 +109,7 @@ final class LabChoice {
             description = {
                 "Puts a ROS robot into the lab, a TurtleBot3 behind a rosbridge server: 1 (ROS 1, the default) or 2 (ROS 2), and",
                 "what is different about it: +stamped (TwistStamped commands), +timeout=1.0 or +timeout=none (when it"
-                        + " stops without commands), +unblocked, +nonavigation, +namespace=NAME, +auth=SECRET."
+                        + " stops without commands), +unblocked, +nonavigation, +namespace=NAME, +robots=2, +auth=SECRET."
             })
     private @Nullable String rosModel;
 
@@ -133,7 +133,8 @@ final class LabChoice {
     /** Returns the options with which a lab of this choice is opened. */
     LabOptions options() throws IOException {
         RosOptions ros = ros();
-        Room room = world == null ? LabOptions.roomFor(pioneers() + (ros == null ? 0 : 1)) : Room.load(world);
+        Room room =
+                world == null ? LabOptions.roomFor(pioneers() + (ros == null ? 0 : ros.robots())) : Room.load(world);
         LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort), port(rosPort));
         return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson(), pioneers(), ros);
     }
@@ -188,7 +189,7 @@ final class LabChoice {
 
     private static void tellIfTaken(String robot, int wanted, Map<String, String> addresses) {
         String address = addresses.getOrDefault(robot, "");
-        if (wanted != 0 && !address.endsWith(":" + wanted)) {
+        if (wanted != 0 && !address.matches(".*:" + wanted + "(/.*)?")) {
             System.err.println("majic: port " + wanted + " is taken; the lab's " + robot + " listens at " + address);
         }
     }

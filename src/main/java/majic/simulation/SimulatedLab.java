@@ -9,6 +9,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import majic.bot.BotAddress;
@@ -30,6 +31,9 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
 
     /** Its addresses are those of a server, {@code ros://host:port}; the others can be serial lines too. */
     private static final String ROS = "ros";
+
+    /** What may follow the port in the address of a ROS robot. */
+    private static final Pattern NAMESPACE = Pattern.compile("(?<=:\\d{1,5})/.*");
 
     private final Lab lab;
     private final LabClock clock;
@@ -78,8 +82,10 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     }
 
     private static TransitCheck transit(Lab lab) {
-        return new TransitCheck(
-                Links::traffic, lab::lines, Set.copyOf(lab.addresses().values()));
+        Set<String> ports = lab.addresses().values().stream()
+                .map(address -> NAMESPACE.matcher(address).replaceFirst(""))
+                .collect(Collectors.toSet());
+        return new TransitCheck(Links::traffic, lab::lines, ports);
     }
 
     private static SimulatedLab started(Lab lab, Pacing pacing, Notice tooSlow) {

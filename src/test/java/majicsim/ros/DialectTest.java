@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.io.IOException;
 import majicsim.ros.options.RosOptions;
+import majicsim.world.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -159,6 +160,20 @@ class DialectTest {
             assertThat(one.values("/rosapi/topics").path("topics").toString())
                     .contains("\"/tb3_0/cmd_vel\"", "\"/tb3_0/odom\"")
                     .doesNotContain("\"/odom\"");
+        }
+    }
+
+    @Test
+    void severalRobotsBehindOneBridgeDriveByThemselves() throws IOException {
+        try (RosStand pair = new RosStand("2+robots=2");
+                RosStand.Client one = pair.client()) {
+            Pose first = pair.pose();
+            Pose second = pair.lab().truePoses().get("ros2");
+            one.sendAll("{'op':'publish','topic':'/tb3_1/cmd_vel','msg':{'linear':{'x':0.1}}}");
+            pair.pass(1);
+            assertThat(pair.pose()).isEqualTo(first);
+            assertThat(pair.lab().truePoses().get("ros2").distanceTo(second)).isGreaterThan(90);
+            assertThat(pair.lab().addresses().get("ros2")).isEqualTo(pair.address() + "/tb3_1");
         }
     }
 

@@ -31,7 +31,7 @@ final class RosStand implements AutoCloseable {
     }
 
     String address() {
-        return lab.addresses().get("ros");
+        return lab.addresses().get("ros").replaceFirst("/.*", "");
     }
 
     Pose pose() {
