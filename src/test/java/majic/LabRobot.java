@@ -1,8 +1,10 @@
 package majic;
 
+import java.util.function.Consumer;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.drivertest.TestedRobot;
+import majicsim.ros.RosHandling;
 
 /** A robot of an exact lab and its driver, for the conformance tests. */
 public final class LabRobot implements TestedRobot {
@@ -30,6 +32,11 @@ public final class LabRobot implements TestedRobot {
     public LabRobot at(double xMm, double yMm, double headingDeg) {
         rig.lab().simulators().place(type, new majicsim.world.Pose(xMm, yMm, headingDeg));
         return this;
+    }
+
+    /** Orders faults of the ROS robot and its computer. */
+    public void besideRos(Consumer<RosHandling> action) {
+        rig.lab().simulators().besideRos(action);
     }
 
     @Override

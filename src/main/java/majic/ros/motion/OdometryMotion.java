@@ -99,6 +99,9 @@ final class OdometryMotion {
             }
             check(base.now());
         }
+        if (!base.isStationarySince(zeroNanos)) {
+            throw failed("it does not come to rest");
+        }
         return true;
     }
 

@@ -122,6 +122,15 @@ class StopTest {
     }
 
     @Test
+    void aMotionOfABaseThatDoesNotComeToRestFails() {
+        CompletableFuture<MotionReport> motion = robot.clock.aside(() -> bot.move(400));
+        robot.clock.until(() -> robot.truePose().xMm() > 200);
+        robot.base.deaf = true;
+
+        assertThatThrownBy(() -> robot.clock.join(motion)).hasMessageContaining("it does not come to rest after");
+    }
+
+    @Test
     void aVelocityIsSetToZeroIfTheGuardConditionDoesNotReturn() {
         Guard stuck = () -> {
             if (robot.truePose().xMm() > 100) {
