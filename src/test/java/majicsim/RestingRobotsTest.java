@@ -16,6 +16,9 @@ import majicsim.net.Line;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.pioneer.packet.Hex;
 import majicsim.pioneer.packet.PacketWriter;
+import majicsim.ros.RawWebSocket;
+import majicsim.ros.RosRobot;
+import majicsim.ros.options.RosOptions;
 import majicsim.world.Noise;
 import majicsim.world.Pose;
 import majicsim.world.Room;
@@ -65,6 +68,25 @@ class RestingRobotsTest {
         Maker aibo = (world, noise) -> new AiboRobot(world, START, noise);
 
         assertThat(rested(aibo, commands)).hasSizeGreaterThan(40).isEqualTo(stepped(aibo, commands));
+    }
+
+    @Test
+    void aRosRobotPublishesTheSame() {
+        Map<Integer, byte[]> commands = Map.of(
+                3, RawWebSocket.handshake("/"),
+                5, json("{'op':'subscribe','topic':'/odom','throttle_rate':300,'queue_length':1}"),
+                6, json("{'op':'subscribe','topic':'/move_base/result'}"),
+                300, json("{'op':'publish','topic':'/cmd_vel','msg':{'linear':{'x':0.1},'angular':{'z':0.5}}}"),
+                801, json("{'op':'publish','topic':'/move_base_simple/goal','msg':{'pose':{'orientation':{'w':1}}}}"),
+                1900, json("{'op':'call_service','service':'/rosapi/get_time'}"));
+        Maker ros = (world, noise) -> new RosRobot(world, List.of(START), noise, RosOptions.parse("1"));
+
+        assertThat(rested(ros, commands)).hasSizeGreaterThan(30).isEqualTo(stepped(ros, commands));
+    }
+
+    private static byte[] json(String quoted) {
+        byte[] text = quoted.replace('\'', '"').getBytes(StandardCharsets.UTF_8);
+        return RawWebSocket.frame(RawWebSocket.TEXT, true, text);
     }
 
     private static List<String> stepped(Maker maker, Map<Integer, byte[]> commands) {

@@ -10,8 +10,8 @@ import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 
 /** A WebSocket client on a plain socket, written for tests from RFC 6455 alone; every read gives up after a minute. */
-final class RawWebSocket implements AutoCloseable {
-    static final int TEXT = 1;
+public final class RawWebSocket implements AutoCloseable {
+    public static final int TEXT = 1;
     static final int BINARY = 2;
     static final int CLOSE = 8;
     static final int PING = 9;
@@ -54,11 +54,16 @@ final class RawWebSocket implements AutoCloseable {
         return opened;
     }
 
+    /** A correct request for a connection. */
+    public static byte[] handshake(String path) {
+        return ("GET " + path + " HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
+                        + "Sec-WebSocket-Key: " + KEY + "\r\nSec-WebSocket-Version: 13\r\n\r\n")
+                .getBytes(StandardCharsets.ISO_8859_1);
+    }
+
     /** Sends a correct request; returns the head of the answer. */
     String request(String path) throws IOException {
-        sendBytes(("GET " + path + " HTTP/1.1\r\nHost: localhost\r\nUpgrade: websocket\r\nConnection: Upgrade\r\n"
-                        + "Sec-WebSocket-Key: " + KEY + "\r\nSec-WebSocket-Version: 13\r\n\r\n")
-                .getBytes(StandardCharsets.ISO_8859_1));
+        sendBytes(handshake(path));
         return readHead();
     }
 
@@ -78,7 +83,8 @@ final class RawWebSocket implements AutoCloseable {
         sendBytes(frame(TEXT, true, text.getBytes(StandardCharsets.UTF_8)));
     }
 
-    static byte[] frame(int opcode, boolean isFinal, byte[] payload) {
+    /** A masked frame, as a client must send it. */
+    public static byte[] frame(int opcode, boolean isFinal, byte[] payload) {
         ByteBuffer frame = ByteBuffer.allocate(payload.length + 14);
         frame.put((byte) (opcode | (isFinal ? FINAL : 0)));
         if (payload.length < 126) {
