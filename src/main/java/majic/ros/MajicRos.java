@@ -14,11 +14,13 @@ import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.ros.graph.KnownRobot;
 import majic.ros.graph.KnownRobots;
+import majic.ros.message.CompressedPicture;
 import majic.ros.message.OdometryMessage;
 import majic.ros.motion.BaseOwner;
-import majic.ros.motion.ObstructionSource;
 import majic.ros.motion.RosMotion;
 import majic.ros.motion.RosMotion.PoseSource;
+import majic.ros.parameters.RosParameters;
+import majic.ros.readings.RosReadings;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,6 +37,7 @@ public final class MajicRos extends BotDriver {
     private final RosAddress address;
     private final AtomicReference<@Nullable RosSession> session = new AtomicReference<>();
     private final Owner owner = new Owner();
+    private final RosSensing sensing;
     private volatile @Nullable RosMotion motions;
     private volatile Pose lastPose = Pose.START;
     private volatile boolean mayMove;
@@ -59,6 +62,8 @@ public final class MajicRos extends BotDriver {
     public MajicRos(BotAddress address, BotEnvironment environment) {
         super(new RosType(), RosProfiles.profile(KnownRobots.UNKNOWN, false), environment);
         this.address = RosAddress.parse(address);
+        this.sensing = new RosSensing(
+                table(), owner.waiting(), () -> profile().bodyMm(), () -> state().pose(), new SensorEvents());
         describe();
         every("ros link", WATCH_S, this::watch);
         every("ros subscriptions", RENEWAL_S, this::renew);
@@ -98,13 +103,17 @@ public final class MajicRos extends BotDriver {
                 owner,
                 opening,
                 RosProfiles.dynamics(opening.robot()),
-                ObstructionSource.NONE,
+                sensing,
                 lastPose,
                 hasOdometry ? PoseSource.ODOMETRY : PoseSource.COMMANDS);
         motions = next;
         opening.advertise();
+        sensing.begin(opening);
+        RosParameters.COMMANDS.forEach(this::removeCommand);
+        sensing.commands().forEach(this::add);
         next.begin(mayMove);
         opening.awaitOdometry();
+        sensing.awaitFirst();
         mayMove = false;
     }
 
@@ -167,6 +176,7 @@ public final class MajicRos extends BotDriver {
     @Override
     protected void halt() {
         motions().halt();
+        sensing.halt();
     }
 
     @Override
@@ -202,6 +212,7 @@ public final class MajicRos extends BotDriver {
         RosSession open = session.get();
         if (open != null && connection() != Connection.LOST) {
             open.renewSubscriptions();
+            sensing.endUnused();
         }
     }
 
@@ -211,6 +222,7 @@ public final class MajicRos extends BotDriver {
         public void odometry(RosSession from, OdometryMessage reading) {
             RosMotion moving = motions;
             if (from == session.get() && moving != null) {
+                sensing.odometry(reading);
                 moving.reported(reading.pose(), reading.speedMmPerSec(), reading.turnRateDegPerSec());
             }
         }
@@ -233,6 +245,27 @@ public final class MajicRos extends BotDriver {
             String message = cause.getMessage() + moving.afterLoss();
             moving.end();
             MajicRos.this.lost(new LinkLost(message, cause));
+        }
+
+        @Override
+        public void notice(String message) {
+            MajicRos.this.notice(message);
+        }
+    }
+
+    /** Handles what the sensors report. */
+    private final class SensorEvents implements RosReadings.Events {
+        @Override
+        public void news() {
+            MajicRos.this.news();
+        }
+
+        /** The recorder takes only JPEG files. */
+        @Override
+        public void picture(CompressedPicture picture) {
+            if (picture.isJpeg()) {
+                publishPicture(picture::file);
+            }
         }
 
         @Override

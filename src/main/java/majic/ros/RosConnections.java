@@ -3,6 +3,7 @@ package majic.ros;
 import java.util.List;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
+import majic.bot.LinkLost;
 import majic.ros.bridge.BridgeAddress;
 import majic.ros.bridge.RosBridge;
 import majic.time.TimeSource;
@@ -51,6 +52,28 @@ final class RosConnections {
             services = opened;
         }
         endIfClosed(opened);
+    }
+
+    /**
+     * Opens a connection beside these two, which its user has to close. Its end does not end the session.
+     *
+     * @throws ConnectFailed if the server does not accept it
+     */
+    RosBridge openFurther() {
+        RosBridge opened = RosBridge.open(address, TIMEOUT_MS, time, new Further());
+        endIfClosed(opened);
+        return opened;
+    }
+
+    /** Passes on what concerns the user; what is lost with the connection is reported to its user anyway. */
+    private final class Further implements RosBridge.Listener {
+        @Override
+        public void lost(RosBridge bridge, LinkLost cause) {}
+
+        @Override
+        public void notice(String message) {
+            listener.notice(message);
+        }
     }
 
     private void endIfClosed(RosBridge opened) {

@@ -59,9 +59,14 @@ record TopicPath(RosTopic topic, List<String> field) {
         List<String> words =
                 List.of(path.replaceFirst("^/", "").toLowerCase(Locale.ROOT).split("[/_]"));
         String similar = names.stream()
-                .filter(name -> words.stream().anyMatch(word -> word.length() > 1 && name.contains(word)))
+                .filter(name -> words.stream().anyMatch(word -> isSimilar(name, word)))
                 .limit(MOST_NEAR)
                 .collect(Collectors.joining(", "));
         return similar.isEmpty() ? "; the command \"topics\" lists them" : "; near ones are " + similar;
+    }
+
+    private static boolean isSimilar(String name, String word) {
+        String last = name.substring(name.lastIndexOf('/') + 1);
+        return word.length() > 1 && (name.contains(word) || last.length() > 1 && word.contains(last));
     }
 }

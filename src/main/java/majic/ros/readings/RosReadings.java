@@ -298,6 +298,16 @@ public final class RosReadings {
     }
 
     /**
+     * Returns whether every sensor of distances has sent a reading of late.
+     *
+     * @return true for a robot without such sensors
+     */
+    public boolean hasDistances() {
+        return (sensors.scan().isEmpty() || scan.get().isPresent())
+                && ranges.values().stream().allMatch(range -> range.get().isPresent());
+    }
+
+    /**
      * Returns the inertial unit.
      *
      * @return empty if the robot has none
