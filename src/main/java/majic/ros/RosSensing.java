@@ -11,6 +11,7 @@ import majic.driver.DriverCommand;
 import majic.driver.ParameterTable;
 import majic.driver.RobotWait;
 import majic.ros.bridge.ServiceFailed;
+import majic.ros.message.Hazard;
 import majic.ros.message.OdometryMessage;
 import majic.ros.motion.Obstruction;
 import majic.ros.motion.Obstruction.Side;
@@ -143,8 +144,16 @@ final class RosSensing implements ObstructionSource {
         boolean reflex = open.sensors().hazards().isPresent();
         return open.hazards()
                 .last()
-                .map(report -> new Obstruction(report.words(), side(report), reflex, report.atNanos()))
+                .map(report -> new Obstruction(words(report), side(report), reflex, report.atNanos()))
                 .orElse(null);
+    }
+
+    /** As the reason why a motion ended. */
+    private static String words(ActiveHazards.Report report) {
+        return report.hazard() == Hazard.BUMP
+                        && List.of("front", "back", "left", "right", "centre").contains(report.place())
+                ? report.place() + " bumper pressed"
+                : report.words();
     }
 
     private static Side side(ActiveHazards.Report report) {

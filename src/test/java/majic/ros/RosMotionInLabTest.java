@@ -86,13 +86,13 @@ class RosMotionInLabTest {
 
     @ParameterizedTest(name = "ROS {0}")
     @ValueSource(strings = {"1", "2"})
-    void aWallIsReportedAsALackOfProgress(String model) {
+    void theBumperEndsAMotionAtAWall(String model) {
         try (LabRobot robot = connected(model)) {
             robot.block();
 
             assertThatThrownBy(() -> robot.bot().move(500))
                     .isInstanceOf(MotionFailed.class)
-                    .hasMessageMatching("blocked: no progress for 2 s after [23]\\d(\\.\\d)? mm");
+                    .hasMessageMatching("front bumper pressed after [23]\\d(\\.\\d)? mm");
         }
     }
 

@@ -54,7 +54,7 @@ public final class ActiveHazards {
 
     synchronized void arrived(ContactMessage message) {
         for (Contact contact : message.contacts()) {
-            contacts.put(contact.hazard() + " " + contact.place(), contact);
+            contacts.put(key(contact.hazard(), contact.place()), contact);
             if (contact.active()) {
                 report(contact.hazard(), contact.place());
             }
@@ -83,12 +83,23 @@ public final class ActiveHazards {
     }
 
     /**
-     * Returns the hazard that was reported last, even if it is over; what is only near does not count.
+     * Returns the hazard that was reported last, even if it is over; what is only near does not count. A contact that is
+     * reported only when it changes counts as reported now while it lasts.
      *
      * @return empty if there was none on this connection
      */
     public synchronized Optional<Report> last() {
-        return Optional.ofNullable(last);
+        Report known = last;
+        if (known == null) {
+            return Optional.empty();
+        }
+        Contact contact = contacts.get(key(known.hazard(), known.place()));
+        boolean lasts = contact != null && contact.active();
+        return Optional.of(lasts ? new Report(known.hazard(), known.place(), time.nanos()) : known);
+    }
+
+    private static String key(Hazard hazard, String place) {
+        return hazard + " " + place;
     }
 
     /**

@@ -143,6 +143,23 @@ class RosReadingsTest {
     }
 
     @Test
+    void anEventOfAKobukiLastsUntilTheOppositeEvent() {
+        robot = new FakeRosClient(false, Map.of("/mobile_base/events/bumper", "kobuki_msgs/BumperEvent"));
+        RosReadings readings = begun();
+        robot.robotPublishes("/mobile_base/events/bumper", "{'state':1,'bumper':0}");
+        pass(60);
+        assertThat(readings.hazards().isBumped()).isTrue();
+        assertThat(readings.hazards().last().orElseThrow().atNanos())
+                .isEqualTo(clock.time().nanos());
+
+        robot.robotPublishes("/mobile_base/events/bumper", "{'state':0,'bumper':0}");
+
+        assertThat(readings.hazards().isBumped()).isFalse();
+        assertThat(readings.hazards().last().orElseThrow().atNanos())
+                .isLessThan(clock.time().nanos());
+    }
+
+    @Test
     void theHazardsOfACreate3AreUnknownWhenTheyAreNoLongerRepeated() {
         robot = new FakeRosClient(true, Map.of("/hazard_detection", "irobot_create_msgs/msg/HazardDetectionVector"));
         RosReadings readings = begun();
