@@ -242,7 +242,7 @@ public final class MajicRos extends BotDriver {
                 return;
             }
             mayMove |= moving.isMoving();
-            String message = cause.getMessage() + moving.afterLoss();
+            String message = "connection lost: " + cause.getMessage() + moving.afterLoss();
             moving.end();
             MajicRos.this.lost(new LinkLost(message, cause));
         }

@@ -112,6 +112,11 @@ final class RosConnections {
         return drive == services ? List.of(drive) : List.of(drive, services);
     }
 
+    /** Returns whether one of the connections is open. */
+    boolean isOpen() {
+        return all().stream().anyMatch(RosBridge::isOpen);
+    }
+
     /** Ends all connections in order, and one that is being opened. */
     void close(double seconds) {
         end();

@@ -45,6 +45,11 @@ final class RosSession implements VelocityOutput {
 
     private static final double CLOSE_S = 0.2;
 
+    /** How long the last stop waits for a server that is silent but still connected. */
+    private static final double LINGER_S = 30;
+
+    private static final double LINGER_STEP_S = 0.25;
+
     private final RosAddress address;
     private final RobotWait waiting;
     private final Events events;
@@ -148,6 +153,9 @@ final class RosSession implements VelocityOutput {
     }
 
     private void receiveOdometry(JsonNode message) {
+        if (over.get()) {
+            return;
+        }
         try {
             OdometryMessage reading = OdometryMessage.from(message);
             reporting = true;
@@ -167,7 +175,7 @@ final class RosSession implements VelocityOutput {
     void watch() {
         for (RosBridge bridge : connections.all()) {
             if (bridge.silenceS() > SILENCE_S) {
-                end(bridge, new LinkLost("the rosbridge server has sent nothing for " + (int) SILENCE_S + " s"));
+                end(new LinkLost("the rosbridge server has sent nothing for " + (int) SILENCE_S + " s"));
                 return;
             }
             bridge.ping();
@@ -199,6 +207,7 @@ final class RosSession implements VelocityOutput {
             }
         }
         connections.close(CLOSE_S);
+        waiting.changes().raise();
     }
 
     /** Cuts the connection of a session that could not begin. */
@@ -234,37 +243,53 @@ final class RosSession implements VelocityOutput {
         return value;
     }
 
-    private void end(RosBridge ended, LinkLost cause) {
+    private void end(LinkLost cause) {
         if (over.compareAndSet(false, true)) {
-            stopByOther(ended);
+            waiting.time().runAsync("ros last stop", this::stopAndClose);
             events.lost(this, cause);
         }
     }
 
-    /** A robot that keeps its velocity can still be stopped if only one of two connections has ended. */
-    private void stopByOther(RosBridge ended) {
+    /**
+     * Sends the last stop on each connection that is still open, and closes them when the server has had the time to read it.
+     * A server discards what it has not read when a connection is closed ({@code IncomingQueue.finish} of rosbridge_server). If
+     * the connections to a server that is only stuck were closed at once, it would go on with the velocities before the stop.
+     */
+    private void stopAndClose() {
         VelocityForm used = form;
         Base driven = base;
-        waiting.time().runAsync("ros last stop", () -> {
-            try {
-                for (RosBridge bridge : connections.all()) {
-                    if (used != null && driven != null && bridge != ended && bridge.isOpen()) {
-                        bridge.publish(driven.command(), used.message(0, 0));
-                    }
-                }
-            } catch (BotException e) {
-                LOG.log(Level.DEBUG, "the last stop was not sent", e);
-            } finally {
-                connections.close(CLOSE_S);
+        if (used != null && driven != null) {
+            connections.all().forEach(bridge -> sendLastStop(bridge, driven.command(), used));
+        }
+        for (double waited = 0; waited < LINGER_S && isStuck(); waited += LINGER_STEP_S) {
+            waiting.awaitClosing(() -> !connections.isOpen(), LINGER_STEP_S);
+        }
+        if (connections.isOpen()) {
+            waiting.awaitClosing(() -> !connections.isOpen(), LAST_STOP_S);
+        }
+        connections.close(CLOSE_S);
+    }
+
+    private static void sendLastStop(RosBridge bridge, String topic, VelocityForm form) {
+        try {
+            if (bridge.isOpen()) {
+                bridge.publish(topic, form.message(0, 0));
             }
-        });
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, "the last stop was not sent", e);
+        }
+    }
+
+    /** Whether a connection is open on which nothing has arrived since the last stop. */
+    private boolean isStuck() {
+        return connections.all().stream().anyMatch(bridge -> bridge.isOpen() && bridge.silenceS() > SILENCE_S);
     }
 
     /** Handles the ends of the connections. */
     private final class Listener implements RosBridge.Listener {
         @Override
         public void lost(RosBridge bridge, LinkLost cause) {
-            end(bridge, cause);
+            end(cause);
         }
 
         @Override

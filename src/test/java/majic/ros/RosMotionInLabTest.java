@@ -105,7 +105,7 @@ class RosMotionInLabTest {
 
             assertThat(motion.end())
                     .isInstanceOf(LinkLost.class)
-                    .hasMessageContaining("it may still be moving, since it keeps its last velocity");
+                    .hasMessageContaining("the robot may still be moving, since it keeps its last velocity");
             Pose lost = robot.truePose();
             pass(robot, 1);
             assertThat(robot.truePose().distanceMm(lost))
@@ -128,7 +128,7 @@ class RosMotionInLabTest {
 
             robot.cut();
 
-            assertThat(motion.end()).hasMessageContaining("it stops by itself 0.5 s after the last command");
+            assertThat(motion.end()).hasMessageContaining("the robot stops by itself 0.5 s after the last command");
         }
     }
 

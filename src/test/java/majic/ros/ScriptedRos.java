@@ -132,6 +132,20 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
         }
     }
 
+    /** Ends a silence. */
+    void speakAgain() {
+        synchronized (peer) {
+            silent = false;
+        }
+    }
+
+    /** Returns the newest operation; one that ends the connection is called close. */
+    JsonNode newest() {
+        synchronized (peer) {
+            return received.get(received.size() - 1);
+        }
+    }
+
     @Override
     public void block() {
         synchronized (peer) {
@@ -170,6 +184,7 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
         } else if (opcode == ServerFrames.PONG) {
             pongs++;
         } else if (opcode == ServerFrames.CLOSE) {
+            received.add(JSON.createObjectNode().put("op", "close"));
             peer.hangUp();
         } else if (opcode == ServerFrames.TEXT) {
             operation(parse(new String(content, StandardCharsets.UTF_8)));

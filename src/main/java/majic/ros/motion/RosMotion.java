@@ -277,11 +277,11 @@ public final class RosMotion {
         }
         double timeoutS = dynamics.timeoutS();
         if (Double.isNaN(timeoutS)) {
-            return "; it may still be moving, since it is not known whether it stops by itself: stop it at the robot";
+            return "; the robot may still be moving, since it is not known whether it stops by itself: stop it by hand";
         }
         return Double.isInfinite(timeoutS)
-                ? "; it may still be moving, since it keeps its last velocity: stop it at the robot"
-                : "; it stops by itself " + Value.plain(timeoutS) + " s after the last command";
+                ? "; the robot may still be moving, since it keeps its last velocity: stop it by hand"
+                : "; the robot stops by itself " + Value.plain(timeoutS) + " s after the last command";
     }
 
     /** Called under the lock of the sender. */

@@ -201,7 +201,7 @@ class MotionFaultsOfBaseTest {
 
         assertThatThrownBy(() -> robot.clock.join(motion))
                 .hasCauseInstanceOf(LinkLost.class)
-                .hasMessageContaining("it stops by itself 0.5 s after the last command");
+                .hasMessageContaining("the robot stops by itself 0.5 s after the last command");
     }
 
     @Test
@@ -211,7 +211,7 @@ class MotionFaultsOfBaseTest {
             endless.clock.until(() -> endless.truePose().xMm() > 200);
             endless.cut();
             assertThatThrownBy(() -> endless.clock.join(motion))
-                    .hasMessageContaining("it may still be moving, since it keeps its last velocity");
+                    .hasMessageContaining("the robot may still be moving, since it keeps its last velocity");
             endless.clock.until(() -> endless.truePose().xMm() > 600);
             int before = endless.base.received().size();
 
