@@ -1,12 +1,16 @@
 package majic;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.tngtech.archunit.core.domain.Dependency;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import java.io.File;
 import java.io.IOException;
+import java.lang.reflect.Constructor;
+import java.net.URL;
+import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
@@ -123,6 +127,19 @@ class RobotsJarTest {
                                 && !LIBRARY.matcher(name).matches())
                         .collect(Collectors.toCollection(TreeSet::new));
         assertThat(missing).isEmpty();
+    }
+
+    @Test
+    void aRobotThatSpeaksRosNamesTheLibrariesThatItMisses() throws Exception {
+        URL[] onlyTheJar = {jar.toUri().toURL()};
+        try (URLClassLoader alone = new URLClassLoader(onlyTheJar, ClassLoader.getPlatformClassLoader())) {
+            Constructor<?> driver = alone.loadClass("majic.ros.MajicRos").getConstructor(String.class);
+
+            assertThatThrownBy(() -> driver.newInstance("ros://10.0.0.5"))
+                    .cause()
+                    .hasMessage("robots that speak ROS need the libraries jackson-databind and jackson-dataformat-cbor:"
+                            + " add both to the class path");
+        }
     }
 
     @Test

@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import javax.swing.JComponent;
 import majic.environment.BotEnvironment;
@@ -68,6 +69,26 @@ public interface BotType {
      */
     default List<String> otherSchemes() {
         return List.of();
+    }
+
+    /**
+     * Returns whether a scheme of an address means this type.
+     *
+     * @param scheme case is ignored
+     * @return true for the name and for {@link #otherSchemes()}
+     */
+    default boolean isMeantBy(String scheme) {
+        return name().equalsIgnoreCase(scheme) || otherSchemes().contains(scheme.toLowerCase(Locale.ROOT));
+    }
+
+    /**
+     * Returns whether an address may name one of several robots behind its host and port, as {@code //host:9090/robot1}
+     * does.
+     *
+     * @return whether the Add dialog asks for it
+     */
+    default boolean isOneOfSeveral() {
+        return false;
     }
 
     /**

@@ -62,6 +62,7 @@ public final class MajicRos extends BotDriver {
     public MajicRos(BotAddress address, BotEnvironment environment) {
         super(new RosType(), RosProfiles.profile(KnownRobots.UNKNOWN, false), environment);
         this.address = RosAddress.parse(address);
+        JsonLibrary.require();
         this.sensing = new RosSensing(
                 table(), owner.waiting(), () -> profile().bodyMm(), () -> state().pose(), new SensorEvents());
         describe();

@@ -40,7 +40,7 @@ final class RosSession implements VelocityOutput {
     /** Longer than the time after which a silent topic is subscribed to again. */
     private static final double FIRST_ODOMETRY_S = 5;
 
-    /** The server removes what a client announced only after it has processed the messages before. */
+    /** What a server takes to read a message: it discards what it has not read when the connection is closed. */
     private static final double LAST_STOP_S = 0.1;
 
     private static final double CLOSE_S = 0.2;

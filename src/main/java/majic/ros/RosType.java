@@ -23,6 +23,11 @@ public final class RosType implements BotType {
     }
 
     @Override
+    public boolean isOneOfSeveral() {
+        return true;
+    }
+
+    @Override
     public String label() {
         return "ROS robot";
     }

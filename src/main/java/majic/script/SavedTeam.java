@@ -172,7 +172,7 @@ public final class SavedTeam {
                     ? address.rest().replaceFirst("\\d+$", "")
                     : address.type();
             return factory.types().stream()
-                    .filter(known -> known.name().equalsIgnoreCase(type))
+                    .filter(known -> known.isMeantBy(type))
                     .map(BotType::label)
                     .findFirst()
                     .orElse(type);

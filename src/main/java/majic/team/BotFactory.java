@@ -7,7 +7,6 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
@@ -168,8 +167,7 @@ public final class BotFactory {
         Collection<String> names =
                 new TreeSet<>(types.stream().map(BotType::name).toList());
         return types.stream()
-                .filter(type -> type.name().equalsIgnoreCase(name)
-                        || type.otherSchemes().contains(name.toLowerCase(Locale.ROOT)))
+                .filter(type -> type.isMeantBy(name))
                 .findFirst()
                 .orElseThrow(() -> new BotException(name + ": no such type of robot (there are "
                         + String.join(", ", names) + ")" + Suggestion.didYouMean(name, names)));

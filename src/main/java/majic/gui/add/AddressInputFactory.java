@@ -18,10 +18,14 @@ final class AddressInputFactory {
     static Map<String, AddressInput> all(BotFactory factory, ProgramServices services) {
         Map<String, AddressInput> inputs = new LinkedHashMap<>();
         for (BotType type : factory.types()) {
-            inputs.put(type.label() + " (" + type.make() + ")", of(type, services));
+            inputs.put(title(type), of(type, services));
         }
         inputs.put(TEXTS.get("labRobot"), new LabInput(factory, services.startLab()));
         return inputs;
+    }
+
+    private static String title(BotType type) {
+        return type.label().equals(type.make()) ? type.label() : type.label() + " (" + type.make() + ")";
     }
 
     private static AddressInput of(BotType type, ProgramServices services) {

@@ -14,11 +14,14 @@ final class NetworkInput extends AddressInput {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(NetworkInput.class);
 
-    private static final Pattern PLACE = Pattern.compile("(?:tcp:)?//([^/:\\s]+)(?::(\\d{1,5}))?");
+    private static final Pattern PLACE = Pattern.compile("(?:tcp:)?//([^/:?\\s]+)(?::(\\d{1,5}))?([/?]\\S*)?");
 
     private final transient BotType type;
     private final JTextField host = new JTextField(22);
     private final JTextField port = new JTextField(6);
+
+    /** Which of the robots behind host and port; shown only if there may be several. */
+    private final JTextField namespace = new JTextField(22);
 
     NetworkInput(BotType type) {
         this.type = type;
@@ -30,12 +33,22 @@ final class NetworkInput extends AddressInput {
         add(host, "wrap");
         add(MajicDialog.label(TEXTS.get("port"), port));
         add(port, "grow 0");
+        if (type.isOneOfSeveral()) {
+            addNamespace();
+        }
+    }
+
+    private void addNamespace() {
+        namespace.setName("namespace");
+        namespace.putClientProperty("JTextField.placeholderText", TEXTS.get("namespace.example"));
+        add(MajicDialog.label(TEXTS.get("namespace"), namespace), "newline");
+        add(namespace);
     }
 
     @Override
     String address() {
         String start = type.reaches().get(0) == BotType.Reach.TCP ? "://" : ":tcp://";
-        return type.name() + start + checkedHost() + ":" + checkedPort();
+        return type.name() + start + checkedHost() + ":" + checkedPort() + checkedNamespace();
     }
 
     @Override
@@ -44,6 +57,11 @@ final class NetworkInput extends AddressInput {
         if (!address.scheme().equals(type.name()) || !place.matches()) {
             return false;
         }
+        String behind = place.group(3);
+        if (behind != null && !type.isOneOfSeveral()) {
+            return false;
+        }
+        namespace.setText(behind == null || behind.equals("/") ? "" : behind);
         host.setText(place.group(1));
         String given = place.group(2);
         port.setText(given == null ? usualPort() : given);
@@ -68,6 +86,15 @@ final class NetworkInput extends AddressInput {
             throw new BotException(TEXTS.get("host.wrong", text));
         }
         return text;
+    }
+
+    /** Returns what follows the port: empty, or with a slash or a question mark at its beginning. */
+    private String checkedNamespace() {
+        String text = namespace.getText().strip();
+        if (text.chars().anyMatch(Character::isWhitespace)) {
+            throw new BotException(TEXTS.get("namespace.wrong", text));
+        }
+        return text.isEmpty() || text.startsWith("/") || text.startsWith("?") ? text : "/" + text;
     }
 
     private int checkedPort() {
