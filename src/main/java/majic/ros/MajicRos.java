@@ -176,8 +176,11 @@ public final class MajicRos extends BotDriver {
 
     @Override
     protected void halt() {
-        motions().halt();
-        sensing.halt();
+        try {
+            motions().halt();
+        } finally {
+            sensing.halt();
+        }
     }
 
     @Override

@@ -24,6 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Motions of the simulated robot, compared with where it really is. */
 class RosMotionInLabTest {
+    private static final double WALL_X_MM = 4500;
     private static final List<String> MODELS = List.of("1", "2", "2+stamped");
     private static final List<Double> DISTANCES_MM = List.of(20.0, 100.0, 1000.0, -300.0);
     private static final List<Double> ANGLES_DEG = List.of(5.0, 90.0, -180.0, 400.0);
@@ -158,6 +159,23 @@ class RosMotionInLabTest {
 
             assertThat(number(report)).isBetween(300.0, 350.0);
             assertThat(robot.truePose().xMm() - 1000).isCloseTo(number(report), within(5.0));
+        }
+    }
+
+    @ParameterizedTest(name = "ROS {0}")
+    @ValueSource(strings = {"1", "2"})
+    void aMotionUntilTheScanShowsAWallEndsBeforeIt(String model) {
+        try (LabRobot robot = connected(model)) {
+            MajicBot bot = robot.bot();
+            bot.set("cruise", 220);
+            robot.at(2000, 0, 0);
+            pass(robot, 0.5);
+
+            MotionReport report = bot.move(2400, () -> bot.get("distanceFront").number() < 400);
+
+            double gapMm = WALL_X_MM - robot.truePose().xMm() - bot.profile().bodyMm();
+            assertThat(gapMm).isBetween(300.0, 410.0);
+            assertThat(number(report)).isCloseTo(robot.truePose().xMm() - 2000, within(10.0));
         }
     }
 
