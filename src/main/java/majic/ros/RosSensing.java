@@ -58,7 +58,8 @@ final class RosSensing implements ObstructionSource {
         this.waiting = waiting;
         this.events = events;
         this.navigation = new Navigation(waiting.changes());
-        this.parameters = new RosParameters(table, new RosAccess(() -> readings), navigation, radiusMm, pose);
+        this.parameters =
+                new RosParameters(table, new RosAccess(() -> readings), navigation, waiting.changes(), radiusMm, pose);
     }
 
     /** Subscribes to the sensors of a robot that was found, and describes its parameters. */

@@ -126,6 +126,21 @@ public final class RosBridge implements AutoCloseable {
         calls.remove(request(call, arguments));
     }
 
+    /**
+     * Calls a service without waiting.
+     *
+     * @param service its absolute name
+     * @param arguments its arguments by name
+     * @param changed called when the call is over, on the reader thread; must not wait
+     * @return the answer, to be closed
+     * @throws LinkLost if the request could not be sent
+     */
+    public ServiceReply begin(String service, JsonNode arguments, Runnable changed) {
+        ServiceCall call = new ServiceCall(service, changed);
+        String id = request(call, arguments);
+        return new ServiceReply(call, () -> calls.remove(id));
+    }
+
     private String request(ServiceCall call, JsonNode arguments) {
         String id = calls.add(call);
         ObjectNode operation = operation("call_service");

@@ -13,20 +13,29 @@ import majic.driver.DriverCommand;
 import majic.driver.Motion;
 import majic.ros.bridge.ServiceFailed;
 import majic.ros.readings.RosClient;
+import majic.ros.readings.RosClient.CallChannel;
 import majic.text.Suggestion;
+import majic.time.Signal;
 
 /**
  * Calls a service of the robot, for functions without a parameter. A service may move the robot, so it needs the robot to be
- * free. What it started is not known here, so a stop ends the robot's motion by zero velocities, but not the service.
+ * free. A stop ends the wait for the answer and sends zero velocities; what the service does by itself is not known here.
  */
 final class CallCommand {
     private static final double CALL_S = 10;
     private static final double ASK_S = 5;
 
     private final RosAccess access;
+    private final Signal changes;
 
-    CallCommand(RosAccess access) {
+    /**
+     * Creates the command.
+     *
+     * @param changes the signal that all threads waiting for the robot wait on
+     */
+    CallCommand(RosAccess access, Signal changes) {
         this.access = access;
+        this.changes = changes;
     }
 
     DriverCommand command() {
@@ -45,9 +54,13 @@ final class CallCommand {
                 typed.subList(1, typed.size()).stream().map(Value::toString).toList());
         RosClient connection = access.open().connection();
         String service = find(connection, typed.get(0).toString());
-        motion.check();
-        try {
-            return answer(connection.call(service, arguments, CALL_S));
+        try (CallChannel channel = connection.openCall(changes::raise)) {
+            motion.send(() -> channel.send(service, arguments));
+            motion.await(channel::isDone, CALL_S);
+            return channel.values()
+                    .map(CallCommand::answer)
+                    .orElseThrow(
+                            () -> new MotionFailed(service + " did not answer within " + Math.round(CALL_S) + " s"));
         } catch (ServiceFailed e) {
             throw new MotionFailed(String.valueOf(e.getMessage()));
         }

@@ -11,6 +11,7 @@ import majic.driver.ParameterTheme;
 import majic.ros.navigation.Navigation;
 import majic.ros.navigation.NavigationServers;
 import majic.ros.readings.RosSensors;
+import majic.time.Signal;
 
 /**
  * The parameters and commands of a ROS robot besides those that every robot has. Which there are depends on the sensors that
@@ -32,6 +33,7 @@ public final class RosParameters {
      * @param table lists the parameters
      * @param access gives the readings of the present connection
      * @param navigation pursues the goals of commands
+     * @param changes the signal that all threads waiting for the robot wait on
      * @param radiusMm of the robot
      * @param pose where the robot is in the frame of MAJIC
      */
@@ -39,6 +41,7 @@ public final class RosParameters {
             ParameterTable table,
             RosAccess access,
             Navigation navigation,
+            Signal changes,
             DoubleSupplier radiusMm,
             Supplier<Pose> pose) {
         this.table = table;
@@ -50,7 +53,7 @@ public final class RosParameters {
                 new RosJointParameters(access),
                 new RosCameraParameters(access));
         this.topics = new TopicCommands(access);
-        this.call = new CallCommand(access);
+        this.call = new CallCommand(access, changes);
         this.goals = new GoalCommands(access, navigation, pose);
         table.findOthers(new TopicParameters(access));
     }

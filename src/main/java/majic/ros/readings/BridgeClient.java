@@ -103,6 +103,15 @@ public final class BridgeClient implements RosClient {
     }
 
     @Override
+    public CallChannel openCall(Runnable changed) {
+        if (!ros2) {
+            return new BridgeCall(services, () -> {}, changed);
+        }
+        RosBridge own = opener.get();
+        return new BridgeCall(own, own::close, changed);
+    }
+
+    @Override
     public GoalChannel openGoal() {
         return new BridgeGoal(opener.get(), services);
     }

@@ -2,6 +2,7 @@ package majic.ros.readings;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.Map;
+import java.util.Optional;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
@@ -80,6 +81,46 @@ public interface RosClient {
      * @throws LinkLost if it could not be sent
      */
     void publish(String topic, String type, JsonNode message);
+
+    /**
+     * Opens what a service is called over whose duration is not known: on ROS 2 a connection of its own, because servers up
+     * to 2.1.0 handle nothing else on a connection until the service has answered.
+     *
+     * @param changed called when the service has answered, on the reader thread; must not wait
+     * @return to be closed
+     * @throws BotException if the server does not accept a further connection
+     */
+    CallChannel openCall(Runnable changed);
+
+    /** What one service is called over. */
+    interface CallChannel extends AutoCloseable {
+        /**
+         * Calls the service; called once, and waits for nothing.
+         *
+         * @param service its absolute name
+         * @param arguments by the names of their fields
+         * @throws LinkLost if it could not be sent
+         */
+        void send(String service, JsonNode arguments);
+
+        /**
+         * Returns whether the call is over.
+         *
+         * @return true once the service has answered or failed
+         */
+        boolean isDone();
+
+        /**
+         * Returns the answer.
+         *
+         * @return the values; empty if the call is not over
+         * @throws BotException if the service failed, or the connection ended first
+         */
+        Optional<JsonNode> values();
+
+        @Override
+        void close();
+    }
 
     /**
      * Opens what one goal of an action of ROS 2 is sent over. It is separate, because servers up to 2.1.0 handle nothing else

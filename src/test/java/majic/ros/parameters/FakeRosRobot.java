@@ -112,8 +112,8 @@ public final class FakeRosRobot implements AutoCloseable {
     private final class Driver extends BotDriver {
         private final AtomicInteger halts = new AtomicInteger();
         private final Navigation navigation = new Navigation(changes());
-        private final RosParameters parameters =
-                new RosParameters(table(), new RosAccess(() -> readings), navigation, () -> 100, () -> state().pose());
+        private final RosParameters parameters = new RosParameters(
+                table(), new RosAccess(() -> readings), navigation, changes(), () -> 100, () -> state().pose());
 
         Driver(BotEnvironment environment) {
             super(

@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
 import majic.bot.MotionFailed;
+import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.bot.Unit;
@@ -235,5 +237,29 @@ class RosParametersTest {
         robot.client().robotOffers("/arm", given -> FakeRosClient.json("{'success':false,'message':'no power'}"));
 
         assertThatThrownBy(() -> robot.run("call", "arm")).hasMessageContaining("the service failed: no power");
+    }
+
+    @Test
+    void aStopEndsTheWaitForAService() {
+        robot.client().robotOffers("/slow", FakeRosClient.NEVER);
+        CompletableFuture<String> call = robot.aside(() -> robot.run("call", "slow"));
+        robot.clock().until(() -> robot.client().sent.contains("call /slow {}"));
+        long before = robot.clock().time().nanos();
+
+        robot.bot().stop();
+        robot.clock().until(call::isDone);
+
+        assertThatThrownBy(call::join).cause().isInstanceOf(MotionStopped.class);
+        assertThat(robot.clock().time().secondsSince(before)).isLessThan(0.1);
+        assertThat(robot.client().sent).contains("close call");
+    }
+
+    @Test
+    void aServiceThatNeverAnswersFailsAfterTenSeconds() {
+        robot.client().robotOffers("/slow", FakeRosClient.NEVER);
+
+        assertThatThrownBy(() -> robot.run("call", "slow"))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessage("/slow did not answer within 10 s");
     }
 }

@@ -4,11 +4,13 @@ import com.fasterxml.jackson.core.json.JsonReadFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.MissingNode;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
@@ -22,6 +24,9 @@ public final class FakeRosClient implements RosClient {
     private static final JsonMapper JSON = JsonMapper.builder()
             .enable(JsonReadFeature.ALLOW_SINGLE_QUOTES, JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
             .build();
+
+    /** The answer of a service that never answers. */
+    public static final Function<JsonNode, JsonNode> NEVER = arguments -> MissingNode.getInstance();
 
     /** What was sent, each as {@code publish /topic {…}}, {@code call /service {…}}, {@code goal /action {…}} … */
     public final List<String> sent = new CopyOnWriteArrayList<>();
@@ -117,6 +122,38 @@ public final class FakeRosClient implements RosClient {
     @Override
     public void publish(String topic, String type, JsonNode message) {
         sent.add("publish " + topic + " " + message);
+    }
+
+    @Override
+    public CallChannel openCall(Runnable changed) {
+        return new CallChannel() {
+            private volatile JsonNode values;
+
+            @Override
+            public void send(String service, JsonNode arguments) {
+                if (services.get(service) == NEVER) {
+                    sent.add("call " + service + " " + arguments);
+                } else {
+                    values = call(service, arguments, 0);
+                    changed.run();
+                }
+            }
+
+            @Override
+            public boolean isDone() {
+                return values != null;
+            }
+
+            @Override
+            public Optional<JsonNode> values() {
+                return Optional.ofNullable(values);
+            }
+
+            @Override
+            public void close() {
+                sent.add("close call");
+            }
+        };
     }
 
     @Override
