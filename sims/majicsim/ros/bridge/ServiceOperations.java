@@ -29,7 +29,7 @@ final class ServiceOperations {
     }
 
     void call(JsonNode message) throws MessageMismatch {
-        String name = Fields.text(message, "service").split("#", 2)[0];
+        String name = Fields.text(message, "service");
         int fragmentSize = Fields.number(message, "fragment_size", 0);
         if (fragmentSize > 0) {
             peer.fragmentSize(fragmentSize);
@@ -55,11 +55,12 @@ final class ServiceOperations {
         }
     }
 
-    /** Arguments come by name, or in the order of the fields. */
+    /** Arguments come by name, or in the order of the fields; anything else counts as none. */
     private static JsonNode byName(Service service, JsonNode args) {
-        return args.isArray()
-                ? service.request().named(args)
-                : args.isMissingNode() || args.isNull() ? JsonObjects.empty() : args;
+        if (args.isArray()) {
+            return service.request().named(args);
+        }
+        return args.isObject() ? args : JsonObjects.empty();
     }
 
     /** Sends the outcome of one call; until then it holds up the connection where the bridge does so. */

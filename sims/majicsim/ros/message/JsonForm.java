@@ -14,7 +14,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import org.jspecify.annotations.Nullable;
 
-/** How JSON text is read and written by one version: ROS 1 writes a slash as {@code \/}; both read NaN and Infinity. */
+/** How JSON text is read and written by one version: ROS 1 writes a slash as {@code \/}; both write characters beyond ASCII as numbers, and read NaN and Infinity. */
 public final class JsonForm {
     private final ObjectMapper reader = JsonMapper.builder()
             .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
@@ -29,6 +29,7 @@ public final class JsonForm {
     public JsonForm(RosVersion version) {
         writer = JsonFactory.builder()
                 .disable(JsonWriteFeature.WRITE_NAN_AS_STRINGS)
+                .enable(JsonWriteFeature.ESCAPE_NON_ASCII)
                 .build();
         if (version == RosVersion.ROS1) {
             writer.setCharacterEscapes(new SlashEscape());

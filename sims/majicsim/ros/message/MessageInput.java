@@ -99,9 +99,10 @@ public final class MessageInput {
         return BinaryNode.valueOf(bytes);
     }
 
+    /** Characters that are not of the alphabet are left out, as Python does. */
     private static byte[] base64(FieldType type, JsonNode received) throws MessageMismatch {
         try {
-            return Base64.getDecoder().decode(received.textValue());
+            return Base64.getMimeDecoder().decode(received.textValue());
         } catch (IllegalArgumentException e) {
             throw mismatch(type, received);
         }

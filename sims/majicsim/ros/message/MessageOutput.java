@@ -2,6 +2,7 @@ package majicsim.ros.message;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.DoubleNode;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
@@ -38,7 +39,9 @@ public final class MessageOutput {
         to.writeStartObject();
         for (Field field : type.fields()) {
             to.writeFieldName(field.name());
-            value(to, field.type(), message.path(field.name()));
+            JsonNode value = message.path(field.name());
+            boolean isDefault = value.isMissingNode() && field.initial() != 0;
+            value(to, field.type(), isDefault ? DoubleNode.valueOf(field.initial()) : value);
         }
         to.writeEndObject();
     }

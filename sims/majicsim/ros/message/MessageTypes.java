@@ -80,7 +80,10 @@ public final class MessageTypes {
         return type;
     }
 
-    /** One line: the name, a colon, and the fields with commas between them; {@code 1:} before a field that ROS 2 lacks. */
+    /**
+     * One line: the name, a colon, and the fields with commas between them; {@code 1:} before a field that ROS 2 lacks,
+     * {@code =} and a number behind one whose default on ROS 2 it is.
+     */
     private void add(String line) {
         int colon = line.indexOf(':');
         String plain = line.substring(0, colon).trim();
@@ -92,9 +95,14 @@ public final class MessageTypes {
             }
             if (!text.isEmpty()) {
                 String[] words = text.split(" ");
-                fields.add(new Field(words[1], FieldType.parse(words[0])));
+                String[] named = words[1].split("=");
+                boolean hasDefault = named.length > 1 && version == RosVersion.ROS2;
+                double initial = hasDefault ? Double.parseDouble(named[1]) : 0;
+                fields.add(new Field(named[0], FieldType.parse(words[0]), initial));
             }
         }
-        types.put(plain, new MessageType(plain, version.messageName(plain), fields));
+        boolean isOfService = plain.endsWith("Request") || plain.endsWith("Response");
+        String name = isOfService ? version.partName(plain) : version.messageName(plain);
+        types.put(plain, new MessageType(plain, name, fields));
     }
 }

@@ -28,6 +28,18 @@ public enum RosVersion {
     }
 
     /**
+     * The name that the bridge gives to the request or response of a service in its messages.
+     *
+     * @param plain package and name, as {@code std_srvs/TriggerRequest}
+     * @return the same on ROS 1, {@code std_srvs/Trigger_Request} on ROS 2
+     */
+    String partName(String plain) {
+        return this == ROS1
+                ? plain
+                : plain.replaceFirst("^rosapi/", "rosapi_msgs/").replaceFirst("(Request|Response)$", "_$1");
+    }
+
+    /**
      * The full name of a service type; those of rosapi are in another package with ROS 2.
      *
      * @param plain package and name, as {@code std_srvs/Trigger}

@@ -85,7 +85,7 @@ final class MoveBase {
     }
 
     private void start(ObjectNode id, JsonNode pose) {
-        navigator.start(Goal.of(pose), outcome -> ended(id, outcome));
+        navigator.start(Goal.of(pose, 0), outcome -> ended(id, outcome));
         goalId = navigator.isActive() ? id : null;
     }
 

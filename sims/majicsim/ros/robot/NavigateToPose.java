@@ -61,7 +61,7 @@ final class NavigateToPose implements ActionServer {
         if (faults.isRejecting()) {
             return;
         }
-        navigator.start(Goal.of(goal.path("pose").path("pose")), outcome -> {
+        navigator.start(Goal.of(goal.path("pose").path("pose"), 1), outcome -> {
             client = null;
             listener.ended(status(outcome), Messages.empty());
         });
@@ -86,7 +86,7 @@ final class NavigateToPose implements ActionServer {
     }
 
     private void bareGoal(ObjectNode message) {
-        navigator.start(Goal.of(message.path("pose")), outcome -> {});
+        navigator.start(Goal.of(message.path("pose"), 1), outcome -> {});
     }
 
     private void cancelAll(ObjectNode request, ServiceReply reply) {

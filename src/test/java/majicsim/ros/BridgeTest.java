@@ -249,4 +249,31 @@ class BridgeTest {
         }
         assertThat(client.taken()).isEmpty();
     }
+
+    @Test
+    void argumentsThatAreNeitherAnObjectNorAListCountAsNone() throws IOException {
+        assertThat(client.call("/rosapi/topic_type", "5").path("values")).isEqualTo(RosStand.json("{\"type\":\"\"}"));
+    }
+
+    @Test
+    void bytesAreReadAsPythonReadsBase64() throws IOException {
+        client.sendAll(
+                "{'op':'advertise','topic':'/img','type':'sensor_msgs/CompressedImage'}",
+                "{'op':'subscribe','topic':'/img'}",
+                "{'op':'publish','topic':'/img','msg':{'data':'!!!AQ!ID'}}",
+                "{'op':'publish','topic':'/img','msg':{'data':'A'}}");
+        assertThat(client.taken())
+                .singleElement()
+                .satisfies(message ->
+                        assertThat(message.path("msg").path("data").asText()).isEqualTo("AQID"));
+    }
+
+    @Test
+    void charactersBeyondAsciiAreEscaped() throws IOException {
+        client.sendAll(
+                "{'op':'advertise','topic':'/s','type':'std_msgs/String'}",
+                "{'op':'subscribe','topic':'/s'}",
+                "{'op':'publish','topic':'/s','msg':{'data':'\u00e4'}}");
+        assertThat(client.texts()).anySatisfy(text -> assertThat(text).containsIgnoringCase("\\u00e4"));
+    }
 }

@@ -96,6 +96,24 @@ class DialectTest {
     }
 
     @Test
+    void aMissingRotationIsNone() throws IOException {
+        client.sendAll(
+                "{'op':'advertise','topic':'/p','type':'geometry_msgs/msg/PoseStamped'}",
+                "{'op':'subscribe','topic':'/p'}",
+                "{'op':'publish','topic':'/p','msg':{}}");
+        assertThat(client.message("/p").path("pose").path("orientation"))
+                .isEqualTo(RosStand.json("{\"x\":0.0,\"y\":0.0,\"z\":0.0,\"w\":1.0}"));
+    }
+
+    @Test
+    void aWrongArgumentIsReportedWithTheNameOfTheRequest() throws IOException {
+        assertThat(client.call("/rosapi/topic_type", "{'wrong':1}")
+                        .path("values")
+                        .asText())
+                .isEqualTo("Message type rosapi_msgs/TopicType_Request does not have a field wrong");
+    }
+
+    @Test
     void aSlashIsNotEscaped() throws IOException {
         client.sendAll("{'op':'subscribe','topic':'/odom'}");
         client.message("/odom");

@@ -186,7 +186,7 @@ class TurtleBot3Test {
             Pose start = stand.pose();
             client.sendAll("{'op':'send_action_goal','id':'g','action':'/navigate_to_pose',"
                     + "'action_type':'nav2_msgs/action/NavigateToPose','feedback':true,"
-                    + "'args':{'pose':{'pose':{'position':{'x':0.5,'y':0.3},'orientation':{'z':1}}}}}");
+                    + "'args':{'pose':{'pose':{'position':{'x':0.5,'y':0.3},'orientation':{'z':1,'w':0}}}}}");
             assertThat(client.await(message -> message.path("op").asText().equals("action_feedback"))
                             .path("values")
                             .path("distance_remaining")
