@@ -2,6 +2,10 @@ package majic.link;
 
 import java.io.IOException;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
+import java.security.NoSuchAlgorithmException;
+import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLParameters;
 import javax.net.ssl.SSLSocket;
 import javax.net.ssl.SSLSocketFactory;
@@ -18,14 +22,29 @@ final class TlsLayer implements TcpLink.Layer {
 
     @Override
     public Socket over(Socket connected, int timeoutMs) throws IOException {
-        SSLSocketFactory factory = (SSLSocketFactory) SSLSocketFactory.getDefault();
+        SSLSocketFactory factory = defaultContext().getSocketFactory();
         SSLSocket secure = (SSLSocket) factory.createSocket(connected, host, port, true);
         SSLParameters parameters = secure.getSSLParameters();
         parameters.setEndpointIdentificationAlgorithm("HTTPS");
         secure.setSSLParameters(parameters);
         secure.setSoTimeout(timeoutMs);
-        secure.startHandshake();
+        try {
+            secure.startHandshake();
+        } catch (SocketTimeoutException e) {
+            SocketTimeoutException explained = new SocketTimeoutException(
+                    host + " port " + port + " was reached, but began no TLS within " + timeoutMs / 1000.0 + " s");
+            explained.initCause(e);
+            throw explained;
+        }
         secure.setSoTimeout(0);
         return secure;
+    }
+
+    private static SSLContext defaultContext() throws SSLException {
+        try {
+            return SSLContext.getDefault();
+        } catch (NoSuchAlgorithmException e) {
+            throw new SSLException("the trust store of this Java cannot be used: " + e.getMessage(), e);
+        }
     }
 }

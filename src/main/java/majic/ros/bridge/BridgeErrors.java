@@ -1,10 +1,12 @@
 package majic.ros.bridge;
 
 import java.io.IOException;
+import java.security.cert.CertificateException;
 import javax.net.ssl.SSLException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.ros.websocket.NotWebSocket;
+import org.jspecify.annotations.Nullable;
 
 /** Explains why there is no connection to a rosbridge server. */
 final class BridgeErrors {
@@ -15,6 +17,15 @@ final class BridgeErrors {
         if (failure instanceof NotWebSocket other) {
             return new ConnectFailed(Reason.WRONG_DEVICE, notRosbridge(other, where, address), failure);
         }
+        CertificateException certificate = certificate(failure);
+        if (certificate != null) {
+            return new ConnectFailed(
+                    Reason.NOT_ALLOWED,
+                    "the certificate of " + where + " is not trusted (" + certificate.getMessage()
+                            + "); it must be issued for " + address.host()
+                            + " and be in the trust store of this Java (keytool -importcert)",
+                    failure);
+        }
         if (failure instanceof SSLException) {
             return new ConnectFailed(
                     Reason.WRONG_DEVICE,
@@ -23,6 +34,15 @@ final class BridgeErrors {
                     failure);
         }
         return ConnectFailed.of(failure);
+    }
+
+    private static @Nullable CertificateException certificate(Throwable failure) {
+        for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
+            if (cause instanceof CertificateException certificate) {
+                return certificate;
+            }
+        }
+        return null;
     }
 
     private static String notRosbridge(NotWebSocket other, String where, BridgeAddress address) {
