@@ -150,6 +150,23 @@ class ConnectingTest {
     }
 
     @Test
+    void questionsThatAServerForbidsDelayTheConnectionByOneTimeLimitTogether() {
+        try (ScriptedRos robot = new ScriptedRos()) {
+            for (int i = 0; i < 10; i++) {
+                robot.topics.put("/nav" + i + "_nav/cmd_vel", "geometry_msgs/Twist");
+            }
+            robot.wholeAnswer = call -> call.path("service").asText().matches(".*(nodes|subscribers|get_param)")
+                    ? "{\"op\":\"status\"}"
+                    : "";
+            long start = robot.peer.millis();
+            robot.bot().connect();
+
+            assertThat(robot.peer.millis() - start).isLessThan(6000);
+            assertThat(robot.bot().introduction()).contains("unknown robot", "ROS 1,", "/cmd_vel with /odom");
+        }
+    }
+
+    @Test
     void aSystemWithoutABaseIsExplained() {
         try (ScriptedRos robot = new ScriptedRos()) {
             robot.topics.remove("/cmd_vel");

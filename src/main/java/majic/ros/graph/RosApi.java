@@ -17,13 +17,20 @@ import majic.ros.bridge.RosBridge;
 import majic.ros.bridge.ServiceFailed;
 
 /**
- * Asks the node rosapi of a robot (rosbridge sheet 5). All methods block for at most {@value #TIMEOUT_S} s. Thread-safe.
+ * Asks the node rosapi of a robot (rosbridge sheet 5). Each question blocks for at most {@value #TIMEOUT_S} s.
+ * Thread-safe.
  */
 public final class RosApi {
     /** A service that is forbidden on the robot is not answered, so each call has a time limit, seconds. */
     static final double TIMEOUT_S = 5;
 
     private final RosBridge bridge;
+
+    /**
+     * Whether a question that can do without an answer had none: the others are not asked then, since waiting for each of
+     * them would make a connection take minutes.
+     */
+    private volatile boolean isSilent;
 
     /**
      * Creates the client.
@@ -128,11 +135,22 @@ public final class RosApi {
     }
 
     private Optional<List<String>> names(String service, ObjectNode arguments, String field) {
-        try {
+        return asked(service, arguments).map(values -> {
             List<String> names = new ArrayList<>();
-            bridge.call(service, arguments, TIMEOUT_S).path(field).forEach(name -> names.add(name.asText()));
-            return Optional.of(names);
+            values.path(field).forEach(name -> names.add(name.asText()));
+            return names;
+        });
+    }
+
+    /** Asks a question that can do without an answer. */
+    private Optional<JsonNode> asked(String service, ObjectNode arguments) {
+        if (isSilent) {
+            return Optional.empty();
+        }
+        try {
+            return Optional.of(bridge.call(service, arguments, TIMEOUT_S));
         } catch (ServiceFailed e) {
+            isSilent = !e.isAnswered();
             return Optional.empty();
         }
     }
@@ -144,14 +162,10 @@ public final class RosApi {
      * @return its value as text, a string without quotes; empty if there is none
      */
     public Optional<String> parameter(String name) {
-        try {
-            String json = bridge.call("/rosapi/get_param", empty().put("name", name), TIMEOUT_S)
-                    .path("value")
-                    .asText("");
-            return json.isBlank() || json.equals("null") ? Optional.empty() : Optional.of(clean(json));
-        } catch (ServiceFailed e) {
-            return Optional.empty();
-        }
+        return asked("/rosapi/get_param", empty().put("name", name))
+                .map(values -> values.path("value").asText(""))
+                .filter(json -> !json.isBlank() && !json.equals("null"))
+                .map(RosApi::clean);
     }
 
     /** Values are JSON texts; that of the distribution may end with a line break inside of its quotes. */
