@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeSet;
 import java.util.stream.Collectors;
 import majic.bot.ParameterException;
 import majic.ros.readings.RosClient;
@@ -48,16 +47,18 @@ record TopicPath(RosTopic topic, List<String> field) {
                 .map(topic -> new RosTopic(topic.getKey(), topic.getValue()));
     }
 
-    /** The end of a sentence: the likeliest topic, or some that contain the first or the last word. */
+    /** The end of a sentence: the topic that the path or its beginning was meant to be, or some that have a word of it. */
     static String near(String path, Map<String, String> topics) {
-        List<String> names = new TreeSet<>(topics.keySet())
-                .stream().map(name -> name.substring(1)).toList();
-        String suggestion = Suggestion.didYouMean(path.replaceFirst("^/", ""), names);
-        if (!suggestion.isEmpty()) {
-            return suggestion;
+        String typed = path.replaceFirst("^/", "");
+        List<String> names =
+                topics.keySet().stream().map(name -> name.substring(1)).sorted().toList();
+        for (String start = typed; !start.isEmpty(); start = start.substring(0, Math.max(0, start.lastIndexOf('/')))) {
+            String suggestion = Suggestion.didYouMean(start, names);
+            if (!suggestion.isEmpty()) {
+                return suggestion;
+            }
         }
-        List<String> words =
-                List.of(path.replaceFirst("^/", "").toLowerCase(Locale.ROOT).split("[/_]"));
+        List<String> words = List.of(typed.toLowerCase(Locale.ROOT).split("[/_]"));
         String similar = names.stream()
                 .filter(name -> words.stream().anyMatch(word -> isSimilar(name, word)))
                 .limit(MOST_NEAR)

@@ -143,7 +143,8 @@ class RosParametersTest {
 
     @ParameterizedTest
     @CsvSource({
-        "topic/odm/x, odm/x: the robot has no such topic; the command \"topics\" lists them",
+        "topic/odm/x, odm/x: the robot has no such topic; did you mean odom?",
+        "topic/xy/z, xy/z: the robot has no such topic; the command \"topics\" lists them",
         "topic/odon, odon: the robot has no such topic; did you mean odom?",
         "topic/sonar/right, sonar/right: the robot has no such topic; near ones are sonar/left",
         "topic/image, image: the robot has no such topic; near ones are camera/image/compressed"

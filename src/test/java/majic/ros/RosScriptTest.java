@@ -1,0 +1,62 @@
+package majic.ros;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import majic.LabRig;
+import majic.bot.Pose;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** A ROS robot in MAJIC Script. */
+class RosScriptTest {
+    @AutoClose
+    private final LabRig lab = LabRig.exactWithRos("1");
+
+    @BeforeEach
+    void add() {
+        lab.add("ros");
+    }
+
+    @Test
+    void aFieldOfATopicIsAParameterOfALine() throws InterruptedException {
+        assertThat(lab.run("1 get topic/scan/range_max, topic/odom/pose/pose/position/x"))
+                .containsExactly("1 topic/scan/range_max = 3.5", "1 topic/odom/pose/pose/position/x = 0");
+        assertThat(lab.run("1 get topic/scam/range_max"))
+                .containsExactly("scam/range_max: the robot has no such topic; did you mean scan?");
+    }
+
+    @Test
+    void aFieldOfATopicIsAGuard() throws InterruptedException {
+        Pose start = lab.truePose("ros");
+
+        lab.run("1 drive 100 0 until topic/odom/pose/pose/position/x > 0.2");
+
+        assertThat(lab.truePose("ros").distanceMm(start)).isBetween(200.0, 260.0);
+    }
+
+    @Test
+    void gotoTakesUnitsAndAnOptionalHeading() throws InterruptedException {
+        assertThat(lab.run("1 goto 0.5m 100mm 90"))
+                .singleElement()
+                .asString()
+                .startsWith("1 goto 0.5m 100mm 90: arrived at ");
+        assertThat(lab.run("1 goto 0.5m")).containsExactly("goto: takes X Y [HEADING]");
+    }
+
+    @Test
+    void servicesAreCalledWithArgumentsInQuotes() throws InterruptedException {
+        assertThat(lab.run("1 call \"/rosapi/topic_type\" \"topic=/scan\""))
+                .containsExactly("1 call \"/rosapi/topic_type\" \"topic=/scan\": type: sensor_msgs/LaserScan");
+        assertThat(lab.run("1 call rosapi/topic_type \"{topic: '/odom'}\""))
+                .singleElement()
+                .asString()
+                .endsWith("type: nav_msgs/Odometry");
+    }
+
+    @Test
+    void whatBeamsWithoutAnEchoMeanIsASetting() throws InterruptedException {
+        assertThat(lab.run("1 set noEcho clear", "1 get noEcho"))
+                .containsExactly("1 set noEcho clear: done", "1 noEcho = clear");
+    }
+}
