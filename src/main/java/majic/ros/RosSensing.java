@@ -75,6 +75,7 @@ final class RosSensing implements ObstructionSource {
                 session.graph().topics());
         RosSensors sensors = RosSensors.of(client.topics(), namespace);
         servers = NavigationServers.of(client.topics(), actions(client), namespace);
+        navigation.cancelUnfinished(client, servers);
         RosReadings opened = new RosReadings(client, sensors, waiting, events);
         readings = opened;
         parameters.describe(sensors, servers);

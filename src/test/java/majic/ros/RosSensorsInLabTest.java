@@ -181,6 +181,32 @@ class RosSensorsInLabTest {
         }
     }
 
+    @ParameterizedTest(name = "ROS {0}")
+    @ValueSource(strings = {"1", "2", "2+unblocked"})
+    void aGoalThatWasPursuedWhenTheConnectionWasLostIsCancelledByTheNextOne(String model) {
+        try (LabRobot robot = connected(model, 1000)) {
+            Pose start = robot.truePose();
+            CompletableFuture<String> drive = aside(robot, "goto", 3000, 0);
+            while (robot.truePose().distanceMm(start) < 200) {
+                pass(robot, 0.05);
+            }
+            robot.cut();
+            Pose lost = robot.truePose();
+            pass(robot, 2);
+            assertThat(drive).isCompletedExceptionally();
+            assertThat(robot.truePose().distanceMm(lost))
+                    .as("the robot goes on by itself")
+                    .isGreaterThan(100);
+
+            robot.bot().connect();
+            pass(robot, 0.5);
+
+            Pose stopped = robot.truePose();
+            pass(robot, 3);
+            assertThat(robot.truePose().distanceMm(stopped)).isLessThan(5);
+        }
+    }
+
     @Test
     void aRobotWithoutNavigationHasNoCommandForIt() {
         try (LabRobot robot = connected("2+nonavigation", 3500)) {

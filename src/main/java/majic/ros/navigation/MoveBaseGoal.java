@@ -62,15 +62,23 @@ final class MoveBaseGoal implements Goal {
         connection.publish(server + "/goal", "move_base_msgs/MoveBaseActionGoal", message);
     }
 
-    /** An empty id and no stamp mean all goals, those of other programs too: the robot is to stop. */
     @Override
     public void cancel() {
         if (!cancelled.getAndSet(true)) {
-            connection.publish(
-                    server + "/cancel",
-                    "actionlib_msgs/GoalID",
-                    JsonNodeFactory.instance.objectNode().put("id", ""));
+            cancelAll(connection, server);
         }
+    }
+
+    /**
+     * Cancels the goals of all programs, since the robot is to stop: an empty id and no stamp mean all of them.
+     *
+     * @param server the beginning of the names of the topics
+     */
+    static void cancelAll(RosClient connection, String server) {
+        connection.publish(
+                server + "/cancel",
+                "actionlib_msgs/GoalID",
+                JsonNodeFactory.instance.objectNode().put("id", ""));
     }
 
     private void listed(JsonNode message) {

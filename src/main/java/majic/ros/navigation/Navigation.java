@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
@@ -29,6 +30,7 @@ public final class Navigation {
 
     private final Signal changes;
     private volatile @Nullable Goal running;
+    private volatile boolean unfinished;
 
     /**
      * Creates an idle navigation.
@@ -123,6 +125,9 @@ public final class Navigation {
                 throw new MotionFailed("the goal was not reached within " + Math.round(limits.endS()) + " s");
             }
             check(goal);
+        } catch (LinkLost e) {
+            unfinished = true;
+            throw e;
         } finally {
             if (goal.result().isEmpty()) {
                 attemptCancel(goal);
@@ -149,13 +154,33 @@ public final class Navigation {
         }
     }
 
-    private static void attemptCancel(Goal goal) {
+    private void attemptCancel(Goal goal) {
         try {
             goal.cancel();
         } catch (LinkLost e) {
+            unfinished = true;
             System.getLogger(Navigation.class.getName())
                     .log(System.Logger.Level.DEBUG, "the goal could not be cancelled", e);
         }
+    }
+
+    /**
+     * Cancels what the robot may still pursue since the last connection was lost: the loss cancels no goal (rosbridge sheet
+     * 6). Called for each new connection; sends nothing after one that ended without a goal.
+     *
+     * @param servers of the robot
+     * @throws LinkLost if the connection has ended
+     */
+    public void cancelUnfinished(RosClient connection, NavigationServers servers) {
+        if (!unfinished) {
+            return;
+        }
+        servers.moveBase().ifPresent(server -> MoveBaseGoal.cancelAll(connection, server));
+        Stream.of(servers.navigateToPose(), servers.dock(), servers.undock())
+                .flatMap(Optional::stream)
+                .forEach(action ->
+                        connection.request(action + "/_action/cancel_goal", JsonNodeFactory.instance.objectNode()));
+        unfinished = false;
     }
 
     /**
