@@ -46,7 +46,7 @@ class ExamplesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"WanderDog", "LineFollower", "MajicRace", "TenLines", "Wanderer"})
+    @ValueSource(strings = {"WanderDog", "LineFollower", "MajicRace", "TenLines", "Wanderer", "RosWander"})
     void withoutAnAddressItPrintsItsUsage(String example) throws Exception {
         PrintStream errors = System.err;
         System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));

@@ -81,6 +81,29 @@ class ProgramsInLabTest {
         }
     }
 
+    @Test
+    void aTurtleBotAndADogWanderByTheSameLines() throws Exception {
+        try (LabRig rig = LabRig.exactWithRos("2")) {
+            Pose start = rig.truePose("ros");
+            assertThat(run(rig, "ros.majic"))
+                    .noneMatch(line -> line.contains("failed"))
+                    .filteredOn(line -> line.contains("turn 100: done"))
+                    .hasSize(10);
+            assertThat(rig.truePose("ros").distanceMm(start)).isGreaterThan(100);
+            assertThat(ActLabs.bumps(rig)).containsEntry("ros", 0).containsEntry("aibo", 0);
+        }
+    }
+
+    @Test
+    void aTurtleBotWandersByJava() throws Exception {
+        try (LabRig rig = LabRig.exactWithRos("1")) {
+            Pose start = rig.truePose("ros");
+            call("RosWander", "wander", rig.add("ros"));
+            assertThat(rig.truePose("ros").distanceMm(start)).isGreaterThan(100);
+            assertThat(ActLabs.bumps(rig)).containsEntry("ros", 0);
+        }
+    }
+
     /** Runs a script with the robots of the lab in place of those that it names. */
     private static List<String> run(LabRig rig, String script) throws Exception {
         return rig.run(Files.readString(Path.of("examples", script))
