@@ -1,6 +1,10 @@
 package majic.ros;
 
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotState;
@@ -19,7 +23,12 @@ import majic.ros.message.OdometryMessage;
 import majic.ros.motion.BaseOwner;
 import majic.ros.motion.RosMotion;
 import majic.ros.motion.RosMotion.PoseSource;
+import majic.ros.panel.RosPanel;
+import majic.ros.panel.RosPictureFile;
+import majic.ros.panel.RosReplay;
+import majic.ros.panel.RosScene;
 import majic.ros.parameters.RosParameters;
+import majic.ros.readings.RequestedReading;
 import majic.ros.readings.RosReadings;
 import org.jspecify.annotations.Nullable;
 
@@ -38,6 +47,8 @@ public final class MajicRos extends BotDriver {
     private final AtomicReference<@Nullable RosSession> session = new AtomicReference<>();
     private final Owner owner = new Owner();
     private final RosSensing sensing;
+    private final RosScenes scenes = new RosScenes(time());
+    private final AtomicInteger cameraViews = new AtomicInteger();
     private volatile @Nullable RosMotion motions;
     private volatile Pose lastPose = Pose.START;
     private volatile boolean mayMove;
@@ -205,6 +216,39 @@ public final class MajicRos extends BotDriver {
         return open;
     }
 
+    @Override
+    public JComponent display() {
+        return RosPanel.create(this, this::scene, this::watchCamera);
+    }
+
+    @Override
+    public Map<String, String> displayState() {
+        return scene().map(RosReplay::texts).orElse(Map.of());
+    }
+
+    /** Returns what the panel shows; empty before the first connection. */
+    private Optional<RosScene> scene() {
+        RosSession open = session.get();
+        RosReadings readings = sensing.readings();
+        return open == null || readings == null
+                ? Optional.empty()
+                : Optional.of(scenes.scene(this, open.connections(), readings));
+    }
+
+    /** Pictures are requested while a panel shows them; sending may block, so it does not happen on the event thread. */
+    private void watchCamera(boolean seen) {
+        if (cameraViews.addAndGet(seen ? 1 : -1) == 1 && seen) {
+            once("ros camera", 0, this::requestPictures);
+        }
+    }
+
+    private void requestPictures() {
+        RosReadings readings = sensing.readings();
+        if (cameraViews.get() > 0 && readings != null && isConnected()) {
+            readings.camera().ifPresent(RequestedReading::request);
+        }
+    }
+
     private void watch() {
         RosSession open = session.get();
         if (open != null && isConnected()) {
@@ -216,6 +260,7 @@ public final class MajicRos extends BotDriver {
         RosSession open = session.get();
         if (open != null && connection() != Connection.LOST) {
             open.renewSubscriptions();
+            requestPictures();
             sensing.endUnused();
         }
     }
@@ -267,9 +312,7 @@ public final class MajicRos extends BotDriver {
         /** The recorder takes only JPEG files. */
         @Override
         public void picture(CompressedPicture picture) {
-            if (picture.isJpeg()) {
-                publishPicture(picture::file);
-            }
+            publishPicture(() -> RosPictureFile.jpeg(picture.file()));
         }
 
         @Override

@@ -6,6 +6,7 @@ import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.ros.bridge.BridgeAddress;
+import majic.ros.panel.RosReplay;
 
 /** Robots that speak ROS among the types of robots. */
 public final class RosType implements BotType {
@@ -56,6 +57,11 @@ public final class RosType implements BotType {
     public MajicBot create(BotAddress address, BotEnvironment environment) {
         address.libraryAmong(libraries());
         return new MajicRos(address, environment);
+    }
+
+    @Override
+    public ReplayDisplay replay(MajicBot recorded) {
+        return new RosReplay(recorded);
     }
 
     @Override

@@ -47,15 +47,6 @@ public final class CompressedPicture {
     }
 
     /**
-     * Returns whether it is a JPEG file, whatever the field {@code format} says.
-     *
-     * @return whether it begins as such files do
-     */
-    public boolean isJpeg() {
-        return file.length > 1 && (file[0] & 0xFF) == 0xFF && (file[1] & 0xFF) == 0xD8;
-    }
-
-    /**
      * Returns the size of the file.
      *
      * @return bytes, at least 1

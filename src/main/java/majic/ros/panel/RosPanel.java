@@ -26,7 +26,7 @@ public final class RosPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
 
     private static final Texts TEXTS = Texts.of(RosPanel.class);
-    private static final String LONGEST_READING = "-88888.8 mm";
+    private static final String LONGEST_READING = "TurtleBot3 Waffle (ROS 2)";
     private static final String LONGEST_DISTANCE = "8888 mm";
 
     /** None of these parameters sends a request. */

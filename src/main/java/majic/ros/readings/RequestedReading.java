@@ -76,6 +76,17 @@ public final class RequestedReading<T> {
         return newest.get();
     }
 
+    /**
+     * Keeps the subscription for some seconds, as a read does, and waits for nothing. It may be sent, which blocks for as
+     * long as the connection does not take it.
+     *
+     * @throws BotException if the connection is lost
+     */
+    public void request() {
+        readNanos = waiting.time().nanos();
+        subscribe();
+    }
+
     /** Subscribes if necessary; returns for how many seconds the subscription has existed. */
     private synchronized double subscribe() {
         if (unsubscribe == null) {
