@@ -137,13 +137,8 @@ public final class RosMotion {
     }
 
     /** Returns whether there has been a reading. */
-    public boolean hasReported() {
+    boolean hasReported() {
         return base.isKnown();
-    }
-
-    /** Returns the newest pose; null before the first reading. */
-    public @Nullable Pose pose() {
-        return base.isKnown() ? base.now().pose() : null;
     }
 
     /**
