@@ -133,7 +133,9 @@ public final class MajicRos extends BotDriver {
     private void adviseAbout(RosSession opened) {
         KnownRobot robot = opened.robot();
         if (opened.base().odometry() == null) {
-            notice("it has no odometry, so its distances and angles are calculated from the commands");
+            notice(
+                    "it has no odometry: its distances and angles are calculated from the commands, and nothing confirms that"
+                            + " a stop has stopped it");
         }
         if (Double.isInfinite(robot.timeoutS())) {
             notice("a " + robot.name()

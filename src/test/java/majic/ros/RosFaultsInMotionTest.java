@@ -4,9 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import majic.LabRig;
 import majic.LabRobot;
+import majic.bot.BotListener;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.Pose;
@@ -88,8 +91,17 @@ class RosFaultsInMotionTest {
     /** On ROS 2 the robot cuts velocities to steps of 0.01 m/s and 0.01 rad/s, which the calculation does not include. */
     @Test
     void aRobotWithoutOdometryIsMovedByCalculation() {
+        List<String> notices = new CopyOnWriteArrayList<>();
+        bot.addListener(new BotListener() {
+            @Override
+            public void notice(MajicBot from, String message) {
+                notices.add(message);
+            }
+        });
         robot.besideRos(ros -> ros.hideTopics("/odom"));
         bot.connect();
+        pass(0.1);
+        assertThat(notices).anyMatch(notice -> notice.contains("nothing confirms that a stop has stopped it"));
 
         assertThat(bot.profile().estimates()).isTrue();
         bot.move(500);
