@@ -11,12 +11,14 @@ public final class LaserScanMessage {
     private final String frame;
     private final double firstDeg;
     private final double stepDeg;
+    private final double leastMm;
     private final double[] rangesMm;
 
-    private LaserScanMessage(String frame, double firstDeg, double stepDeg, double[] rangesMm) {
+    private LaserScanMessage(String frame, double firstDeg, double stepDeg, double leastMm, double[] rangesMm) {
         this.frame = frame;
         this.firstDeg = firstDeg;
         this.stepDeg = stepDeg;
+        this.leastMm = leastMm;
         this.rangesMm = rangesMm;
     }
 
@@ -40,6 +42,7 @@ public final class LaserScanMessage {
                 Fields.frame(message, "header.frame_id"),
                 Math.toDegrees(Fields.number(message, "angle_min")),
                 Math.toDegrees(Fields.number(message, "angle_increment")),
+                RosUnits.mm(least),
                 rangesMm);
     }
 
@@ -78,6 +81,15 @@ public final class LaserScanMessage {
      */
     public double stepDeg() {
         return stepDeg;
+    }
+
+    /**
+     * Returns the least range that the scanner measures: what is nearer has no range.
+     *
+     * @return mm; 0 if the message does not tell
+     */
+    public double leastMm() {
+        return leastMm;
     }
 
     /**

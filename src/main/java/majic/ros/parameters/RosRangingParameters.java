@@ -1,6 +1,6 @@
 package majic.ros.parameters;
 
-import java.util.List;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiFunction;
@@ -13,6 +13,7 @@ import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.ros.message.RangeMessage;
 import majic.ros.readings.HullSide;
+import majic.ros.readings.NoEcho;
 import majic.ros.readings.RosReadings;
 import majic.ros.readings.RosSensors;
 import majic.ros.readings.RosTopic;
@@ -23,7 +24,7 @@ import majic.ros.readings.ScanSummary;
 final class RosRangingParameters implements ParameterTheme<RosSensors> {
     private final RosAccess access;
     private final DoubleSupplier radiusMm;
-    private volatile boolean noEchoIsClear;
+    private volatile NoEcho noEcho = NoEcho.AUTO;
 
     /**
      * Creates the theme.
@@ -43,15 +44,16 @@ final class RosRangingParameters implements ParameterTheme<RosSensors> {
         for (HullSide side : HullSide.values()) {
             table.add(
                     Parameter.number(side.parameter(), Unit.MM, side.help()),
-                    access.read(readings -> readings.distance(side, radiusMm.getAsDouble(), noEchoIsClear)));
+                    access.read(readings -> readings.distance(side, radiusMm.getAsDouble(), noEcho)));
         }
         table.add(
                         Parameter.choice(
                                 "noEcho",
-                                List.of("unknown", "clear"),
-                                "what beams without an echo mean: unknown, or clear for sensors that miss nothing"),
-                        () -> Value.text(noEchoIsClear ? "clear" : "unknown"))
-                .writes(values -> noEchoIsClear = values.get(0).toString().equals("clear"));
+                                Arrays.stream(NoEcho.values()).map(NoEcho::word).toList(),
+                                "what beams without an echo mean; auto: clear if the scanner sees all that is near"),
+                        () -> Value.text(noEcho.word()))
+                .writes(values ->
+                        noEcho = NoEcho.valueOf(values.get(0).toString().toUpperCase(Locale.ROOT)));
         if (sensors.scan().isPresent()) {
             describeScan(table);
         }

@@ -35,8 +35,8 @@ final class BridgeGoal implements RosClient.GoalChannel {
     }
 
     /**
-     * The service comes first: it is the only way that does not depend on the version. Its empty request means all goals
-     * (action_msgs/CancelGoal).
+     * The service is the only way that does not depend on the version; its empty request means all goals
+     * (action_msgs/CancelGoal). It comes last: if it is not answered, it holds up what follows on its connection.
      */
     @Override
     public void cancel() {
@@ -44,12 +44,12 @@ final class BridgeGoal implements RosClient.GoalChannel {
         if (known == null) {
             return;
         }
-        attempt(() -> services.request(known + "/_action/cancel_goal", JsonNodeFactory.instance.objectNode()));
         String goal = id;
         if (goal != null) {
             attempt(() -> services.cancelGoal(known, goal));
             attempt(() -> own.cancelGoal(known, goal));
         }
+        attempt(() -> services.request(known + "/_action/cancel_goal", JsonNodeFactory.instance.objectNode()));
     }
 
     private static void attempt(Runnable send) {

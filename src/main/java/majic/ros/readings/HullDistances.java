@@ -13,15 +13,22 @@ import majic.ros.message.Vector;
  *
  * <p>The nearest echo in the way counts. Without one the way is free only as far as it was seen: beams without an echo may
  * be free, but also blocked by something black, shiny or too near (REP-117, and rosbridge sends all of these as
- * {@code null}). So a gap of such beams that is wider than {@link #WIDEST_GAP_DEG} makes the distance unknown, unless the
- * user has set that no echo means that nothing is there.
+ * {@code null}). So a gap of such beams that is wider than {@link #WIDEST_GAP_DEG} makes the distance unknown. There are two
+ * exceptions: the user has set that no echo means that nothing is there, or what is too near for the scanner would touch
+ * the hull, so that only something black or shiny can hide, as it can from every scanner and sonar.
  *
  * @param radiusMm of the hull
- * @param noEchoIsClear whether a beam without an echo has nothing in its way
+ * @param noEcho what it means that a beam has none
  */
-record HullDistances(double radiusMm, boolean noEchoIsClear) {
+record HullDistances(double radiusMm, NoEcho noEcho) {
     /** A few beams without an echo are usual in every scan. */
     static final double WIDEST_GAP_DEG = 10;
+
+    /** How near to the hull something is that touches it soon, mm. */
+    private static final double TOUCHING_MM = 50;
+
+    /** A scanner that hardly sees anything may be defective or covered. */
+    private static final double LEAST_ECHOES = 0.05;
 
     /** Scanners leave out a beam or two between the last one and the first. */
     private static final double WHOLE_TURN_DEG = 350;
@@ -62,10 +69,19 @@ record HullDistances(double radiusMm, boolean noEchoIsClear) {
         if (!scanned && here.isEmpty()) {
             return NOT_SEEN;
         }
-        boolean seen = noEchoIsClear
-                || scanned && widestGapDeg(side, scan.get()) <= WIDEST_GAP_DEG
+        boolean seen = noEcho == NoEcho.CLEAR
+                || scanned && isSeen(side, scan.get())
                 || here.stream().anyMatch(beam -> beam.reading().rangeMm().isPresent());
         return seen ? Value.CLEAR : NO_ECHO;
+    }
+
+    private boolean isSeen(HullSide side, ScanPoints scan) {
+        return noEcho == NoEcho.AUTO && hidesNothing(side, scan) || widestGapDeg(side, scan) <= WIDEST_GAP_DEG;
+    }
+
+    private boolean hidesNothing(HullSide side, ScanPoints scan) {
+        return scan.echoes() >= LEAST_ECHOES * scan.beams()
+                && scan.leastMm() - side.toHullMm(radiusMm, scan.originMm()) <= TOUCHING_MM;
     }
 
     private double nearestMm(HullSide side, ScanPoints scan) {

@@ -1,5 +1,7 @@
 package majic.ros.readings;
 
+import majic.ros.message.Vector;
+
 /** The four sides of a robot, and which way is free on each. */
 public enum HullSide {
     /** Ahead. */
@@ -70,5 +72,10 @@ public enum HullSide {
             return Double.POSITIVE_INFINITY;
         }
         return Math.max(0, along - Math.sqrt(squareBeside));
+    }
+
+    /** Returns the distance on this side from a sensor to the edge of a round hull, mm; negative outside of it. */
+    double toHullMm(double radiusMm, Vector sensorMm) {
+        return radiusMm - (sensorMm.x() * ahead + sensorMm.y() * left);
     }
 }

@@ -355,10 +355,10 @@ public final class RosReadings {
      *
      * @param side which
      * @param radiusMm of the robot
-     * @param noEchoIsClear whether a beam without an echo has nothing in its way
+     * @param noEcho what it means that a beam has none
      * @return mm from the hull, clear, or unknown with the reason
      */
-    public Value distance(HullSide side, double radiusMm, boolean noEchoIsClear) {
+    public Value distance(HullSide side, double radiusMm, NoEcho noEcho) {
         Optional<ScanPoints> points = scan.get();
         List<HullDistances.Beam> beams = new ArrayList<>();
         for (Newest<RangeMessage> each : ranges.values()) {
@@ -369,6 +369,6 @@ public final class RosReadings {
         if (points.isEmpty() && sensors.scan().isPresent()) {
             return scan.unknown();
         }
-        return new HullDistances(radiusMm, noEchoIsClear).distance(side, points, beams);
+        return new HullDistances(radiusMm, noEcho).distance(side, points, beams);
     }
 }

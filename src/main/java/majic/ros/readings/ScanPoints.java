@@ -12,15 +12,28 @@ public final class ScanPoints {
     private final double[] directionsDeg;
     private final double[] xMm;
     private final double[] yMm;
-    private final double stepDeg;
+    private final LaserScanMessage scan;
+    private final Vector originMm;
     private final int echoes;
 
-    private ScanPoints(double[] directionsDeg, double[] xMm, double[] yMm, double stepDeg, int echoes) {
-        this.directionsDeg = directionsDeg;
-        this.xMm = xMm;
-        this.yMm = yMm;
-        this.stepDeg = stepDeg;
-        this.echoes = echoes;
+    private ScanPoints(LaserScanMessage scan, FrameTransform scanner) {
+        this.scan = scan;
+        this.originMm = scanner.originMm();
+        int beams = scan.beams();
+        this.directionsDeg = new double[beams];
+        this.xMm = new double[beams];
+        this.yMm = new double[beams];
+        int found = 0;
+        for (int beam = 0; beam < beams; beam++) {
+            double angle = Math.toRadians(scan.directionDeg(beam));
+            Vector along = scanner.orientation().rotate(new Vector(Math.cos(angle), Math.sin(angle), 0));
+            directionsDeg[beam] = Math.toDegrees(Math.atan2(along.y(), along.x()));
+            double range = scan.rangeMm(beam);
+            xMm[beam] = originMm.x() + range * along.x();
+            yMm[beam] = originMm.y() + range * along.y();
+            found += Double.isNaN(range) ? 0 : 1;
+        }
+        this.echoes = found;
     }
 
     /**
@@ -31,21 +44,7 @@ public final class ScanPoints {
      * @return its points
      */
     public static ScanPoints of(LaserScanMessage scan, FrameTransform scanner) {
-        int beams = scan.beams();
-        double[] directions = new double[beams];
-        double[] x = new double[beams];
-        double[] y = new double[beams];
-        int echoes = 0;
-        for (int beam = 0; beam < beams; beam++) {
-            double angle = Math.toRadians(scan.directionDeg(beam));
-            Vector along = scanner.orientation().rotate(new Vector(Math.cos(angle), Math.sin(angle), 0));
-            directions[beam] = Math.toDegrees(Math.atan2(along.y(), along.x()));
-            double range = scan.rangeMm(beam);
-            x[beam] = scanner.originMm().x() + range * along.x();
-            y[beam] = scanner.originMm().y() + range * along.y();
-            echoes += Double.isNaN(range) ? 0 : 1;
-        }
-        return new ScanPoints(directions, x, y, Math.abs(scan.stepDeg()), echoes);
+        return new ScanPoints(scan, scanner);
     }
 
     /**
@@ -108,6 +107,16 @@ public final class ScanPoints {
 
     /** The angle from one beam to the next, degrees, not negative. */
     double stepDeg() {
-        return stepDeg;
+        return Math.abs(scan.stepDeg());
+    }
+
+    /** The least range that the scanner measures, mm. */
+    double leastMm() {
+        return scan.leastMm();
+    }
+
+    /** Where the scanner is on the robot, mm. */
+    Vector originMm() {
+        return originMm;
     }
 }

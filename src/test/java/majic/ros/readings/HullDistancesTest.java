@@ -23,8 +23,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 
 class HullDistancesTest {
-    private static final HullDistances HULL = new HullDistances(100, false);
+    private static final HullDistances HULL = new HullDistances(100, NoEcho.UNKNOWN);
     private static final FrameTransform CENTRE = FrameTransform.NONE;
+    private static final FrameTransform BEHIND_50_MM = new FrameTransform(new Vector(-50, 0, 0), Orientation.NONE);
     private static final FrameTransform BEHIND_BACKWARDS =
             new FrameTransform(new Vector(-50, 0, 0), new Orientation(0, 0, 1, 0));
 
@@ -62,7 +63,7 @@ class HullDistancesTest {
         ScanPoints scan = scan(CENTRE, angle -> angle == 30 ? 0.3 : Double.NaN);
 
         assertThat(HULL.distance(HullSide.FRONT, Optional.of(scan), List.of())).isInstanceOf(Value.Unknown.class);
-        assertThat(new HullDistances(160, false).distance(HullSide.FRONT, Optional.of(scan), List.of()))
+        assertThat(new HullDistances(160, NoEcho.UNKNOWN).distance(HullSide.FRONT, Optional.of(scan), List.of()))
                 .isEqualTo(mm(Math.round(300 * Math.cos(Math.PI / 6) - Math.sqrt(160 * 160 - 150 * 150))));
     }
 
@@ -80,7 +81,7 @@ class HullDistancesTest {
 
         assertThat(HULL.distance(side, Optional.of(dark), List.of()))
                 .isEqualTo(Value.unknown("no echo there: free, or too near, black or shiny"));
-        assertThat(new HullDistances(100, true).distance(side, Optional.of(dark), List.of()))
+        assertThat(new HullDistances(100, NoEcho.CLEAR).distance(side, Optional.of(dark), List.of()))
                 .isEqualTo(Value.CLEAR);
     }
 
@@ -97,6 +98,28 @@ class HullDistancesTest {
         Value front = HULL.distance(HullSide.FRONT, Optional.of(corridor), List.of());
 
         assertThat(front.toString()).startsWith(expected);
+    }
+
+    @ParameterizedTest
+    @CsvSource({"1000, clear", "100, clear", "60, unknown"})
+    void noEchoIsClearIfWhatIsTooNearForTheScannerWouldTouchTheHull(double radiusMm, String expected) {
+        ScanPoints openAhead =
+                scan(BEHIND_50_MM, angle -> Math.abs(Math.IEEEremainder(angle, 360)) < 45 ? Double.NaN : 3.0);
+
+        Value front = new HullDistances(radiusMm, NoEcho.AUTO)
+                .distance(HullSide.FRONT, Optional.of(ScanPoints.of(scanFrom170Mm(), BEHIND_50_MM)), List.of());
+
+        assertThat(front.toString()).startsWith(expected);
+        assertThat(new HullDistances(radiusMm, NoEcho.AUTO).distance(HullSide.BACK, Optional.of(openAhead), List.of()))
+                .isInstanceOf(Value.Number.class);
+    }
+
+    @Test
+    void aScanWithoutAnyEchoIsNeverClearByItself() {
+        ScanPoints dark = scan(CENTRE, angle -> Double.NaN);
+
+        assertThat(new HullDistances(100, NoEcho.AUTO).distance(HullSide.FRONT, Optional.of(dark), List.of()))
+                .isInstanceOf(Value.Unknown.class);
     }
 
     @Test
@@ -132,6 +155,16 @@ class HullDistancesTest {
                 .endsWith("unknown (no echo), unknown (no echo), unknown (no echo)");
         assertThat(summary.nearestMm(scan)).isEqualTo(mm(400));
         assertThat(summary.bearing(scan).number()).isCloseTo(-15, within(1e-6));
+    }
+
+    /** Echoes everywhere but ahead, of a scanner that measures from 170 mm on. */
+    private static LaserScanMessage scanFrom170Mm() {
+        String ranges = IntStream.range(0, 36)
+                .mapToObj(beam -> beam < 6 || beam > 30 ? "null" : "2.9")
+                .collect(Collectors.joining(","));
+        return LaserScanMessage.from(
+                FakeRosClient.json("{'angle_min':0,'angle_increment':%s,'range_min':0.17,'range_max':3.5,'ranges':[%s]}"
+                        .formatted(Math.toRadians(10), ranges)));
     }
 
     private static Value mm(double amount) {

@@ -86,14 +86,16 @@ class RosReadingsTest {
     @Test
     void aScanGivesDistancesFromItsArrivalUntilItIsOld() {
         RosReadings readings = begun();
-        assertThat(readings.distance(HullSide.FRONT, 100, false)).isEqualTo(Value.unknown("no reading yet"));
+        assertThat(readings.distance(HullSide.FRONT, 100, NoEcho.UNKNOWN)).isEqualTo(Value.unknown("no reading yet"));
 
         robot.robotPublishes("/scan", WALL);
 
         assertThat(news).hasValue(1);
-        assertThat(readings.distance(HullSide.FRONT, 100, false).number()).isBetween(850.0, 900.0);
+        assertThat(readings.distance(HullSide.FRONT, 100, NoEcho.UNKNOWN).number())
+                .isBetween(850.0, 900.0);
         pass(1.1);
-        assertThat(readings.distance(HullSide.FRONT, 100, false)).isEqualTo(Value.unknown("no reading of late"));
+        assertThat(readings.distance(HullSide.FRONT, 100, NoEcho.UNKNOWN))
+                .isEqualTo(Value.unknown("no reading of late"));
     }
 
     @Test
@@ -101,7 +103,7 @@ class RosReadingsTest {
         RosReadings readings = begun();
         for (String stamp : List.of("{'secs':2000000000,'nsecs':0}", "{'secs':0,'nsecs':0}", "{'secs':-5}")) {
             robot.robotPublishes("/scan", WALL.replace("'frame_id'", "'stamp':" + stamp + ",'frame_id'"));
-            assertThat(readings.distance(HullSide.FRONT, 100, false)).isInstanceOf(Value.Number.class);
+            assertThat(readings.distance(HullSide.FRONT, 100, NoEcho.UNKNOWN)).isInstanceOf(Value.Number.class);
         }
     }
 
@@ -257,8 +259,9 @@ class RosReadingsTest {
         robot.robotPublishes(
                 "/sonar_back", "{'header':{'frame_id':'sonar'},'min_range':0.02,'max_range':4,'range':0.5}");
 
-        assertThat(readings.distance(HullSide.BACK, 150, false)).isEqualTo(Value.of(450, Unit.MM));
-        assertThat(readings.distance(HullSide.FRONT, 150, false)).isEqualTo(Value.unknown("no sensor looks there"));
+        assertThat(readings.distance(HullSide.BACK, 150, NoEcho.UNKNOWN)).isEqualTo(Value.of(450, Unit.MM));
+        assertThat(readings.distance(HullSide.FRONT, 150, NoEcho.UNKNOWN))
+                .isEqualTo(Value.unknown("no sensor looks there"));
     }
 
     @ParameterizedTest
