@@ -59,4 +59,25 @@ class RosScriptTest {
         assertThat(lab.run("1 set noEcho clear", "1 get noEcho"))
                 .containsExactly("1 set noEcho clear: done", "1 noEcho = clear");
     }
+
+    @Test
+    void theShippedWanderRunsOnARosRobot() throws InterruptedException {
+        Pose before = lab.truePose("ros");
+        double wayMm = 0;
+        double leastMm = Double.POSITIVE_INFINITY;
+
+        lab.say("1 act PioneerWander");
+        for (int step = 0; step < 600; step++) {
+            lab.team().member(1).bot().time().sleep(0.1);
+            Pose now = lab.truePose("ros");
+            wayMm += now.distanceMm(before);
+            before = now;
+            leastMm = Math.min(
+                    leastMm, lab.team().member(1).bot().get("scanNearest").number());
+        }
+
+        assertThat(lab.said()).noneMatch(line -> line.contains("unknown"));
+        assertThat(wayMm).isGreaterThan(2000);
+        assertThat(leastMm).isGreaterThan(105);
+    }
 }
