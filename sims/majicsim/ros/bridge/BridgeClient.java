@@ -1,6 +1,7 @@
 package majicsim.ros.bridge;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.io.ByteArrayOutputStream;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
@@ -42,9 +43,11 @@ final class BridgeClient implements Peer, MessageListener {
     private final OfferedServices offered;
     private final Map<String, Operation> operations = new HashMap<>();
     private final ArrayDeque<JsonNode> inbox = new ArrayDeque<>();
+    private final ByteArrayOutputStream held = new ByteArrayOutputStream();
     private int holds;
     private boolean isInputDead;
     private boolean isBusy;
+    private boolean isGone;
 
     BridgeClient(Line line, SharedParts shared) {
         boolean isRos1 = shared.version() == RosVersion.ROS1;
@@ -96,8 +99,29 @@ final class BridgeClient implements Peer, MessageListener {
     }
 
     void receive(byte[] bytes) {
+        if (shared.faults().isHanging()) {
+            held.writeBytes(bytes);
+            return;
+        }
         socket.answerPings(!shared.faults().isWithoutPongs());
         socket.receive(bytes);
+    }
+
+    /** Takes what arrived while the server hung. */
+    void goOn() {
+        byte[] bytes = held.toByteArray();
+        held.reset();
+        receive(bytes);
+    }
+
+    /** The same for a connection that has ended: its first message is already being carried out, the others are dropped. */
+    void goOnWithFirst() {
+        isGone = true;
+        goOn();
+        if (!inbox.isEmpty()) {
+            carryOut(inbox.remove());
+        }
+        inbox.clear();
     }
 
     void step() {
@@ -139,7 +163,7 @@ final class BridgeClient implements Peer, MessageListener {
 
     /** A reply at once calls this again by {@link #hold}; the outer call then goes on. */
     private void carryOutAll() {
-        if (isBusy) {
+        if (isBusy || isGone) {
             return;
         }
         isBusy = true;
@@ -232,14 +256,14 @@ final class BridgeClient implements Peer, MessageListener {
     }
 
     private void sendText(byte[] text) {
-        if (socket.isOpen()) {
+        if (socket.isOpen() && !shared.faults().isHanging()) {
             outbox.text(shared.faults().takeMalformed() ? Arrays.copyOf(text, text.length / 2) : text);
         }
     }
 
     @Override
     public void sendBinary(byte[] payload) {
-        if (socket.isOpen()) {
+        if (socket.isOpen() && !shared.faults().isHanging()) {
             outbox.binary(payload);
         }
     }

@@ -4,6 +4,7 @@ package majicsim.ros.bridge;
 public final class BridgeFaults {
     private boolean isWithoutPongs;
     private boolean isWithoutServices;
+    private boolean isHanging;
     private int malformedMessages;
 
     /** No faults yet. */
@@ -25,6 +26,14 @@ public final class BridgeFaults {
      */
     public void withoutServices(boolean without) {
         isWithoutServices = without;
+    }
+
+    void hang(boolean hangs) {
+        isHanging = hangs;
+    }
+
+    boolean isHanging() {
+        return isHanging;
     }
 
     /**

@@ -2,6 +2,7 @@ package majicsim.ros.bridge;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,6 +22,10 @@ public final class BridgeServer {
     private final RosNetwork network;
     private final SharedParts shared;
     private final Map<Line, BridgeClient> clients = new LinkedHashMap<>();
+
+    /** Clients whose connections ended while the server hung. */
+    private final List<BridgeClient> left = new ArrayList<>();
+
     private final Topic clientCount;
     private final Topic connectedClients;
 
@@ -78,8 +83,27 @@ public final class BridgeServer {
      */
     public void disconnected(Line line) {
         BridgeClient client = clients.remove(line);
-        if (client != null) {
+        if (client != null && shared.faults().isHanging()) {
+            left.add(client);
+        } else if (client != null) {
             client.end();
+            publishClients();
+        }
+    }
+
+    /**
+     * Hangs, or goes on with what arrived meanwhile, as a process that is suspended. Of a connection that was closed meanwhile
+     * only the first message is carried out and the others are lost, as with real servers. A fault.
+     *
+     * @param hangs whether it hangs from now on
+     */
+    public void hang(boolean hangs) {
+        shared.faults().hang(hangs);
+        if (!hangs) {
+            List.copyOf(clients.values()).forEach(BridgeClient::goOn);
+            left.forEach(BridgeClient::goOnWithFirst);
+            left.forEach(BridgeClient::end);
+            left.clear();
             publishClients();
         }
     }

@@ -38,6 +38,7 @@ public final class RawWebSocket implements AutoCloseable {
 
     private final Socket socket;
     private final DataInputStream input;
+    private long sentBytes;
 
     RawWebSocket(String address) throws IOException {
         int colon = address.lastIndexOf(':');
@@ -75,7 +76,13 @@ public final class RawWebSocket implements AutoCloseable {
         return head.toString(StandardCharsets.ISO_8859_1);
     }
 
+    /** How much was sent, the request included. */
+    long sentBytes() {
+        return sentBytes;
+    }
+
     void sendBytes(byte[] bytes) throws IOException {
+        sentBytes += bytes.length;
         socket.getOutputStream().write(bytes);
     }
 

@@ -10,6 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import majicsim.world.Pose;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -176,6 +177,53 @@ class RosFaultsTest {
             known.send("{'op':'auth','mac':'" + mac + "','client':'me','dest':'robot','rand':'xyz','t':1,"
                     + "'level':'admin','end':2}");
             assertThat(known.values("/rosapi/topics").path("topics")).isNotEmpty();
+        }
+    }
+
+    @Test
+    void aBridgeThatHungGoesOnWithWhatArrivedMeanwhile() throws IOException {
+        client.sendAll("{'op':'subscribe','topic':'/odom'}");
+        client.taken();
+        stand.lab().besideRos(robot -> robot.hang(true));
+        stand.pass(1);
+        client.send("{'op':'call_service','id':'held','service':'/rosapi/get_time'}");
+        awaitReceived(client);
+        stand.lab().besideRos(robot -> robot.hang(false));
+        assertThat(client.socket().read().text()).contains("held");
+    }
+
+    @Test
+    void theStopBehindAVelocityIsLostIfTheConnectionIsClosedWhileTheBridgeHangs() throws IOException {
+        try (RosStand forEver = new RosStand("2");
+                RosStand.Client watcher = forEver.client()) {
+            watcher.settle();
+            try (RosStand.Client lost = forEver.client()) {
+                lost.settle();
+                forEver.lab().besideRos(robot -> robot.hang(true));
+                lost.send("{'op':'publish','topic':'/cmd_vel','msg':{'linear':{'x':0.1}}}");
+                lost.send("{'op':'publish','topic':'/cmd_vel','msg':{}}");
+            }
+            while (connections(forEver) > 1) {
+                Thread.onSpinWait();
+            }
+            forEver.lab().besideRos(robot -> robot.hang(false));
+            Pose start = forEver.pose();
+            forEver.pass(1);
+            assertThat(forEver.pose().distanceTo(start)).isCloseTo(100, within(5.0));
+        }
+    }
+
+    private static long connections(RosStand stand) {
+        return stand.lab().lines().stream()
+                .filter(line -> line.robot().equals(stand.address()))
+                .count();
+    }
+
+    /** Waits until the robot's end has read what was sent, which it does not answer. */
+    private void awaitReceived(RosStand.Client sender) {
+        long sent = sender.sentBytes();
+        while (stand.lab().lines().stream().noneMatch(line -> line.consumed() == sent)) {
+            Thread.onSpinWait();
         }
     }
 }

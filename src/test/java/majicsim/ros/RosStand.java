@@ -73,6 +73,11 @@ final class RosStand implements AutoCloseable {
             return socket;
         }
 
+        /** How many bytes it has sent. */
+        long sentBytes() {
+            return socket.sentBytes();
+        }
+
         /** Sends an object; single quotes stand for double ones. */
         void send(String quoted) throws IOException {
             socket.sendText(quoted.replace('\'', '"'));
