@@ -62,6 +62,17 @@ public abstract class SidePane {
         return new Stretched(map);
     }
 
+    /**
+     * Creates a side pane that takes the space that the others and all readings leave, and is hidden when that is too little:
+     * for what is less important than the readings.
+     *
+     * @param list any shape will do
+     * @return for a dashboard
+     */
+    public static SidePane spare(Component list) {
+        return new Spare(list);
+    }
+
     final Component component() {
         return component;
     }
@@ -139,7 +150,7 @@ public abstract class SidePane {
         }
     }
 
-    private static final class Stretched extends SidePane {
+    private static class Stretched extends SidePane {
         Stretched(Component map) {
             super(map);
         }
@@ -169,6 +180,17 @@ public abstract class SidePane {
             boolean fits = width >= leastWidth() && height >= leastWidth();
             component().setVisible(fits);
             super.place(x, y, fits ? width : 0, fits ? height : 0);
+        }
+    }
+
+    private static final class Spare extends Stretched {
+        Spare(Component list) {
+            super(list);
+        }
+
+        @Override
+        int goodHeight(int width) {
+            return 0;
         }
     }
 }

@@ -92,7 +92,7 @@ public final class RosPanel extends RefreshingPanel {
         }
         asides.add(SidePane.of(gauges));
         asides.add(SidePane.of(lights.panel()));
-        asides.add(SidePane.stretched(topics));
+        asides.add(SidePane.spare(topics));
         setLayout(new Dashboard(map, 0, asides, readings).under(banner));
         revalidate();
         repaint();

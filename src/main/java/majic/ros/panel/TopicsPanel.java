@@ -15,6 +15,7 @@ final class TopicsPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final Texts TEXTS = Texts.of(TopicsPanel.class);
     private static final String LONGEST_AGE = "  8888 s  ";
+    private static final String LONG_NAME = "  /robot1/battery_state  ";
     private static final String LONG_TYPE = "  CompressedImage  ";
     private static final int AGE = 2;
 
@@ -28,8 +29,10 @@ final class TopicsPanel extends JPanel {
         table.getAccessibleContext().setAccessibleName(TEXTS.get("topics"));
         table.setFillsViewportHeight(true);
         table.getColumnModel().getColumn(AGE).setCellRenderer(trailing());
-        width(1, LONG_TYPE);
-        width(AGE, LONGEST_AGE);
+        table.getColumnModel().getColumn(0).setPreferredWidth(widthOf(LONG_NAME));
+        table.getColumnModel().getColumn(1).setPreferredWidth(widthOf(LONG_TYPE));
+        table.getColumnModel().getColumn(AGE).setMinWidth(widthOf(LONGEST_AGE));
+        table.getColumnModel().getColumn(AGE).setMaxWidth(widthOf(LONGEST_AGE));
         add(new JScrollPane(table));
     }
 
@@ -39,11 +42,8 @@ final class TopicsPanel extends JPanel {
         return cell;
     }
 
-    /** The names get what the other columns leave. */
-    private void width(int column, String longest) {
-        int width = table.getFontMetrics(table.getFont()).stringWidth(longest);
-        table.getColumnModel().getColumn(column).setPreferredWidth(width);
-        table.getColumnModel().getColumn(column).setMaxWidth(width);
+    private int widthOf(String text) {
+        return table.getFontMetrics(table.getFont()).stringWidth(text);
     }
 
     void show(RosScene scene) {
