@@ -5,7 +5,8 @@ import majic.time.TimeSource;
 
 /**
  * Publishes velocities, and remembers the one in force. A stop is repeated until {@link #endStop}; a velocity that is not
- * renewed is set to zero. Thread-safe; waits for nothing but the write.
+ * renewed is set to zero. Thread-safe; waits for nothing but the write, and what only asks does
+ * not even wait for that: the reader thread asks too.
  */
 final class VelocitySender {
     /** From one velocity to the next, seconds: 20 a second. */
@@ -20,13 +21,13 @@ final class VelocitySender {
     private final VelocityOutput output;
     private final TimeSource time;
     private final Listener listener;
-    private double mmPerSec;
-    private double degPerSec;
-    private long sentNanos;
-    private long stopNanos;
-    private int stopsSent;
-    private boolean stopping;
-    private boolean ended;
+    private volatile double mmPerSec;
+    private volatile double degPerSec;
+    private volatile long sentNanos;
+    private volatile long stopNanos;
+    private volatile int stopsSent;
+    private volatile boolean stopping;
+    private volatile boolean ended;
 
     /** Receives each velocity that is sent. */
     interface Listener {
@@ -56,9 +57,10 @@ final class VelocitySender {
      * @throws LinkLost if the connection has ended
      */
     synchronized void stop() {
-        stopping = true;
+        // Before the velocity: one that is seen as zero must not belong to an older stop.
         stopNanos = time.nanos();
         stopsSent = 1;
+        stopping = true;
         publish(0, 0);
     }
 
@@ -68,7 +70,7 @@ final class VelocitySender {
             return;
         }
         if (stopping) {
-            stopsSent++;
+            stopsSent = stopsSent + 1;
             publish(0, 0);
         } else if (isMoving() && time.secondsSince(sentNanos) > RENEWAL_S) {
             stop();
@@ -81,42 +83,42 @@ final class VelocitySender {
     }
 
     /** Publishes nothing by itself any more: the connection has ended, or is being closed. */
-    synchronized void end() {
+    void end() {
         ended = true;
         stopping = false;
     }
 
     /** Whether something is left for {@link #repeat} to do, or the base has only just been commanded. */
-    synchronized boolean isActive() {
+    boolean isActive() {
         return !ended && (stopping || isMoving() || time.secondsSince(sentNanos) < REST_S);
     }
 
     /** Whether the velocity in force is not zero. */
-    synchronized boolean isMoving() {
+    boolean isMoving() {
         return mmPerSec != 0 || degPerSec != 0;
     }
 
     /** The speed in force, mm/s. */
-    synchronized double mmPerSec() {
+    double mmPerSec() {
         return mmPerSec;
     }
 
     /** The turn rate in force, deg/s. */
-    synchronized double degPerSec() {
+    double degPerSec() {
         return degPerSec;
     }
 
-    synchronized boolean isStopping() {
+    boolean isStopping() {
         return stopping;
     }
 
     /** How often the present stop has been published. */
-    synchronized int stopsSent() {
+    int stopsSent() {
         return stopsSent;
     }
 
     /** When the last stop was published first. */
-    synchronized long stopNanos() {
+    long stopNanos() {
         return stopNanos;
     }
 
