@@ -86,9 +86,15 @@ final class ChildProgram {
         return lab(pioneers, "--seed=1");
     }
 
+    /** Starts a robot behind a rosbridge server, beside one robot of each other make, with noise. */
+    Lab rosLab() throws IOException {
+        List<String> lab = List.of("-jar", JAR.toString(), "lab", "--seed=1", "--pioneer-port=0", "--ros");
+        return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), Lab.ROS, 1);
+    }
+
     private Lab lab(int pioneers, String noise) throws IOException {
         List<String> lab = List.of("-jar", JAR.toString(), "lab", noise, "--pioneer-port=0", "--pioneers=" + pioneers);
-        return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), pioneers);
+        return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), Lab.ROBOT, pioneers + 2);
     }
 
     /** Returns what a program without a window prints. */
@@ -132,20 +138,21 @@ final class ChildProgram {
         private static final int MEASURED_S = 15;
 
         private static final Pattern ROBOT = Pattern.compile("(aibo|hemisson|pioneer)\\d* (127\\.0\\.0\\.1:\\d+)");
+        private static final Pattern ROS = Pattern.compile("(ros)\\d* (127\\.0\\.0\\.1:\\d+)");
 
         private final Process process;
         private final List<String> addresses = new ArrayList<>();
 
-        /** Reads the addresses of a dog, a Hemisson and the Pioneers; serial lines are left out. */
-        private Lab(Process process, int pioneers) throws IOException {
+        /** Reads the addresses of the wanted robots; serial lines are left out. */
+        private Lab(Process process, Pattern wanted, int count) throws IOException {
             this.process = process;
             BufferedReader out = process.inputReader();
             for (String line = out.readLine(); line != null; line = out.readLine()) {
-                Matcher robot = ROBOT.matcher(line);
+                Matcher robot = wanted.matcher(line);
                 if (robot.matches()) {
                     addresses.add(robot.group(1) + "://" + robot.group(2));
                 }
-                if (addresses.size() == pioneers + 2) {
+                if (addresses.size() == count) {
                     return;
                 }
             }

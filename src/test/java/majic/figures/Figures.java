@@ -12,7 +12,8 @@ import java.util.TreeMap;
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
  * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}, {@code load},
- * {@code crash}; without arguments all are measured.
+ * {@code crash}, {@code ros}; without arguments all are measured. The address of a robot behind a rosbridge server, such as
+ * {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to 12 degrees.
  */
 public final class Figures {
     private static final int STARTS = 9;
@@ -23,9 +24,9 @@ public final class Figures {
 
     private static final int[] LABS = {1, 10, 45, 100, 500};
     private static final List<String> ALL =
-            List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab", "load", "crash");
+            List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab", "load", "crash", "ros");
 
-    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash");
+    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash", "ros");
 
     private final ChildProgram programs;
 
@@ -50,7 +51,8 @@ public final class Figures {
                 case "lab" -> figures.lab();
                 case "load" -> figures.load();
                 case "crash" -> figures.crash();
-                default -> throw new IllegalArgumentException("no figure " + name);
+                case "ros" -> figures.ros();
+                default -> figures.ros(name);
             }
         }
     }
@@ -164,6 +166,20 @@ public final class Figures {
     private void crash() throws IOException, InterruptedException {
         say("kill -9 during a session, while its robots drive (no setting and no line within a file may be lost)");
         Crashes.measure().forEach(line -> say("  " + line));
+    }
+
+    private void ros() throws IOException, InterruptedException {
+        try (ChildProgram.Lab lab = programs.rosLab()) {
+            ros(lab.addresses().get(0));
+        }
+    }
+
+    private void ros(String address) throws IOException, InterruptedException {
+        if (!address.startsWith("ros://")) {
+            throw new IllegalArgumentException("no figure " + address);
+        }
+        say("a robot behind a rosbridge server, driven by MAJIC and then by roslibpy with the same subscriptions");
+        new RosFigures(programs, address).measure().forEach(line -> say("  " + line));
     }
 
     private static void add(Map<String, List<Double>> seconds, String name, double value) {
