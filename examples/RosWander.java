@@ -22,7 +22,6 @@ public final class RosWander {
     }
 
     private static void wander(MajicBot robot) {
-        robot.set("noEcho", "clear"); // free space has no echo; right where the scanner sees all surfaces
         for (int leg = 0; leg < 5; leg++) {
             robot.move(1000, () -> robot.get("distanceFront").number() < 400);
             robot.turn(100);
