@@ -6,7 +6,7 @@ import majicsim.ros.message.RosVersion;
 /** Parses the words of a model, one after the other. */
 final class RosModelParser {
     static final String KNOWN =
-            "1 or 2, then +stamped +timeout=0.5 +timeout=none +unblocked +nonavigation +namespace=tb3 +robots=2"
+            "1 or 2, then +stamped +timeout=0.5 +timeout=none +unblocked +nonavigation +namespace=tb3 +robots=2 +camera"
                     + " +auth=SECRET";
 
     private RosModelParser() {}
@@ -37,6 +37,7 @@ final class RosModelParser {
         return switch (word) {
             case "stamped" -> options.stamped();
             case "unblocked" -> options.unblocked();
+            case "camera" -> options.withCamera();
             case "nonavigation" -> options.withoutNavigation();
             default -> throw unknown(text);
         };

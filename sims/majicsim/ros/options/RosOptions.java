@@ -14,6 +14,7 @@ import majicsim.ros.message.RosVersion;
  * @param secret with which clients must authenticate; empty if they need not (ROS 1 alone)
  * @param namespace before the names of the robot's topics, as {@code /tb3}; empty for none
  * @param robots how many robots are behind the bridge, 1 to {@value #MOST_ROBOTS}; several have a namespace each
+ * @param hasCamera whether the robots have a camera
  */
 public record RosOptions(
         RosVersion version,
@@ -23,7 +24,8 @@ public record RosOptions(
         boolean hasNavigation,
         String secret,
         String namespace,
-        int robots) {
+        int robots,
+        boolean hasCamera) {
     /** How many robots a bridge has at most. */
     public static final int MOST_ROBOTS = 9;
 
@@ -62,7 +64,7 @@ public record RosOptions(
      */
     public static RosOptions of(RosVersion version) {
         boolean isRos2 = version == RosVersion.ROS2;
-        return new RosOptions(version, false, isRos2 ? 0 : FIRMWARE_TIMEOUT_S, isRos2, true, "", "", 1);
+        return new RosOptions(version, false, isRos2 ? 0 : FIRMWARE_TIMEOUT_S, isRos2, true, "", "", 1, false);
     }
 
     /**
@@ -82,7 +84,8 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions stamped() {
-        return new RosOptions(version, true, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots);
+        return new RosOptions(
+                version, true, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera);
     }
 
     /**
@@ -93,7 +96,8 @@ public record RosOptions(
      * @throws IllegalArgumentException if it is outside
      */
     public RosOptions withTimeout(double seconds) {
-        return new RosOptions(version, isStamped, seconds, blocksConnection, hasNavigation, secret, namespace, robots);
+        return new RosOptions(
+                version, isStamped, seconds, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera);
     }
 
     /**
@@ -102,7 +106,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions unblocked() {
-        return new RosOptions(version, isStamped, timeoutS, false, hasNavigation, secret, namespace, robots);
+        return new RosOptions(version, isStamped, timeoutS, false, hasNavigation, secret, namespace, robots, hasCamera);
     }
 
     /**
@@ -111,7 +115,8 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions withoutNavigation() {
-        return new RosOptions(version, isStamped, timeoutS, blocksConnection, false, secret, namespace, robots);
+        return new RosOptions(
+                version, isStamped, timeoutS, blocksConnection, false, secret, namespace, robots, hasCamera);
     }
 
     /**
@@ -123,7 +128,7 @@ public record RosOptions(
      */
     public RosOptions withSecret(String newSecret) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, newSecret, namespace, robots);
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, newSecret, namespace, robots, hasCamera);
     }
 
     /**
@@ -135,7 +140,7 @@ public record RosOptions(
      */
     public RosOptions withNamespace(String word) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, "/" + word, robots);
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, "/" + word, robots, hasCamera);
     }
 
     /**
@@ -146,7 +151,18 @@ public record RosOptions(
      * @throws IllegalArgumentException if it is outside
      */
     public RosOptions withRobots(int count) {
-        return new RosOptions(version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, count);
+        return new RosOptions(
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, count, hasCamera);
+    }
+
+    /**
+     * The same robot with a camera.
+     *
+     * @return the options
+     */
+    public RosOptions withCamera() {
+        return new RosOptions(
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, true);
     }
 
     /**

@@ -64,7 +64,7 @@ public final class TurtleBot3 {
         laser = new LaserScanner(world, body, noise.fork("laser"));
         network.nodes().add(node);
         Topic commands = startCommands();
-        startTopics();
+        startTopics(world);
         navigation =
                 options.hasNavigation() ? new Navigation(network, options, namespace, commands, odometry, body) : null;
     }
@@ -76,7 +76,7 @@ public final class TurtleBot3 {
         return commands;
     }
 
-    private void startTopics() {
+    private void startTopics(World world) {
         add("/odom", "nav_msgs/Odometry", FAST_NANOS, sensors::odometry);
         add("/tf", "tf2_msgs/TFMessage", FAST_NANOS, sensors::baseTransform);
         add("/joint_states", "sensor_msgs/JointState", FAST_NANOS, sensors::joints);
@@ -88,6 +88,14 @@ public final class TurtleBot3 {
                 () -> laser.scan(network.clock().nanos()));
         add("/battery_state", "sensor_msgs/BatteryState", BATTERY_NANOS, sensors::battery);
         add("/sensor_state", "turtlebot3_msgs/SensorState", FAST_NANOS, sensors::board);
+        if (options.hasCamera()) {
+            WallCamera camera = new WallCamera(world, body);
+            add(
+                    "/camera/image/compressed",
+                    "sensor_msgs/CompressedImage",
+                    SCAN_NANOS,
+                    () -> camera.picture(network.clock().nanos()));
+        }
         network.advertise(node, named("/tf_static"), "tf2_msgs/TFMessage").latch(sensors.mounting());
         if (options.version() == RosVersion.ROS2) {
             network.offer(node, named("/motor_power"), "std_srvs/SetBool", this::motorPower);

@@ -4,7 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.util.Base64;
+import javax.imageio.ImageIO;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
 
@@ -277,5 +281,35 @@ class TurtleBot3Test {
             stand.pass(1);
             assertThat(stand.pose().distanceTo(start)).isCloseTo(100, within(5.0));
         }
+    }
+
+    @Test
+    void theCameraShowsANearWallLargerThanAFarOne() throws IOException {
+        try (RosStand stand = new RosStand("2+camera");
+                RosStand.Client client = stand.client()) {
+            client.sendAll("{'op':'subscribe','topic':'/camera/image/compressed'}");
+            stand.lab().place("ros", new Pose(4000, 0, 0));
+            client.taken();
+            int near = wallRows(client.message("/camera/image/compressed"));
+            stand.lab().place("ros", new Pose(3000, 0, 0));
+            client.taken();
+            int far = wallRows(client.message("/camera/image/compressed"));
+            assertThat(near).isGreaterThan(far + 10);
+            assertThat(far).isPositive();
+        }
+    }
+
+    /** How many pixels of the middle column differ from both ceiling and floor in colour: a wall is grey. */
+    private static int wallRows(JsonNode message) throws IOException {
+        assertThat(message.path("format").asText()).isEqualTo("jpeg");
+        byte[] jpeg = Base64.getDecoder().decode(message.path("data").asText());
+        BufferedImage image = ImageIO.read(new ByteArrayInputStream(jpeg));
+        int rows = 0;
+        for (int row = 0; row < image.getHeight(); row++) {
+            int rgb = image.getRGB(image.getWidth() / 2, row);
+            int redLessBlue = (rgb >> 16 & 0xFF) - (rgb & 0xFF);
+            rows += Math.abs(redLessBlue) < 8 ? 1 : 0;
+        }
+        return rows;
     }
 }
