@@ -71,8 +71,8 @@ class RosTeamInLabTest {
 
             assertThatThrownBy(robot::connect)
                     .isInstanceOf(ConnectFailed.class)
-                    .hasMessage("there are 2 robots behind " + server + "; add " + server + "/tb3_0 or " + server
-                            + "/tb3_1");
+                    .hasMessage("there are 2 robots behind " + server + "; is it " + server + "/tb3_0 or " + server
+                            + "/tb3_1?");
             robot.close();
         }
     }

@@ -114,8 +114,8 @@ final class RosSession implements VelocityOutput {
         return known.named(named)
                 .orElseThrow(() -> new ConnectFailed(
                         Reason.OTHER,
-                        "there is no robot " + named + " in the table of robots; it has "
-                                + String.join(", ", known.names())));
+                        "there is no robot " + named + " in the table of robots; is it one of "
+                                + String.join(", ", known.names()) + "?"));
     }
 
     /** Announces velocities. Moves nothing. */
@@ -148,8 +148,9 @@ final class RosSession implements VelocityOutput {
         String unusable = problem;
         return unusable == null
                 ? "the topic " + topic + " is there, but nothing arrives within " + FIRST_ODOMETRY_S
-                        + " s; do the robot's own nodes run? Another topic is chosen by ?base=TOPIC"
-                : "the odometry " + topic + " cannot be used: " + unusable;
+                        + " s; do the robot's own nodes run, or is it another topic, chosen by ?base=TOPIC?"
+                : "the odometry " + topic + " cannot be used: " + unusable
+                        + "; is it another topic, chosen by ?base=TOPIC?";
     }
 
     private void receiveOdometry(JsonNode message) {

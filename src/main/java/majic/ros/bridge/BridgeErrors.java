@@ -1,6 +1,7 @@
 package majic.ros.bridge;
 
 import java.io.IOException;
+import java.net.SocketTimeoutException;
 import java.security.cert.CertificateException;
 import javax.net.ssl.SSLException;
 import majic.bot.ConnectFailed;
@@ -22,18 +23,24 @@ final class BridgeErrors {
             return new ConnectFailed(
                     Reason.NOT_ALLOWED,
                     "the certificate of " + where + " is not trusted (" + certificate.getMessage()
-                            + "); it must be issued for " + address.host()
-                            + " and be in the trust store of this Java (keytool -importcert)",
+                            + "); is it issued for " + address.host()
+                            + " and in the trust store of this Java (keytool -importcert)?",
                     failure);
         }
         if (failure instanceof SSLException) {
             return new ConnectFailed(
                     Reason.WRONG_DEVICE,
-                    where + " was reached, but TLS failed (" + failure.getMessage()
-                            + "); a server without TLS is added as ros://" + address.hostAndPort(),
+                    where + " was reached, but TLS failed (" + failure.getMessage() + "); " + withoutTls(address),
                     failure);
         }
+        if (address.secure() && failure instanceof SocketTimeoutException) {
+            return ConnectFailed.of(failure, failure.getMessage() + "; " + withoutTls(address));
+        }
         return ConnectFailed.of(failure);
+    }
+
+    private static String withoutTls(BridgeAddress address) {
+        return "is it a server without TLS, which is added as ros://" + address.hostAndPort() + "?";
     }
 
     private static @Nullable CertificateException certificate(Throwable failure) {
@@ -49,13 +56,15 @@ final class BridgeErrors {
         String line = other.line();
         if (other.isWebServer()) {
             return where + " is a web server, but no rosbridge server: it answers \"" + line
-                    + "\"; the port of rosbridge is usually " + BridgeAddress.PORT;
+                    + "\"; is it the port of rosbridge, usually " + BridgeAddress.PORT + "?";
         }
         if (line != null) {
             return where + " does not answer as a rosbridge server does: it sends \"" + line
-                    + "\"; the port of rosbridge is usually " + BridgeAddress.PORT;
+                    + "\"; is it the port of rosbridge, usually " + BridgeAddress.PORT + "?";
         }
         return where + " closed the connection at once; is it the port of a rosbridge server"
-                + (address.secure() ? "?" : " without TLS? One with TLS is added as ross://" + address.hostAndPort());
+                + (address.secure()
+                        ? "?"
+                        : " without TLS, or of one with TLS, which is added as ross://" + address.hostAndPort() + "?");
     }
 }

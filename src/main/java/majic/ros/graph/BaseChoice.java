@@ -47,11 +47,12 @@ public final class BaseChoice {
         if (matching.isEmpty()) {
             throw new ConnectFailed(
                     Reason.WRONG_DEVICE,
-                    "there is no robot " + (name == null ? namespace : name) + " behind " + server + "; there is "
-                            + addresses(others));
+                    "there is no robot " + (name == null ? namespace : name) + " behind " + server + "; is it "
+                            + addresses(others) + "?");
         }
         throw new ConnectFailed(
-                Reason.OTHER, "there are " + others.size() + " robots behind " + server + "; add " + addresses(others));
+                Reason.OTHER,
+                "there are " + others.size() + " robots behind " + server + "; is it " + addresses(others) + "?");
     }
 
     private String noBase() {
@@ -59,7 +60,7 @@ public final class BaseChoice {
         String there = unread.isEmpty() ? "" : "; no node receives " + unread.get(0);
         return "no robot that can be driven is behind " + server + ", which runs " + graph.title() + " with "
                 + graph.topics().size() + " topics: none of the type " + graph.typeName(Base.TWIST)
-                + " or TwistStamped is received by a node" + there + "; start the robot's own nodes (bringup)";
+                + " or TwistStamped is received by a node" + there + "; do the robot's own nodes (bringup) run?";
     }
 
     private String addresses(List<Base> bases) {

@@ -70,8 +70,8 @@ public final class RosApi {
             throw new ConnectFailed(
                     Reason.NOT_ALLOWED,
                     "the rosbridge server closed the connection at the first request (" + e.getMessage()
-                            + "); does it demand authentication? MAJIC has none: start the server with"
-                            + " authenticate:=false",
+                            + "); does it demand authentication? MAJIC has none; can the server be started with"
+                            + " authenticate:=false?",
                     e);
         }
         int number = answer.path("version").asInt(2);
@@ -91,7 +91,7 @@ public final class RosApi {
                 Reason.NO_ANSWER,
                 "the rosbridge server is there, but its node rosapi is not, which lists the topics ("
                         + cause.getMessage()
-                        + "); start both by the launch file rosbridge_websocket of the package rosbridge_server",
+                        + "); were both started by the launch file rosbridge_websocket of the package rosbridge_server?",
                 cause);
     }
 

@@ -96,8 +96,8 @@ class BaseFinderTest {
 
         assertThatThrownBy(() -> choose("", null))
                 .isInstanceOf(ConnectFailed.class)
-                .hasMessage("there are 2 robots behind ros://host:9090; add ros://host:9090/robot1 or"
-                        + " ros://host:9090/robot2");
+                .hasMessage("there are 2 robots behind ros://host:9090; is it ros://host:9090/robot1 or"
+                        + " ros://host:9090/robot2?");
         assertThat(choose("/robot2", null).odometry()).isEqualTo("/robot2/odom");
         assertThat(choose("", "/robot1").command()).isEqualTo("/robot1/cmd_vel");
         assertThat(choose("", "/robot2/odom").command()).isEqualTo("/robot2/cmd_vel");
@@ -118,7 +118,7 @@ class BaseFinderTest {
         odometry("/robot1/odom");
 
         assertThatThrownBy(() -> choose("/robot3", null))
-                .hasMessage("there is no robot /robot3 behind ros://host:9090; there is ros://host:9090/robot1");
+                .hasMessage("there is no robot /robot3 behind ros://host:9090; is it ros://host:9090/robot1?");
     }
 
     @Test
@@ -128,8 +128,8 @@ class BaseFinderTest {
         assertThatThrownBy(() -> choose("", null))
                 .hasMessage(
                         "no robot that can be driven is behind ros://host:9090, which runs ROS 1 test with 1 topics:"
-                                + " none of the type geometry_msgs/Twist or TwistStamped is received by a node; start the robot's"
-                                + " own nodes (bringup)");
+                                + " none of the type geometry_msgs/Twist or TwistStamped is received by a node; do the robot's"
+                                + " own nodes (bringup) run?");
     }
 
     @Test

@@ -24,7 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Connecting to a server, and why it fails. */
-class ConnectingTest {
+class RosConnectingTest {
     private static void assertFails(ThrowingCallable connect, Reason reason, String... parts) {
         assertThatThrownBy(connect)
                 .isInstanceOfSatisfying(
@@ -132,7 +132,22 @@ class ConnectingTest {
         try (ScriptedRos robot = new ScriptedRos()) {
             robot.hangsUpAtFirstRequest = true;
 
-            assertFails(robot.bot()::connect, Reason.NOT_ALLOWED, "does it demand authentication?");
+            assertFails(
+                    robot.bot()::connect, Reason.NOT_ALLOWED, "does it demand authentication?", "authenticate:=false?");
+        }
+    }
+
+    /** The advice of the type asks whether the server runs, which is answered where it is there. */
+    @Test
+    void theAdviceAboutTheServerIsOnlyGivenWhereThereIsNone() {
+        RosType type = new RosType();
+        assertThat(type.adviceAfter("nothing listens at host port 9090")).contains("Is the robot on");
+        try (ScriptedRos robot = new ScriptedRos()) {
+            robot.topics.remove("/cmd_vel");
+
+            assertThatThrownBy(robot.bot()::connect)
+                    .satisfies(failed -> assertThat(type.adviceAfter(String.valueOf(failed.getMessage())))
+                            .isEqualTo(failed.getMessage()));
         }
     }
 
