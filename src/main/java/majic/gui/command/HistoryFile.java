@@ -19,6 +19,7 @@ import java.util.regex.Pattern;
 import majic.file.DamagedFile;
 import majic.gui.kit.EventThread;
 import majic.text.IoReason;
+import majic.text.Texts;
 
 /**
  * Keeps the typed lines from one start of the program to the next, in a file with one line of UTF-8 each, oldest first.
@@ -27,6 +28,7 @@ import majic.text.IoReason;
  * can still be read.
  */
 final class HistoryFile {
+    private static final Texts TEXTS = Texts.of(HistoryFile.class);
     private static final Logger LOG = System.getLogger(HistoryFile.class.getName());
 
     /** A file with more lines is shortened to the newest {@link History#LONGEST} ones when it is read. */
@@ -122,8 +124,7 @@ final class HistoryFile {
     }
 
     private void reportDamage(Path kept) {
-        String text = "the command history in " + file
-                + " was damaged; MAJIC goes on with the lines that can be read and" + " has kept the file as " + kept;
+        String text = TEXTS.get("history.damaged", file, kept);
         EventThread.later(() -> alarm.accept(text));
     }
 

@@ -14,6 +14,7 @@ import majic.script.SavedTeam;
 import majic.script.Session;
 import majic.team.Member;
 import majic.team.TeamListener;
+import majic.text.Texts;
 
 /**
  * Keeps the team in the settings, so that it can be opened again after the next start: as it was when a robot was added
@@ -21,6 +22,7 @@ import majic.team.TeamListener;
  */
 public final class LastTeam implements TeamListener {
     private static final Logger LOG = System.getLogger(LastTeam.class.getName());
+    private static final Texts TEXTS = Texts.of(LastTeam.class);
     private static final String KEY = "team.last";
     private static final String DAMAGED = KEY + ".damaged";
     private static final int COLLECT_MS = 1000;
@@ -64,8 +66,7 @@ public final class LastTeam implements TeamListener {
             return Optional.of(SavedTeam.parse(script)).filter(team -> !team.isEmpty());
         } catch (BotException e) {
             keepDamaged(script);
-            String text = "the team of the last session was damaged (" + e.getMessage()
-                    + "); MAJIC goes on without it and has kept it in the settings as " + DAMAGED;
+            String text = TEXTS.get("lastTeam.damaged", e.getMessage(), DAMAGED);
             EventThread.later(() -> session.alarm(text));
             return Optional.empty();
         }

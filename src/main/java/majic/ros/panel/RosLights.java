@@ -58,8 +58,20 @@ final class RosLights {
 
     /** The place is in the words of the robot. */
     private static String words(RosScene.Contact contact) {
-        String hazard = TEXTS.get("hazard." + contact.hazard().name().toLowerCase(Locale.ROOT));
+        String hazard = TEXTS.get(key(contact.hazard()));
         return (hazard + " " + contact.place().replace('_', ' ')).strip();
+    }
+
+    private static String key(Hazard hazard) {
+        return switch (hazard) {
+            case BACKUP_LIMIT -> "hazard.backupLimit";
+            case BUMP -> "hazard.bump";
+            case CLIFF -> "hazard.cliff";
+            case STALL -> "hazard.stall";
+            case WHEEL_DROP -> "hazard.wheelDrop";
+            case PROXIMITY -> "hazard.proximity";
+            case OTHER -> "hazard.other";
+        };
     }
 
     private void showScanner(RosScene scene) {

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import javax.swing.JComponent;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.panel.Banner;
@@ -75,7 +76,13 @@ public final class RosPanel extends RefreshingPanel {
      * @param cameraWatched is called on the event dispatch thread when the picture of the camera becomes visible or
      *     invisible; pictures then come by {@link MajicBot#addListener}
      */
-    public static RosPanel create(MajicBot bot, Supplier<Optional<RosScene>> scenes, Consumer<Boolean> cameraWatched) {
+    public static JComponent create(
+            MajicBot bot, Supplier<Optional<RosScene>> scenes, Consumer<Boolean> cameraWatched) {
+        return of(bot, scenes, cameraWatched);
+    }
+
+    /** As {@link #create}, which does not name this class: a driver loads it only where there is a window. */
+    static RosPanel of(MajicBot bot, Supplier<Optional<RosScene>> scenes, Consumer<Boolean> cameraWatched) {
         RosPanel panel = new RosPanel(bot, scenes, cameraWatched);
         panel.refreshIfChanged();
         return panel;

@@ -19,7 +19,7 @@ public final class RosReplay implements ReplayDisplay {
     /** Creates the panel of a robot that is replayed. */
     public RosReplay(MajicBot bot) {
         this.bot = bot;
-        this.panel = RosPanel.create(bot, () -> Optional.ofNullable(scene), watched -> {});
+        this.panel = RosPanel.of(bot, () -> Optional.ofNullable(scene), watched -> {});
     }
 
     /**
