@@ -16,10 +16,10 @@ class RosPictures {
     @Test
     void paintsThePanelOfARosRobot() throws Exception {
         LabOptions options =
-                LabOptions.exactOnFreePorts().withRos(RosOptions.parse("2")).withNoise(7);
+                LabOptions.exactOnFreePorts().withRos(RosOptions.parse("2+camera")).withNoise(7);
         try (LabRig lab = LabRig.of(options)) {
             MajicBot bot = lab.add("ros");
-            JFrame large = PanelPicture.open(bot, new Dimension(900, 560), false);
+            JFrame large = PanelPicture.open(bot, new Dimension(900, 680), false);
             JFrame small = PanelPicture.open(bot, new Dimension(450, 230), true);
             lab.run("1 move 800", "1 turn 90", "1 move 300", "1 turn 100", "1 move 600");
             new MajicParser(lab.session(), false).parseText("1 drive 150 20 for 9s");
