@@ -44,7 +44,7 @@ public record BotCommand(
         String optional = optional().stream()
                 .map(extra -> " [" + names(List.of(extra)) + "]")
                 .collect(Collectors.joining());
-        return names(arguments) + optional + (repeated.isEmpty() ? "" : " [" + names(repeated) + "]...");
+        return (names(arguments) + optional + (repeated.isEmpty() ? "" : " [" + names(repeated) + "]...")).strip();
     }
 
     private List<Parameter> optional() {
