@@ -15,8 +15,9 @@ import org.junit.jupiter.api.Test;
 class RosPictures {
     @Test
     void paintsThePanelOfARosRobot() throws Exception {
-        LabOptions options =
-                LabOptions.exactOnFreePorts().withRos(RosOptions.parse("2+camera")).withNoise(7);
+        LabOptions options = LabOptions.exactOnFreePorts()
+                .withRos(RosOptions.parse("2+camera"))
+                .withNoise(7);
         try (LabRig lab = LabRig.of(options)) {
             MajicBot bot = lab.add("ros");
             JFrame large = PanelPicture.open(bot, new Dimension(900, 680), false);

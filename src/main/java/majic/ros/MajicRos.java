@@ -74,8 +74,8 @@ public final class MajicRos extends BotDriver {
         super(new RosType(), RosProfiles.profile(KnownRobots.UNKNOWN, false), environment);
         this.address = RosAddress.parse(address);
         JsonLibrary.require();
-        this.sensing = new RosSensing(
-                table(), owner.waiting(), () -> profile().bodyMm(), () -> state().pose(), new SensorEvents());
+        this.sensing =
+                new RosSensing(table(), owner.waiting(), () -> profile().bodyMm(), this::state, new SensorEvents());
         describe();
         every("ros link", WATCH_S, this::watch);
         every("ros subscriptions", RENEWAL_S, this::renew);

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
-import majic.bot.Pose;
+import majic.bot.BotState;
 import majic.driver.DriverCommand;
 import majic.driver.ParameterTable;
 import majic.driver.RobotWait;
@@ -46,20 +46,20 @@ final class RosSensing implements ObstructionSource {
      * @param table lists the parameters
      * @param waiting the robot's clock and signal
      * @param radiusMm of the robot
-     * @param pose where the robot is in the frame of MAJIC
+     * @param state the newest state of the robot
      * @param events handles what arrives
      */
     RosSensing(
             ParameterTable table,
             RobotWait waiting,
             DoubleSupplier radiusMm,
-            Supplier<Pose> pose,
+            Supplier<BotState> state,
             RosReadings.Events events) {
         this.waiting = waiting;
         this.events = events;
         this.navigation = new Navigation(waiting.changes());
         this.parameters =
-                new RosParameters(table, new RosAccess(() -> readings), navigation, waiting.changes(), radiusMm, pose);
+                new RosParameters(table, new RosAccess(() -> readings), navigation, waiting.changes(), radiusMm, state);
     }
 
     /** Subscribes to the sensors of a robot that was found, and describes its parameters. */

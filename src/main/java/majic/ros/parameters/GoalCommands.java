@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import majic.bot.BotException;
+import majic.bot.BotState;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Unit;
@@ -21,19 +22,22 @@ import majic.ros.readings.RosReadings;
 final class GoalCommands {
     private static final double FARTHEST_MM = 1_000_000;
 
+    /** The end of a goal may be reported before the robot is at rest. */
+    private static final double REST_S = 1;
+
     private final RosAccess access;
     private final Navigation navigation;
-    private final Supplier<Pose> pose;
+    private final Supplier<BotState> state;
 
     /**
      * Creates the commands.
      *
-     * @param pose where the robot is in the frame of MAJIC
+     * @param state the newest state of the robot
      */
-    GoalCommands(RosAccess access, Navigation navigation, Supplier<Pose> pose) {
+    GoalCommands(RosAccess access, Navigation navigation, Supplier<BotState> state) {
         this.access = access;
         this.navigation = navigation;
-        this.pose = pose;
+        this.state = state;
     }
 
     void describe(ParameterTable table, NavigationServers servers) {
@@ -91,7 +95,7 @@ final class GoalCommands {
         OdometryMessage odometry = access.open()
                 .odometry()
                 .orElseThrow(() -> new BotException("the robot has not reported its odometry yet"));
-        Pose now = pose.get();
+        Pose now = state.get().pose();
         double wayDeg = Math.toDegrees(
                 Math.atan2(values.get(1).number() - now.yMm(), values.get(0).number() - now.xMm()));
         Pose inOdometry = odometry.pose().originOf(now).plus(target(values, wayDeg));
@@ -101,7 +105,8 @@ final class GoalCommands {
     private String go(NavigationServers servers, Target target, Motion motion) {
         RosReadings open = access.open();
         navigation.drive(open.connection(), servers, target, motion);
-        Pose there = pose.get();
+        motion.await(() -> !state.get().moving(), REST_S);
+        Pose there = state.get().pose();
         return "arrived at " + Value.of(there.xMm(), Unit.MM) + ", " + Value.of(there.yMm(), Unit.MM) + ", "
                 + Value.of(there.headingDeg(), Unit.DEG);
     }

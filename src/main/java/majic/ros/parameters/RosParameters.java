@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
-import majic.bot.Pose;
+import majic.bot.BotState;
 import majic.driver.DriverCommand;
 import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
@@ -35,7 +35,7 @@ public final class RosParameters {
      * @param navigation pursues the goals of commands
      * @param changes the signal that all threads waiting for the robot wait on
      * @param radiusMm of the robot
-     * @param pose where the robot is in the frame of MAJIC
+     * @param state the newest state of the robot
      */
     public RosParameters(
             ParameterTable table,
@@ -43,7 +43,7 @@ public final class RosParameters {
             Navigation navigation,
             Signal changes,
             DoubleSupplier radiusMm,
-            Supplier<Pose> pose) {
+            Supplier<BotState> state) {
         this.table = table;
         this.themes = List.of(
                 new RosRangingParameters(access, radiusMm),
@@ -54,7 +54,7 @@ public final class RosParameters {
                 new RosCameraParameters(access));
         this.topics = new TopicCommands(access);
         this.call = new CallCommand(access, changes);
-        this.goals = new GoalCommands(access, navigation, pose);
+        this.goals = new GoalCommands(access, navigation, state);
         table.findOthers(new TopicParameters(access));
     }
 

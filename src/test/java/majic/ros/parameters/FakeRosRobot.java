@@ -113,7 +113,7 @@ public final class FakeRosRobot implements AutoCloseable {
         private final AtomicInteger halts = new AtomicInteger();
         private final Navigation navigation = new Navigation(changes());
         private final RosParameters parameters = new RosParameters(
-                table(), new RosAccess(() -> readings), navigation, changes(), () -> 100, () -> state().pose());
+                table(), new RosAccess(() -> readings), navigation, changes(), () -> 100, this::state);
 
         Driver(BotEnvironment environment) {
             super(
