@@ -20,7 +20,7 @@ class ScriptOnPagesInLabTest {
     /** Where a loop that walks to an obstacle ends soon. */
     private static final Pose NEAR_A_WALL = new Pose(2600, 1900, 0);
 
-    private static final Pattern ROBOT_PAGE = Pattern.compile("robots/(aibo|pioneer|hemisson)");
+    private static final Pattern ROBOT_PAGE = Pattern.compile("robots/(aibo|pioneer|hemisson|ros)");
 
     /** A line of an act, or one that names a file; {@link ActsPageTest} runs those of its page. */
     private static final Pattern ELSEWHERE = Pattern.compile("\\bme \\w|\\.(wav|act|majic)\\b| act ");
@@ -66,12 +66,13 @@ class ScriptOnPagesInLabTest {
     }
 
     private static LabRig robotsOf(String page) {
-        LabRig rig = LabRig.exact();
         Matcher robot = ROBOT_PAGE.matcher(page);
         if (robot.find()) {
-            rig.add(robot.group(1));
-            return rig;
+            LabRig lab = robot.group(1).equals("ros") ? LabRig.exactWithRos("1") : LabRig.exact();
+            lab.add(robot.group(1));
+            return lab;
         }
+        LabRig rig = LabRig.exact();
         ActLabs.place(rig, "aibo", NEAR_A_WALL);
         return rig.withAllRobots();
     }

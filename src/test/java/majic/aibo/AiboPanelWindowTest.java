@@ -94,10 +94,10 @@ class AiboPanelWindowTest {
     }
 
     @Test
-    void aDamagedPictureIsReportedInItsPlace() {
+    void dataThatIsNoPictureIsReportedInItsPlace() {
         dog.set(ASKED, "BIN 5 jpeg 208 160\nabcde");
 
-        await("words", () -> view().getAccessibleContext().getAccessibleName().contains("damaged"));
+        await("words", () -> view().getAccessibleContext().getAccessibleName().contains("neither JPEG nor PNG"));
     }
 
     @Test

@@ -19,10 +19,10 @@ class PluginsTest {
     private Path folder;
 
     @Test
-    void withoutPluginsThereAreTheThreeRobotsOfTheThesis() {
+    void withoutPluginsThereAreTheRobotsOfTheThesisAndThoseThatSpeakRos() {
         assertThat(Plugins.in(folder.resolve("none")).types())
                 .extracting(BotType::name)
-                .containsExactly("aibo", "pioneer", "hemisson");
+                .containsExactly("aibo", "pioneer", "hemisson", "ros");
     }
 
     @Test
