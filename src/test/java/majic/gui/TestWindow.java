@@ -28,6 +28,7 @@ import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
 import javax.swing.ListModel;
+import javax.swing.RootPaneContainer;
 import javax.swing.text.JTextComponent;
 import majic.act.NoActs;
 import majic.act.file.ActCatalog;
@@ -422,9 +423,20 @@ public final class TestWindow implements AutoCloseable {
                 .flatMap(window -> WindowAudit.interpretingHtml(window).stream())
                 .toList());
         robot.cleanUp();
+        GuiActionRunner.execute(TestWindow::emptyWindows);
         arrived.close();
         team.close();
         checks.close();
         assertThat(html).as("components that interpret HTML").isEmpty();
+    }
+
+    /** A later change of the look goes through all windows that have not been collected yet, closed ones included. */
+    private static void emptyWindows() {
+        for (Window window : Window.getWindows()) {
+            if (window instanceof RootPaneContainer closed && !window.isDisplayable()) {
+                closed.getRootPane().setJMenuBar(null);
+                closed.getContentPane().removeAll();
+            }
+        }
     }
 }
