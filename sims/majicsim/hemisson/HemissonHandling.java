@@ -104,6 +104,15 @@ public final class HemissonHandling {
     }
 
     /**
+     * Whether what it receives are commands to it.
+     *
+     * @return false while its receiver is blocked, and while it takes all it receives for bytes of a program (sheet 15)
+     */
+    public boolean takesCommands() {
+        return robot.takesCommands();
+    }
+
+    /**
      * The texts that its text-to-speech module spoke.
      *
      * @return the last 100 texts, oldest first; a stored phrase as "phrase 7"

@@ -158,6 +158,10 @@ public final class HemissonRobot implements Firmware {
         return uart.isReceiverBlocked() || buffer.isStuck();
     }
 
+    boolean takesCommands() {
+        return !isReceiverBlocked() && !botStudio.isTakingBytes();
+    }
+
     void powerCycle() {
         uart.powerCycle();
         bus.powerCycle();

@@ -11,6 +11,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import majic.bot.BotException;
+import majic.bot.MajicBot;
 import majic.log.SessionListener;
 import majic.script.MajicParser;
 import majic.team.Member;
@@ -130,7 +131,20 @@ final class SoakRound {
                 faults.merge(script.next(lines), 1L, Long::sum);
                 time.sleep(script.faultSeconds());
                 lines.none();
+                switchOnAgainIfDeaf(soak);
                 time.sleep(script.goodSeconds());
+            }
+        });
+    }
+
+    /**
+     * Does what the driver's message asks for. A garbled line deafens a Hemisson until it is switched off and on if it fills
+     * the command buffer (Hemisson sheet 4.2) or begins to load a program (sheet 15).
+     */
+    private static void switchOnAgainIfDeaf(SoakLab soak) {
+        soak.lab().simulators().besideHemisson(hemisson -> {
+            if (!hemisson.takesCommands()) {
+                hemisson.powerCycle();
             }
         });
     }
@@ -200,11 +214,12 @@ final class SoakRound {
         }
     }
 
-    /** Connects a robot that is still lost, so that the reason is known. */
-    private static String notReady(SoakLab soak, Member member) {
+    /** Connects a robot that is still lost, so that the reason is known; an attempt that has begun ends before that. */
+    private static String notReady(SoakLab soak, Member member) throws InterruptedException {
         String state = "robot " + member.number() + " is not ready " + RETURN_BOUND_S + " s after the last fault: "
                 + member.bot().connection() + ", owner " + member.owner() + ", reconnecting "
                 + soak.reconnecting(member);
+        soak.team().changes().await(() -> member.bot().connection() != MajicBot.Connection.CONNECTING, RETURN_BOUND_S);
         try {
             member.bot().connect();
             return state + "; it can be connected now";
