@@ -36,11 +36,10 @@ import org.jspecify.annotations.Nullable;
  * A robot that speaks ROS 1 or ROS 2, through a rosbridge server. Its topics are found by their types, its model by a table.
  * Motions are controlled here by its odometry, and velocities are published 20 times a second while it moves.
  *
- * <p>The connection is given up when the server has sent nothing for 1 s, answers to pings included. The server does not stop
+ * <p>The connection is given up when the server has sent nothing for 0.9 s, answers to pings included. The server does not stop
  * a robot whose client is gone: whether it stops by itself depends on the model, and the parameter {@code timeout} tells it.
  */
 public final class MajicRos extends BotDriver {
-    private static final double WATCH_S = 0.25;
     private static final double RENEWAL_S = 1;
 
     private final RosAddress address;
@@ -77,7 +76,6 @@ public final class MajicRos extends BotDriver {
         this.sensing =
                 new RosSensing(table(), owner.waiting(), () -> profile().bodyMm(), this::state, new SensorEvents());
         describe();
-        every("ros link", WATCH_S, this::watch);
         every("ros subscriptions", RENEWAL_S, this::renew);
     }
 
@@ -126,6 +124,7 @@ public final class MajicRos extends BotDriver {
         next.begin(mayMove);
         opening.awaitOdometry();
         sensing.awaitFirst();
+        opening.watch();
         mayMove = false;
     }
 
@@ -248,13 +247,6 @@ public final class MajicRos extends BotDriver {
         RosReadings readings = sensing.readings();
         if (cameraViews.get() > 0 && readings != null && isConnected()) {
             readings.camera().ifPresent(RequestedReading::request);
-        }
-    }
-
-    private void watch() {
-        RosSession open = session.get();
-        if (open != null && isConnected()) {
-            open.watch();
         }
     }
 

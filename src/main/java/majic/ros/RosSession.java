@@ -3,11 +3,14 @@ package majic.ros;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
+import majic.bot.Value;
 import majic.driver.RobotWait;
 import majic.ros.bridge.RosBridge;
 import majic.ros.bridge.TopicSubscription;
@@ -32,9 +35,6 @@ import org.jspecify.annotations.Nullable;
 final class RosSession implements VelocityOutput {
     private static final Logger LOG = System.getLogger(RosSession.class.getName());
 
-    /** The connection is lost when nothing has arrived for this time, answers to pings included. */
-    private static final double SILENCE_S = 1;
-
     private static final int ODOMETRY_THROTTLE_MS = 40;
 
     /** Longer than the time after which a silent topic is subscribed to again. */
@@ -54,6 +54,7 @@ final class RosSession implements VelocityOutput {
     private final RobotWait waiting;
     private final Events events;
     private final RosConnections connections;
+    private final List<ServerWatch> watches = new CopyOnWriteArrayList<>();
     private final AtomicBoolean over = new AtomicBoolean();
     private final AtomicBoolean problemNoticed = new AtomicBoolean();
     private volatile @Nullable RosGraph graph;
@@ -63,7 +64,7 @@ final class RosSession implements VelocityOutput {
     private volatile boolean reporting;
     private volatile @Nullable String problem;
 
-    /** Handles what happens in a session. Called on the reader thread or the timer thread of the robot. */
+    /** Handles what happens in a session. Called on a reader thread or the thread that watches the server, neither of which may wait. */
     interface Events {
         /** Handles a message of the odometry. */
         void odometry(RosSession from, OdometryMessage reading);
@@ -172,15 +173,24 @@ final class RosSession implements VelocityOutput {
         }
     }
 
-    /** Pings the server, and ends the connection if nothing has arrived for a second. Called a few times a second. */
+    /** Watches the server from now on: the connection is lost when it falls silent. Called once. */
     void watch() {
         for (RosBridge bridge : connections.all()) {
-            if (bridge.silenceS() > SILENCE_S) {
-                end(new LinkLost("the rosbridge server has sent nothing for " + (int) SILENCE_S + " s"));
-                return;
-            }
-            bridge.ping();
+            ServerWatch watch = new ServerWatch(waiting.time(), new Watched(bridge), this::endSilent);
+            watches.add(watch);
+            watch.start();
         }
+        if (over.get()) {
+            endWatches();
+        }
+    }
+
+    private void endSilent() {
+        end(new LinkLost("the rosbridge server has sent nothing for " + Value.plain(ServerWatch.SILENCE_S) + " s"));
+    }
+
+    private void endWatches() {
+        watches.forEach(ServerWatch::close);
     }
 
     /** Subscribes again to topics that are silent. Called about once a second. */
@@ -199,7 +209,9 @@ final class RosSession implements VelocityOutput {
 
     /** Ends the session in order, after the last stop has had the time to reach the robot. */
     void close() {
-        if (over.compareAndSet(false, true) && base != null) {
+        boolean wasOpen = over.compareAndSet(false, true);
+        endWatches();
+        if (wasOpen && base != null) {
             waiting.awaitClosing(() -> false, LAST_STOP_S);
             try {
                 connections.drive().unadvertise(base().command());
@@ -214,6 +226,7 @@ final class RosSession implements VelocityOutput {
     /** Cuts the connection of a session that could not begin. */
     void abort() {
         over.set(true);
+        endWatches();
         connections.abort();
     }
 
@@ -246,6 +259,7 @@ final class RosSession implements VelocityOutput {
 
     private void end(LinkLost cause) {
         if (over.compareAndSet(false, true)) {
+            endWatches();
             waiting.time().runAsync("ros last stop", this::stopAndClose);
             events.lost(this, cause);
         }
@@ -283,7 +297,25 @@ final class RosSession implements VelocityOutput {
 
     /** Whether a connection is open on which nothing has arrived since the last stop. */
     private boolean isStuck() {
-        return connections.all().stream().anyMatch(bridge -> bridge.isOpen() && bridge.silenceS() > SILENCE_S);
+        return connections.all().stream()
+                .anyMatch(bridge -> bridge.isOpen() && bridge.silenceS() > ServerWatch.SILENCE_S);
+    }
+
+    /**
+     * A connection that is watched.
+     *
+     * @param bridge the connection
+     */
+    private record Watched(RosBridge bridge) implements ServerWatch.Server {
+        @Override
+        public void ping() {
+            bridge.ping();
+        }
+
+        @Override
+        public double silenceS() {
+            return bridge.silenceS();
+        }
     }
 
     /** Handles the ends of the connections. */
