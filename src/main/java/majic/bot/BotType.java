@@ -154,6 +154,15 @@ public interface BotType {
     }
 
     /**
+     * Returns the name of the type that makes the display of a recorded robot of this type.
+     *
+     * @return {@link #name()} unless overridden; another for robots that are displayed differently from others of that name
+     */
+    default String replayedBy() {
+        return name();
+    }
+
+    /**
      * Makes the display of a recorded robot. Called on the event dispatch thread.
      *
      * @param recorded gives the recorded parameters and states, and refuses every command

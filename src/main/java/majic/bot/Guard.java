@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.util.List;
+import java.util.Optional;
 
 /** What ends a motion before its time: the {@code until} of MAJIC Script. */
 @FunctionalInterface
@@ -24,6 +25,16 @@ public interface Guard {
      */
     default List<? extends ReadingSource> alsoWatches() {
         return List.of();
+    }
+
+    /**
+     * Returns the condition as a text that another program can evaluate, next to the robot.
+     *
+     * @return MAJIC Script, {@code distanceFront < 300mm}; empty unless overridden, and for a condition that reads anything
+     *     but the robot that moves
+     */
+    default Optional<String> text() {
+        return Optional.empty();
     }
 
     /** Something that can report that it has new readings, as each robot can. */

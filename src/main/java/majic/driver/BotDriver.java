@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  * shared parameters.
  */
 public abstract class BotDriver extends MajicBot {
-    private final BotType type;
+    private volatile BotType type;
     private final TimeSource time;
     private final Settings settings;
     private final ParameterTable parameters = new ParameterTable();
@@ -451,6 +451,20 @@ public abstract class BotDriver extends MajicBot {
     protected abstract void driveAt(double mmPerSec, double degPerSec);
 
     /**
+     * Drives a curve for a time until done; otherwise as {@link #moveBy}. Calls {@link #driveAt} again and again, then
+     * {@link #halt()} and {@link #confirmHalt()}, unless overridden for a robot that takes the time with the command.
+     *
+     * @param mmPerSec within the profile's speeds, ahead positive
+     * @param degPerSec within the profile's rates, counterclockwise positive
+     * @param seconds more than 0, at most 60
+     * @param motion for sending and waiting
+     * @return a description of how the speeds were adjusted; null if they were not
+     */
+    protected @Nullable Value driveFor(double mmPerSec, double degPerSec, double seconds, Motion motion) {
+        return gate.driveRenewing(mmPerSec, degPerSec, seconds, motion);
+    }
+
+    /**
      * Returns how {@link #driveAt} adjusted the speeds requested last. Part of the answer to a drive for a given time.
      *
      * @return a description; null if the robot drives exactly as requested, or reports the difference in another way
@@ -522,6 +536,24 @@ public abstract class BotDriver extends MajicBot {
         profile = better;
         limits = limits.fittedTo(better);
         limits.describe(parameters);
+    }
+
+    /**
+     * Replaces the type by the one that the robot turned out to have. To be called while connecting for the first time.
+     *
+     * @param found the type that users, roles of acts and scripts see from now on
+     */
+    protected final void type(BotType found) {
+        type = Objects.requireNonNull(found, "found");
+    }
+
+    /**
+     * Sets the parameter {@code maxMove}, for a robot that keeps this limit itself.
+     *
+     * @param mm the longest single move that is accepted, positive
+     */
+    protected final void maxMove(double mm) {
+        limits.maxMove(mm);
     }
 
     /**

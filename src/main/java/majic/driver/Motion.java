@@ -1,5 +1,6 @@
 package majic.driver;
 
+import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.Guard;
@@ -20,6 +21,7 @@ public final class Motion {
     private final long startedNanos;
     private long readingsSeen = -1;
     private boolean guardReached;
+    private boolean guardHandedOver;
     private boolean hasSent;
 
     Motion(MovingRobot bot, MotionGate gate, Guard guard, Permit permit) {
@@ -112,6 +114,19 @@ public final class Motion {
     }
 
     /**
+     * Hands the guard over to a program next to the robot, which ends the motion when it becomes true. This motion does not
+     * evaluate it any more.
+     *
+     * @return the condition in MAJIC Script; empty if there is no guard, or it cannot be handed over: this motion then goes
+     *     on to evaluate it
+     */
+    public Optional<String> handOverGuard() {
+        Optional<String> text = guard.text();
+        guardHandedOver = text.isPresent();
+        return text;
+    }
+
+    /**
      * Returns the time since the motion began.
      *
      * @return seconds on the robot's clock
@@ -137,7 +152,7 @@ public final class Motion {
      */
     private boolean lookAtGuard() {
         long readings = bot.readings();
-        if (isGuarded() && !guardReached && readings != readingsSeen) {
+        if (isGuarded() && !guardHandedOver && !guardReached && readings != readingsSeen) {
             boolean first = readingsSeen < 0;
             readingsSeen = readings;
             try {
@@ -161,7 +176,7 @@ public final class Motion {
                             () -> done.getAsBoolean()
                                     || permit.isRevoked()
                                     || !bot.isConnected()
-                                    || (isGuarded() && bot.readings() != seen),
+                                    || (isGuarded() && !guardHandedOver && bot.readings() != seen),
                             seconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

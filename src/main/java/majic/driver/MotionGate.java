@@ -182,13 +182,17 @@ final class MotionGate {
     }
 
     MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
-        return perform(until, permit, motion -> {
-            if (!motion.pause(0)) {
-                return null;
-            }
-            driveOn(mmPerSec, degPerSec, seconds, motion);
-            return bot.driven();
-        });
+        return perform(until, permit, motion -> bot.driveFor(mmPerSec, degPerSec, seconds, motion));
+    }
+
+    /** Drives for a time by a command that is renewed, unless the guard holds already. */
+    @Nullable
+    Value driveRenewing(double mmPerSec, double degPerSec, double seconds, Motion motion) {
+        if (!motion.pause(0)) {
+            return null;
+        }
+        driveOn(mmPerSec, degPerSec, seconds, motion);
+        return bot.driven();
     }
 
     private void driveOn(double mmPerSec, double degPerSec, double seconds, Motion motion) {

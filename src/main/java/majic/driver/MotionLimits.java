@@ -53,6 +53,10 @@ final class MotionLimits {
         cruiseTurnDegPerSec = profile.turn().clamp(or(degPerSec, profile.cruiseTurnDegPerSec()));
     }
 
+    void maxMove(double mm) {
+        maxMoveMm = mm;
+    }
+
     double cruiseMmPerSec() {
         return cruiseMmPerSec;
     }
@@ -88,7 +92,7 @@ final class MotionLimits {
                         Parameter.number("maxMove", Unit.MM, "the longest single move that is accepted")
                                 .within(1, 1_000_000),
                         () -> Value.of(maxMoveMm, Unit.MM))
-                .writes(values -> maxMoveMm = values.get(0).number());
+                .writes(values -> maxMove(values.get(0).number()));
         table.add(
                         Parameter.number("near", Unit.MM, "the distance below which something counts as near")
                                 .within(0, 10_000),

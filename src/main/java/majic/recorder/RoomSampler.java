@@ -36,7 +36,7 @@ final class RoomSampler {
                 .orElse(new Pose(0, (1 - member.number()) * GUESSED_APART_MM, 0));
         return new RecordedRobot(
                 member.number(),
-                bot.type().name(),
+                bot.type().replayedBy(),
                 member.label(),
                 bot.type().make(),
                 bot.profile().bodyMm(),

@@ -28,6 +28,7 @@ public final class FakeBot extends BotDriver {
     private volatile @Nullable RuntimeException refusal;
     private volatile double connectSeconds;
     private volatile boolean stuck;
+    private volatile boolean handsGuardsOver;
     private volatile boolean haltsBadly;
     private volatile double confirmSeconds;
     private volatile Pose pose = Pose.START;
@@ -134,6 +135,11 @@ public final class FakeBot extends BotDriver {
         stuck = true;
     }
 
+    /** Makes the robot take the guards of its moves as texts, without obeying them. */
+    public void handsGuardsOver() {
+        handsGuardsOver = true;
+    }
+
     /** Makes the sending of a drive take as long as this does. */
     public void sendDrivesThrough(Runnable line) {
         lineIsSlow = line;
@@ -190,6 +196,9 @@ public final class FakeBot extends BotDriver {
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
+        if (handsGuardsOver) {
+            motion.handOverGuard().ifPresent(until -> sent.add("until " + until));
+        }
         double goal = Math.min(Math.abs(mm), stallAfterMm);
         double speed = Math.copySign(cruiseMmPerSec(), mm);
         motion.send(() -> sent.add("move " + Value.plain(mm)));

@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.mockito.Mockito.doReturn;
 import static org.mockito.Mockito.mock;
+import static org.mockito.Mockito.never;
 import static org.mockito.Mockito.verify;
 import static org.mockito.Mockito.when;
 
 import java.util.List;
+import java.util.Optional;
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
 import majic.bot.Guard;
@@ -64,5 +66,17 @@ class GuardTest {
         assertThatThrownBy(() -> bot.move(500, broken)).hasMessage("a mistake");
         assertThat(bot.isBusy()).isFalse();
         assertThat(bot.move(300).toString()).startsWith("300 mm");
+    }
+
+    @Test
+    void oneThatIsHandedOverToTheRobotIsNotEvaluatedAnyMore() {
+        Guard guard = mock();
+        when(guard.text()).thenReturn(Optional.of("distanceFront < 300"));
+        when(guard.reached()).thenReturn(true);
+        bot.handsGuardsOver();
+
+        assertThat(bot.move(300, guard).toString()).startsWith("300 mm");
+        assertThat(bot.sent()).contains("until distanceFront < 300");
+        verify(guard, never()).reached();
     }
 }

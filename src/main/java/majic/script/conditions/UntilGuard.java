@@ -1,6 +1,8 @@
 package majic.script.conditions;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
@@ -13,6 +15,7 @@ public final class UntilGuard implements Guard {
     private final Condition condition;
     private final ConditionEvaluator readings;
     private final List<MajicBot> others;
+    private final boolean readsOwnOnly;
 
     /**
      * The guard of a motion.
@@ -23,10 +26,10 @@ public final class UntilGuard implements Guard {
     public UntilGuard(Condition condition, Selection selection, Member own) {
         this.condition = condition;
         this.readings = new ConditionEvaluator(selection, own);
-        this.others = ConditionEvaluator.allAsked(condition, selection, own).stream()
-                .filter(member -> member != own)
-                .map(Member::bot)
-                .toList();
+        Set<Member> asked = ConditionEvaluator.allAsked(condition, selection, own);
+        this.readsOwnOnly = asked.equals(Set.of(own));
+        this.others =
+                asked.stream().filter(member -> member != own).map(Member::bot).toList();
     }
 
     @Override
@@ -45,5 +48,33 @@ public final class UntilGuard implements Guard {
     @Override
     public List<MajicBot> alsoWatches() {
         return others;
+    }
+
+    @Override
+    public Optional<String> text() {
+        return readsOwnOnly ? Optional.of(condition.accept(new WithoutRobots()).toString()) : Optional.empty();
+    }
+
+    /** The same condition for another team, in which the robot that moves has another number. */
+    private static final class WithoutRobots implements Condition.Visitor<Condition> {
+        @Override
+        public Condition or(Condition.Or or) {
+            return new Condition.Or(or.left().accept(this), or.right().accept(this));
+        }
+
+        @Override
+        public Condition and(Condition.And and) {
+            return new Condition.And(and.left().accept(this), and.right().accept(this));
+        }
+
+        @Override
+        public Condition not(Condition.Not not) {
+            return new Condition.Not(not.inner().accept(this));
+        }
+
+        @Override
+        public Condition comparison(Condition.Comparison comparison) {
+            return new Condition.Comparison(null, comparison.parameter(), comparison.operator(), comparison.value());
+        }
     }
 }
