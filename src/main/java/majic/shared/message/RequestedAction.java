@@ -1,0 +1,179 @@
+package majic.shared.message;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import majic.bot.Value;
+
+/** What a request asks a robot to do. Immutable; {@code toString()} is how answers repeat it. */
+public sealed interface RequestedAction {
+    /** Moves the robot if its {@code until} does not hold already; the text of a condition in MAJIC Script, or empty. */
+    sealed interface Motion extends RequestedAction {
+        /**
+         * Returns the condition that ends the motion early.
+         *
+         * @return MAJIC Script; empty for none
+         */
+        String until();
+    }
+
+    /**
+     * Drives straight.
+     *
+     * @param mm ahead positive
+     * @param until MAJIC Script; empty for none
+     */
+    record Move(double mm, String until) implements Motion {
+        @Override
+        public String toString() {
+            return "move " + Value.plain(mm) + behind(until);
+        }
+    }
+
+    /**
+     * Turns on the spot.
+     *
+     * @param degrees counterclockwise positive
+     * @param until MAJIC Script; empty for none
+     */
+    record Turn(double degrees, String until) implements Motion {
+        @Override
+        public String toString() {
+            return "turn " + Value.plain(degrees) + behind(until);
+        }
+    }
+
+    /**
+     * Drives a curve for a time.
+     *
+     * @param mmPerSec ahead positive
+     * @param degPerSec counterclockwise positive
+     * @param seconds for how long
+     * @param until MAJIC Script; empty for none
+     */
+    record Drive(double mmPerSec, double degPerSec, double seconds, String until) implements Motion {
+        @Override
+        public String toString() {
+            return "drive " + Value.plain(mmPerSec) + " " + Value.plain(degPerSec) + " for " + Value.plain(seconds)
+                    + "s" + behind(until);
+        }
+    }
+
+    /**
+     * Reads a parameter, asking the robot where that is needed.
+     *
+     * @param parameter its name
+     */
+    record Get(String parameter) implements RequestedAction {
+        @Override
+        public String toString() {
+            return "get " + parameter;
+        }
+    }
+
+    /**
+     * Sets a parameter.
+     *
+     * @param parameter its name
+     * @param values its value, then any extras; numbers in the units of the description
+     */
+    record Set(String parameter, List<Value> values) implements RequestedAction {
+        @Override
+        public String toString() {
+            return "set " + words(parameter, values);
+        }
+    }
+
+    /**
+     * Runs a command that only this type of robot has.
+     *
+     * @param command its name
+     * @param arguments numbers in the units of the description
+     */
+    record Run(String command, List<Value> arguments) implements RequestedAction {
+        @Override
+        public String toString() {
+            return words(command, arguments);
+        }
+    }
+
+    /** Claims the robot until it is given back. */
+    record Hold() implements RequestedAction {
+        @Override
+        public String toString() {
+            return "hold";
+        }
+    }
+
+    /** Gives the robot back. */
+    record Free() implements RequestedAction {
+        @Override
+        public String toString() {
+            return "free";
+        }
+    }
+
+    /** Sends a picture of the camera. */
+    record Picture() implements RequestedAction {
+        @Override
+        public String toString() {
+            return "picture";
+        }
+    }
+
+    private static String behind(String until) {
+        return until.isEmpty() ? "" : " until " + until;
+    }
+
+    private static String words(String name, List<Value> values) {
+        return Stream.concat(Stream.of(name), values.stream().map(Value::toString))
+                .collect(Collectors.joining(" "));
+    }
+
+    /** Adds the fields of an action. */
+    static void write(RequestedAction action, ObjectNode to) {
+        if (action instanceof Move move) {
+            to.put("do", "move").put("mm", move.mm());
+        } else if (action instanceof Turn turn) {
+            to.put("do", "turn").put("degrees", turn.degrees());
+        } else if (action instanceof Drive drive) {
+            to.put("do", "drive").put("mmPerSec", drive.mmPerSec()).put("degPerSec", drive.degPerSec());
+            to.put("seconds", drive.seconds());
+        } else if (action instanceof Get get) {
+            to.put("do", "get").put("parameter", get.parameter());
+        } else if (action instanceof Set set) {
+            write(to.put("do", "set").put("parameter", set.parameter()).putArray("values"), set.values());
+        } else if (action instanceof Run run) {
+            write(to.put("do", "run").put("command", run.command()).putArray("arguments"), run.arguments());
+        } else {
+            to.put("do", action.toString());
+        }
+        if (action instanceof Motion motion && !motion.until().isEmpty()) {
+            to.put("until", motion.until());
+        }
+    }
+
+    private static void write(ArrayNode to, List<Value> values) {
+        values.forEach(value -> to.add(ValueJson.of(value)));
+    }
+
+    /** Reads the fields of an action. */
+    static RequestedAction read(JsonObject from) {
+        String until = from.text("until", "");
+        return switch (from.text("do")) {
+            case "move" -> new Move(from.number("mm"), until);
+            case "turn" -> new Turn(from.number("degrees"), until);
+            case "drive" ->
+                new Drive(from.number("mmPerSec"), from.number("degPerSec", 0), from.number("seconds", 1), until);
+            case "get" -> new Get(from.text("parameter"));
+            case "set" -> new Set(from.text("parameter"), from.list("values", ValueJson::given));
+            case "run" -> new Run(from.text("command"), from.list("arguments", ValueJson::given));
+            case "hold" -> new Hold();
+            case "free" -> new Free();
+            case "picture" -> new Picture();
+            default -> throw from.wrong("do", "it is one of move, turn, drive, get, set, run, hold, free, picture");
+        };
+    }
+}

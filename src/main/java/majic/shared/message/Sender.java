@@ -1,0 +1,86 @@
+package majic.shared.message;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.UUID;
+import java.util.regex.Pattern;
+import majic.bot.BotException;
+import majic.text.VisibleText;
+
+/**
+ * Who sends a message: a person at a desk, in one run of one program. Immutable.
+ *
+ * @param desk the name of the desk; a program that shares nothing has one too
+ * @param person the name that is shown to others
+ * @param session a random text that no other run of a program has, at most 64 characters
+ */
+public record Sender(String desk, String person, String session) {
+    private static final int LONGEST = 64;
+    private static final int LONGEST_PERSON = 40;
+    private static final Pattern DESK = Pattern.compile("\\p{L}[\\p{L}\\d_-]{0,19}");
+    private static final Pattern SESSION = Pattern.compile("[\\w-]{1," + LONGEST + "}");
+
+    /**
+     * A sender of this run of this program.
+     *
+     * @param desk its name
+     * @param person the name of its user
+     * @return with a session of its own
+     * @throws BotException if the desk's name cannot be one
+     */
+    public static Sender ofThisRun(String desk, String person) {
+        checkDesk(desk);
+        return new Sender(desk, shown(person), UUID.randomUUID().toString());
+    }
+
+    /**
+     * Checks the name of a desk.
+     *
+     * @param desk the name
+     * @throws BotException if it cannot be one
+     */
+    public static void checkDesk(String desk) {
+        if (!isDesk(desk)) {
+            throw new BotException(VisibleText.of(desk)
+                    + ": the name of a desk is a letter, then letters, digits, - and _, at most 20 characters in all");
+        }
+    }
+
+    /**
+     * Returns whether a text can be the name of a desk.
+     *
+     * @param text any
+     * @return true for a letter, then letters, digits, - and _, at most 20 characters in all
+     */
+    public static boolean isDesk(String text) {
+        return DESK.matcher(text).matches();
+    }
+
+    /** Returns the name in messages: {@code Anna at desk1}. */
+    @Override
+    public String toString() {
+        return person.isEmpty() ? desk : person + " at " + desk;
+    }
+
+    void write(ObjectNode to) {
+        to.put("session", session).put("desk", desk).put("person", person);
+    }
+
+    /** Reads the fields; {@code desk} and {@code person} may be missing. */
+    static Sender read(JsonObject from) {
+        String session = from.text("session");
+        if (!SESSION.matcher(session).matches()) {
+            throw from.wrong("session", "it is 1 to " + LONGEST + " letters, digits, - and _");
+        }
+        String desk = from.text("desk", "");
+        if (from.has("desk") && !isDesk(desk)) {
+            throw from.wrong("desk", "it is a letter, then letters, digits, - and _, at most 20 characters in all");
+        }
+        String known = desk.isEmpty() ? "session " + session.substring(0, Math.min(8, session.length())) : desk;
+        return new Sender(known, shown(from.text("person", "")), session);
+    }
+
+    private static String shown(String person) {
+        String visible = VisibleText.of(person).strip();
+        return visible.length() > LONGEST_PERSON ? visible.substring(0, LONGEST_PERSON) : visible;
+    }
+}
