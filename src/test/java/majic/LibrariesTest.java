@@ -140,6 +140,7 @@ class LibrariesTest {
                 String group = library.name.substring(0, library.name.indexOf(':'));
                 library.pom()
                         .dependencies(false)
+                        .filter(one -> !library.pom().isManagedForTests(one, library.repository))
                         .flatMap(one -> library(one, group).stream())
                         .forEach(open::add);
             }

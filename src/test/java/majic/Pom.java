@@ -67,6 +67,23 @@ record Pom(Path file, Element project) {
                 .filter(one -> optional || !text(one, "optional").equals("true"));
     }
 
+    /** Returns whether a dependency without a scope of its own has one of a parent's, by which it is for tests alone. */
+    boolean isManagedForTests(Element dependency, Path repository) {
+        return text(dependency, "scope").isEmpty()
+                && parent(repository)
+                        .filter(parent ->
+                                parent.manages(dependency) || parent.isManagedForTests(dependency, repository))
+                        .isPresent();
+    }
+
+    private boolean manages(Element dependency) {
+        return children(project, "dependencyManagement")
+                .flatMap(management -> children(management, "dependencies"))
+                .flatMap(list -> children(list, "dependency"))
+                .filter(one -> text(one, "artifactId").equals(text(dependency, "artifactId")))
+                .anyMatch(one -> text(one, "scope").equals("test"));
+    }
+
     /** Returns the names of the licences, of the project or else of its parent. */
     List<String> licences(Path repository) {
         List<String> own = children(project, "licenses")
