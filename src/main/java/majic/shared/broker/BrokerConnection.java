@@ -1,0 +1,118 @@
+package majic.shared.broker;
+
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A connection to an MQTT 5 broker. A lost connection is made again by itself until the connection is closed; nothing
+ * that was published meanwhile is kept for later, and the broker keeps nothing for this client either. Handlers and
+ * watchers are called on one thread, in the order in which the broker sent. Thread-safe.
+ */
+public interface BrokerConnection extends AutoCloseable {
+
+    /** Handles the messages of a subscription. */
+    @FunctionalInterface
+    interface Handler {
+        /**
+         * Handles one message. Runs on the only thread of the connection and must not wait: everything else that
+         * arrives waits for it. What it throws is logged.
+         *
+         * @param message what arrived
+         */
+        void received(BrokerMessage message);
+    }
+
+    /** Learns about the state of the connection, on the thread of the handlers, and must not wait either. */
+    interface Watcher {
+        /**
+         * The broker has accepted this client, for the first time or again. Runs before the first message of this
+         * connection is handled. All subscriptions have been sent before: the answer to a request published here arrives.
+         */
+        default void connected() {}
+
+        /**
+         * The connection was lost. It is being made again.
+         *
+         * @param reason how, as half a sentence
+         */
+        default void lost(String reason) {}
+    }
+
+    /**
+     * Connects. Blocks for at most 5 s. Returns at once if the connection was made before, even if it is lost at the
+     * moment. May be called again after a failure.
+     *
+     * @throws ConnectFailed with the reason and advice; nothing stays open
+     */
+    void connect();
+
+    /**
+     * Registers a watcher. If the connection exists, its {@link Watcher#connected} is called soon.
+     *
+     * @param watcher called from now on
+     */
+    void watch(Watcher watcher);
+
+    /**
+     * Subscribes to topics, also after each reconnection. While connected, returns when the broker has acknowledged,
+     * for which it waits at most 2 s, and must not be called by a handler or watcher then; otherwise the subscription
+     * is made with the connection. Retained messages are delivered for each subscription, also after a reconnection. A
+     * message that matches several filters is delivered to each of their handlers.
+     *
+     * @param filter a topic, in which {@code +} stands for one level and {@code #} at the end for all further levels
+     * @param quality the highest quality of service of the delivery
+     * @param handler handles the messages; replaces the handler of the same filter
+     * @throws BotException if the broker refuses or does not acknowledge; the subscription is not made then
+     */
+    void subscribe(String filter, Quality quality, Handler handler);
+
+    /**
+     * Ends a subscription, if it exists; the broker is told without waiting for its acknowledgement. No message is passed
+     * to its handler any more, except for one that is being handled.
+     *
+     * @param filter as it was subscribed to
+     */
+    void unsubscribe(String filter);
+
+    /**
+     * Publishes a message: queues it to be written in the order of the calls, and never blocks.
+     *
+     * @param message what to publish
+     * @throws BotException while not connected; the message is not kept for later
+     */
+    void publish(BrokerMessage message);
+
+    /**
+     * Publishes a message as {@link #publish(BrokerMessage)}, and tells what became of it.
+     *
+     * @param message what to publish
+     * @param acknowledged called once: with null when the broker has acknowledged it (quality of service 1) or it has
+     *     been written (0), otherwise with the reason; on any thread, must not wait
+     * @throws BotException while not connected; {@code acknowledged} is not called then
+     */
+    void publish(BrokerMessage message, Consumer<@Nullable BotException> acknowledged);
+
+    /**
+     * Returns whether messages can be published at the moment.
+     *
+     * @return false before {@link #connect}, after a loss until the reconnection, and after {@link #close}
+     */
+    boolean isConnected();
+
+    /**
+     * Returns the clock of the connection.
+     *
+     * @return the same object at each call
+     */
+    TimeSource time();
+
+    /**
+     * Ends the connection: sends what is queued, for which it waits at most 0.5 s, then disconnects so that the broker
+     * does not publish the last will. No handler or watcher is called afterwards, except for one that is running.
+     */
+    @Override
+    void close();
+}

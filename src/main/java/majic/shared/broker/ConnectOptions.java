@@ -1,0 +1,66 @@
+package majic.shared.broker;
+
+import java.util.Objects;
+import majic.environment.BotEnvironment;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * How a connection to a broker is made. Immutable.
+ *
+ * @param clientId the name of this client, which no other client of the broker may have at the same time: the broker
+ *     ends the connection of the older one
+ * @param will the message that the broker publishes when the connection is lost without {@link BrokerConnection#close};
+ *     null for none
+ * @param keepAliveSeconds after one and a half times this without a sign of life the broker takes the connection for
+ *     lost; at least 1
+ * @param environment the clock, and the settings, in whose folder the credentials are looked up
+ */
+public record ConnectOptions(
+        String clientId, @Nullable BrokerMessage will, int keepAliveSeconds, BotEnvironment environment) {
+    /** The keep alive unless another is chosen, s: a peer that is gone is noticed within 1.5 to 2 s. */
+    public static final int KEEP_ALIVE_SECONDS = 1;
+
+    /**
+     * Checks the parts.
+     *
+     * @throws IllegalArgumentException if the client has no name, or the keep alive is below 1 s
+     */
+    public ConnectOptions {
+        Objects.requireNonNull(environment, "environment");
+        if (clientId.isEmpty() || keepAliveSeconds < 1) {
+            throw new IllegalArgumentException(
+                    "a client needs a name and a keep alive of 1 s or more: " + clientId + ", " + keepAliveSeconds);
+        }
+    }
+
+    /**
+     * Options without a last will.
+     *
+     * @param clientId the name of this client
+     * @param environment the clock and the settings
+     * @return the options, with the usual keep alive
+     */
+    public static ConnectOptions of(String clientId, BotEnvironment environment) {
+        return new ConnectOptions(clientId, null, KEEP_ALIVE_SECONDS, environment);
+    }
+
+    /**
+     * Returns the same options with a last will.
+     *
+     * @param lastWill what the broker publishes when the connection is lost
+     * @return the options
+     */
+    public ConnectOptions withWill(BrokerMessage lastWill) {
+        return new ConnectOptions(clientId, lastWill, keepAliveSeconds, environment);
+    }
+
+    /**
+     * Returns the same options with another keep alive.
+     *
+     * @param seconds at least 1
+     * @return the options
+     */
+    public ConnectOptions withKeepAlive(int seconds) {
+        return new ConnectOptions(clientId, will, seconds, environment);
+    }
+}
