@@ -11,7 +11,15 @@ import java.util.List;
  * @param contacts each with its present state
  */
 public record ContactMessage(List<Contact> contacts) {
+    /** The numbers in events of a Kobuki. */
     private static final List<String> SIDES = List.of("left", "centre", "right");
+
+    private static final List<String> WHEELS = List.of("left", "right");
+
+    /** The bits in its core sensors, the lowest one first, are in the opposite order (SensorState.msg). */
+    private static final List<String> BITS = List.of("right", "centre", "left");
+
+    private static final List<String> WHEEL_BITS = List.of("right", "left");
 
     /** Keeps a copy. */
     public ContactMessage {
@@ -42,7 +50,7 @@ public record ContactMessage(List<Contact> contacts) {
         if (message.has("sensor")) {
             return one(Hazard.CLIFF, side(message, "sensor", SIDES), active);
         }
-        return one(Hazard.WHEEL_DROP, side(message, "wheel", List.of("left", "right")), active);
+        return one(Hazard.WHEEL_DROP, side(message, "wheel", WHEELS), active);
     }
 
     /**
@@ -58,6 +66,29 @@ public record ContactMessage(List<Contact> contacts) {
         contacts.add(new Contact(Hazard.BUMP, "front", (bits & 1) != 0));
         contacts.add(new Contact(Hazard.BUMP, "back", (bits & 2) != 0));
         return new ContactMessage(contacts);
+    }
+
+    /**
+     * Reads the core sensors of a Kobuki, which are sent all the time.
+     *
+     * @param message the content of a {@code kobuki_msgs/SensorState} or {@code kobuki_ros_interfaces/SensorState}
+     * @return its bumpers, cliff sensors and wheels
+     * @throws UnusableMessage if one of the fields {@code bumper}, {@code cliff} and {@code wheel_drop} is missing
+     */
+    public static ContactMessage kobukiCore(JsonNode message) {
+        List<Contact> contacts = new ArrayList<>();
+        addBits(contacts, Hazard.BUMP, message, "bumper", BITS);
+        addBits(contacts, Hazard.CLIFF, message, "cliff", BITS);
+        addBits(contacts, Hazard.WHEEL_DROP, message, "wheel_drop", WHEEL_BITS);
+        return new ContactMessage(contacts);
+    }
+
+    private static void addBits(
+            List<Contact> contacts, Hazard hazard, JsonNode message, String field, List<String> places) {
+        int bits = (int) Fields.number(message, field);
+        for (int bit = 0; bit < places.size(); bit++) {
+            contacts.add(new Contact(hazard, places.get(bit), (bits & 1 << bit) != 0));
+        }
     }
 
     private static ContactMessage one(Hazard hazard, String place, boolean active) {

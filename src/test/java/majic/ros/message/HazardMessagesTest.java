@@ -50,6 +50,17 @@ class HazardMessagesTest {
     }
 
     @Test
+    void theCoreSensorsOfAKobukiHaveTheRightSideInTheLowestBit() {
+        assertThat(ContactMessage.kobukiCore(Recorded.json("{'bumper':5,'cliff':2,'wheel_drop':2}"))
+                        .contacts())
+                .filteredOn(Contact::active)
+                .extracting(contact -> contact.hazard() + " " + contact.place())
+                .containsExactly("BUMP right", "BUMP left", "CLIFF centre", "WHEEL_DROP left");
+        assertThatThrownBy(() -> ContactMessage.kobukiCore(Recorded.json("{'bumper':5}")))
+                .isInstanceOf(UnusableMessage.class);
+    }
+
+    @Test
     void aTurtleBot3ReportsItsTwoBumpersAsBits() {
         assertThat(ContactMessage.turtleBot3(Recorded.json("{'bumper':2,'cliff':0}"))
                         .contacts())

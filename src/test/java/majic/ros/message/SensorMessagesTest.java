@@ -53,6 +53,26 @@ class SensorMessagesTest {
     }
 
     @ParameterizedTest
+    @CsvSource({"0, DISCHARGING", "2, FULL", "6, CHARGING", "18, FULL", "22, CHARGING", "16, DISCHARGING", "4, UNKNOWN"
+    })
+    void theChargerOfAKobukiIsInTheLowerBits(int charger, Supply supply) {
+        BatteryMessage battery =
+                BatteryMessage.kobuki(Recorded.json("{'battery':161,'charger':%d}".formatted(charger)));
+
+        assertThat(battery.supply()).isEqualTo(supply);
+        assertThat(battery.percent()).isEmpty();
+    }
+
+    @Test
+    void aSpotWithoutABatteryHasAnUnusableMessage() {
+        assertThatThrownBy(() -> BatteryMessage.spot(Recorded.json("{'battery_states':[{'status':1}]}")))
+                .isInstanceOf(UnusableMessage.class);
+        assertThat(BatteryMessage.spot(Recorded.json("{'battery_states':[{'status':3,'charge_percentage':130}]}"))
+                        .percent())
+                .hasValue(100);
+    }
+
+    @ParameterizedTest
     @CsvSource({"0.5, 500", "0.1, 100", "4, 4000", "4.01, ", "0.05, ", "null, ", "Infinity, "})
     void aRangeIsKnownWithinTheLimitsOfTheSensor(String sent, Double mm) {
         RangeMessage range = RangeMessage.from(Recorded.json(
