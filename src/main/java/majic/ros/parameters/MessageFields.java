@@ -1,9 +1,11 @@
 package majic.ros.parameters;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiFunction;
 import java.util.stream.Collectors;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -28,6 +30,19 @@ final class MessageFields {
      * @return a number, a yes or no, or a text; unknown, with the fields that there are, if the path leads to none of these
      */
     static Value value(JsonNode message, List<String> path) {
+        return read(message, path, MessageFields::value);
+    }
+
+    /**
+     * Returns the value of a field for display: as {@link #value}, but a whole number has all its digits.
+     *
+     * @param path as in {@link #value}
+     */
+    static Value shown(JsonNode message, List<String> path) {
+        return read(message, path, (node, place) -> isInexact(node) ? Value.text(node.asText()) : value(node, place));
+    }
+
+    private static Value read(JsonNode message, List<String> path, BiFunction<JsonNode, String, Value> reader) {
         JsonNode node = message;
         String place = "the message";
         List<String> whole = path.isEmpty() && message.has(DATA) ? List.of(DATA) : path;
@@ -39,7 +54,7 @@ final class MessageFields {
             place = name;
             node = inner;
         }
-        return value(node, place);
+        return reader.apply(node, place);
     }
 
     private static JsonNode inner(JsonNode node, String name) {
@@ -57,6 +72,9 @@ final class MessageFields {
     }
 
     private static Value value(JsonNode node, String place) {
+        if (isInexact(node)) {
+            return Value.about(node.doubleValue(), Unit.NONE);
+        }
         if (node.isNumber()) {
             return Double.isFinite(node.doubleValue())
                     ? Value.of(node.doubleValue(), Unit.NONE)
@@ -70,6 +88,11 @@ final class MessageFields {
         }
         return Value.unknown(
                 node.isNull() ? place + " is not finite" : "write a field behind " + place + content(node, ""));
+    }
+
+    /** Whether a node is a whole number that a double does not hold with all its digits. */
+    private static boolean isInexact(JsonNode node) {
+        return node.isIntegralNumber() && node.decimalValue().compareTo(new BigDecimal(node.doubleValue())) != 0;
     }
 
     private static String content(JsonNode node, String wanted) {

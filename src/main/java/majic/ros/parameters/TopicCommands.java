@@ -63,7 +63,7 @@ final class TopicCommands {
                 path,
                 message -> path.field().isEmpty()
                         ? Value.text(MessageFields.listed(message))
-                        : MessageFields.value(message, path.field()));
+                        : MessageFields.shown(message, path.field()));
         if (shown instanceof Value.Unknown unknown) {
             throw new BotException(path.topic().name() + ": " + unknown.reason());
         }
