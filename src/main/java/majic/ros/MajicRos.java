@@ -146,6 +146,9 @@ public final class MajicRos extends BotDriver {
         if (!robot.note().isEmpty()) {
             notice(robot.note());
         }
+        if (address.camera() == null) {
+            sensing.cameraNotice().ifPresent(this::notice);
+        }
     }
 
     /** The model and the version of ROS. */

@@ -10,19 +10,21 @@ import majic.ros.bridge.BridgeAddress;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The address of a robot behind a rosbridge server: {@code ros://host[:port][/namespace][?base=…&robot=…&path=…]}, with the
- * scheme {@code ross} for TLS. Immutable.
+ * The address of a robot behind a rosbridge server: {@code ros://host[:port][/namespace][?base=…&robot=…&camera=…&path=…]}, with
+ * the scheme {@code ross} for TLS. Immutable.
  *
  * @param bridge where the server is
  * @param namespace of the robot, as {@code /robot1}; empty for any
  * @param base its namespace, or the topic of its odometry or of its commands; null for any
  * @param robot its name in the table of known robots; null to recognise it
+ * @param camera the topic of its camera; null for the one whose name is most usual
  */
 record RosAddress(
         BridgeAddress bridge,
         String namespace,
         @Nullable String base,
-        @Nullable String robot) {
+        @Nullable String robot,
+        @Nullable String camera) {
     static final String SCHEME = "ros";
     static final String SECURE_SCHEME = "ross";
 
@@ -51,7 +53,8 @@ record RosAddress(
                 new BridgeAddress(form.group(1), port, path.startsWith("/") ? path : "/" + path, secure),
                 form.group(3).replaceAll("/+", "/").replaceFirst("/$", ""),
                 options.get("base"),
-                options.get("robot"));
+                options.get("robot"),
+                options.get("camera"));
     }
 
     private static BotException wrong(BotAddress address) {
@@ -64,10 +67,10 @@ record RosAddress(
         for (String option : query == null || query.isEmpty() ? new String[0] : query.split("&")) {
             int equals = option.indexOf('=');
             String key = equals < 0 ? option : option.substring(0, equals);
-            if (equals < 0 || equals == option.length() - 1 || !key.matches("base|robot|path")) {
-                throw new BotException(
-                        address + ": " + option
-                                + " is no option of an address; there are base=TOPIC, robot=NAME and path=PATH, with & between them");
+            if (equals < 0 || equals == option.length() - 1 || !key.matches("base|robot|camera|path")) {
+                throw new BotException(address + ": " + option
+                        + " is no option of an address; there are base=TOPIC, robot=NAME, camera=TOPIC and path=PATH, with &"
+                        + " between them");
             }
             options.put(key, option.substring(equals + 1));
         }

@@ -4,9 +4,13 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
+import java.util.stream.Collectors;
 import majic.bot.BotState;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.driver.DriverCommand;
 import majic.driver.ParameterTable;
 import majic.driver.RobotWait;
@@ -24,6 +28,7 @@ import majic.ros.readings.ActiveHazards;
 import majic.ros.readings.BridgeClient;
 import majic.ros.readings.RosReadings;
 import majic.ros.readings.RosSensors;
+import majic.ros.readings.RosTopic;
 import org.jspecify.annotations.Nullable;
 
 /** What a robot has beside its wheels: sensors, services and goals, with their parameters and commands. Thread-safe. */
@@ -73,13 +78,29 @@ final class RosSensing implements ObstructionSource {
                 session.graph().isRos2(),
                 namespace,
                 session.graph().topics());
-        RosSensors sensors = RosSensors.of(client.topics(), namespace);
+        RosSensors sensors = sensors(RosSensors.of(client.topics(), namespace), session.camera());
+        if (sensors.joints().isPresent()) {
+            sensors = sensors.withSlidingJoints(session.slidingJoints());
+        }
         servers = NavigationServers.of(client.topics(), actions(client), namespace);
         navigation.cancelUnfinished(client, servers);
         RosReadings opened = new RosReadings(client, sensors, waiting, events);
         readings = opened;
         parameters.describe(sensors, servers);
         opened.begin();
+    }
+
+    private static RosSensors sensors(RosSensors found, @Nullable String camera) {
+        if (camera == null) {
+            return found;
+        }
+        return found.withCamera(camera).orElseThrow(() -> {
+            String names = found.cameras().stream().map(RosTopic::name).collect(Collectors.joining(" or "));
+            return new ConnectFailed(
+                    Reason.OTHER,
+                    "the robot has no camera " + camera + ", which is a topic of the type CompressedImage"
+                            + (names.isEmpty() ? "; it has none at all" : "; is it " + names + "?"));
+        });
     }
 
     /** Waits until the distances are known, so that a script can begin with them. */
@@ -108,6 +129,18 @@ final class RosSensing implements ObstructionSource {
     /** The commands of the robot that was found last. */
     List<DriverCommand> commands() {
         return parameters.commands(servers);
+    }
+
+    /** Names the camera that is shown, and the others, if there are several; empty otherwise. */
+    Optional<String> cameraNotice() {
+        RosReadings open = readings;
+        List<RosTopic> cameras = open == null ? List.of() : open.sensors().cameras();
+        if (cameras.size() < 2) {
+            return Optional.empty();
+        }
+        String others = cameras.stream().skip(1).map(RosTopic::name).collect(Collectors.joining(", "));
+        return Optional.of("its camera is " + cameras.get(0).name() + "; there are also " + others
+                + ", one of which is chosen by ?camera=TOPIC behind its address");
     }
 
     /** Takes a message of the odometry. */

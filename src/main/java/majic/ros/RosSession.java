@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
@@ -19,6 +20,7 @@ import majic.ros.graph.BaseChoice;
 import majic.ros.graph.BaseFinder;
 import majic.ros.graph.KnownRobot;
 import majic.ros.graph.KnownRobots;
+import majic.ros.graph.RobotDescription;
 import majic.ros.graph.RobotEvidence;
 import majic.ros.graph.RosApi;
 import majic.ros.graph.RosGraph;
@@ -243,6 +245,21 @@ final class RosSession implements VelocityOutput {
     /** What is known about the robot. */
     KnownRobot robot() {
         return robot;
+    }
+
+    /**
+     * Asks the robot which of its joints slide.
+     *
+     * @return their names; none if it has no description
+     */
+    Set<String> slidingJoints() {
+        return RobotDescription.slidingJoints(new RosApi(connections.services()), graph(), base().namespace());
+    }
+
+    /** The topic of its camera that the address names; null if it names none. */
+    @Nullable
+    String camera() {
+        return address.camera();
     }
 
     /** The connections, for parameters and commands. */

@@ -8,8 +8,10 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
+import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
@@ -251,6 +253,66 @@ class RosConnectingTest {
         }
     }
 
+    @Test
+    void ofSeveralCamerasOneIsShownAndAllAreNamed() {
+        try (ScriptedRos robot = new ScriptedRos()) {
+            robot.topics.put("/front/image/compressed", "sensor_msgs/CompressedImage");
+            robot.topics.put("/camera/rgb/image/compressed", "sensor_msgs/CompressedImage");
+            List<String> notices = new CopyOnWriteArrayList<>();
+            robot.bot().addListener(new BotListener() {
+                @Override
+                public void notice(MajicBot from, String message) {
+                    notices.add(message);
+                }
+            });
+            robot.bot().connect();
+
+            robot.peer
+                    .clock()
+                    .until(
+                            () -> notices.stream()
+                                    .anyMatch(
+                                            notice -> notice.startsWith(
+                                                    "its camera is /camera/rgb/image/compressed;"
+                                                            + " there are also /front/image/compressed, one of which is chosen by ?camera=TOPIC")));
+        }
+    }
+
+    @Test
+    void theCameraMayBeNamedInTheAddress() {
+        try (ScriptedRos robot = new ScriptedRos("?camera=/rear/image")) {
+            assertFails(robot.bot()::connect, Reason.OTHER, "no camera /rear/image", "it has none at all");
+        }
+        try (ScriptedRos robot = new ScriptedRos("?camera=/rear/image")) {
+            robot.topics.put("/front/image/compressed", "sensor_msgs/CompressedImage");
+            assertFails(robot.bot()::connect, Reason.OTHER, "no camera /rear/image", "is it /front/image/compressed?");
+        }
+        try (ScriptedRos robot = new ScriptedRos("?camera=front/image")) {
+            robot.topics.put("/front/image/compressed", "sensor_msgs/CompressedImage");
+            robot.topics.put("/rgb/compressed", "sensor_msgs/CompressedImage");
+            robot.bot().connect();
+            robot.peer.clock().aside(() -> robot.bot().get("camera"));
+
+            robot.peer.clock().until(() -> robot.isSubscribed("/front/image/compressed"));
+        }
+    }
+
+    @Test
+    void theDescriptionOfTheRobotTellsWhichJointsSlide() {
+        try (ScriptedRos robot = new ScriptedRos()) {
+            robot.topics.put("/joint_states", "sensor_msgs/JointState");
+            robot.parameters.put(
+                    "/robot_description", "<robot name=\"r\"><joint name=\"lift\" type=\"prismatic\"/></robot>");
+            robot.bot().connect();
+            robot.peer.clock().aside(() -> {
+                robot.peer.clock().until(() -> robot.isSubscribed("/joint_states"));
+                robot.publish("/joint_states", ScriptedRos.parse("{\"name\":[\"lift\"],\"position\":[0.1]}"));
+            });
+
+            assertThat(robot.bot().get("joints")).hasToString("100 mm");
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(
             strings = {
@@ -278,7 +340,7 @@ class RosConnectingTest {
                 "ros://192.168.1.20:9090",
                 "ros://[fe80::1]:9090/robot1",
                 "ROSS://robot.local/a/b/",
-                "ros://host?base=/odom&robot=Husky&path=/ws"
+                "ros://host?base=/odom&robot=Husky&camera=/front/image_raw&path=/ws"
             })
     void aRightAddressIsAccepted(String address) {
         MajicBot bot = new RosType().create(BotAddress.parse(address), BotEnvironment.plain());

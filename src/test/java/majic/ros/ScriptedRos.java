@@ -34,6 +34,8 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
     final Map<String, String> topics = new LinkedHashMap<>();
     final Map<String, List<String>> subscribers = new LinkedHashMap<>();
     final Map<String, Function<JsonNode, JsonNode>> services = new LinkedHashMap<>();
+    final Map<String, String> parameters =
+            new LinkedHashMap<>(Map.of("/rosdistro", "noetic\n", "/tb3_model", "burger"));
     final List<JsonNode> received = new ArrayList<>();
     final List<String> nodes = new ArrayList<>(List.of("/rosbridge_websocket", "/turtlebot3_fake_node", "/rosapi"));
     final ScriptedPeer peer;
@@ -92,12 +94,8 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
     }
 
     private JsonNode parameter(JsonNode arguments) {
-        String value = switch (arguments.path("name").asText()) {
-            case "/rosdistro" -> "\"noetic\\n\"";
-            case "/tb3_model" -> "\"burger\"";
-            default -> "null";
-        };
-        return JSON.createObjectNode().put("value", value);
+        String value = parameters.get(arguments.path("name").asText());
+        return JSON.createObjectNode().put("value", JSON.valueToTree(value).toString());
     }
 
     static ObjectNode list(String name, List<String> values) {

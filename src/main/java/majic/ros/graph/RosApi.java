@@ -1,6 +1,8 @@
 package majic.ros.graph;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.ArrayList;
@@ -23,6 +25,8 @@ import majic.ros.bridge.ServiceFailed;
 public final class RosApi {
     /** A service that is forbidden on the robot is not answered, so each call has a time limit, seconds. */
     static final double TIMEOUT_S = 5;
+
+    private static final JsonMapper JSON = new JsonMapper();
 
     private final RosBridge bridge;
 
@@ -166,6 +170,26 @@ public final class RosApi {
                 .map(values -> values.path("value").asText(""))
                 .filter(json -> !json.isBlank() && !json.equals("null"))
                 .map(RosApi::clean);
+    }
+
+    /**
+     * Reads a parameter that is a text.
+     *
+     * @param name as {@link #parameter} takes it
+     * @return the text unchanged; empty if there is none, or it is no text
+     */
+    public Optional<String> textParameter(String name) {
+        return asked("/rosapi/get_param", empty().put("name", name))
+                .map(values -> values.path("value").asText(""))
+                .flatMap(RosApi::textOf);
+    }
+
+    private static Optional<String> textOf(String json) {
+        try {
+            return Optional.ofNullable(JSON.readTree(json).textValue());
+        } catch (JsonProcessingException e) {
+            return Optional.empty();
+        }
     }
 
     /** Values are JSON texts; that of the distribution may end with a line break inside of its quotes. */

@@ -2,6 +2,7 @@ package majic.ros.parameters;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -16,11 +17,12 @@ import majic.ros.readings.RosReadings;
 import majic.ros.readings.RosSensors;
 
 /**
- * Wheels and other joints; subscribed to while something reads them. Messages do not say which joints slide, so all numbers
- * are given as those of joints that turn; the metres of one that slides are in {@code topic/joint_states/position}.
+ * Wheels and other joints; subscribed to while something reads them. Messages do not tell which joints slide, the description
+ * of the robot does; without one all of them are taken to turn.
  */
 final class RosJointParameters implements ParameterTheme<RosSensors> {
     private static final Value NOT_REPORTED = Value.unknown("not reported");
+    private static final double MM_PER_M = 1000;
 
     private final RosAccess access;
 
@@ -33,28 +35,49 @@ final class RosJointParameters implements ParameterTheme<RosSensors> {
         if (sensors.joints().isEmpty()) {
             return;
         }
+        Set<String> sliding = sensors.slidingJoints();
         table.add(
-                Parameter.list("joints", Unit.DEG, "angles of the joints that turn, in the order of jointNames"),
-                read(joints -> values(joints, JointReading::position, Unit.DEG)));
+                list("joints", sliding, Unit.DEG, "angles of the joints, ways of those that slide"),
+                read(joints -> values(joints, joint -> position(joint, sliding))));
         table.add(
-                Parameter.list("jointRates", Unit.DEG_PER_S, "how fast the joints turn, in the order of jointNames"),
-                read(joints -> values(joints, JointReading::velocity, Unit.DEG_PER_S)));
+                list("jointRates", sliding, Unit.DEG_PER_S, "how fast the joints move"),
+                read(joints -> values(joints, joint -> velocity(joint, sliding))));
         table.add(
                 Parameter.text("jointNames", "the names of the joints"),
                 read(joints ->
                         Value.text(joints.stream().map(JointReading::name).collect(Collectors.joining(", ")))));
     }
 
+    /** A list of values with different units has no unit itself. */
+    private static Parameter list(String name, Set<String> sliding, Unit turning, String help) {
+        return Parameter.list(name, sliding.isEmpty() ? turning : Unit.NONE, help + ", in the order of jointNames");
+    }
+
     private Supplier<Value> read(Function<List<JointReading>, Value> reader) {
         return access.requested(RosReadings::joints, (JointsMessage message) -> reader.apply(message.joints()));
     }
 
-    private static Value values(List<JointReading> joints, Function<JointReading, OptionalDouble> part, Unit unit) {
-        return Value.many(
-                joints.stream().map(joint -> value(part.apply(joint), unit)).toList());
+    private static Value values(List<JointReading> joints, Function<JointReading, Value> reader) {
+        return Value.many(joints.stream().map(reader).toList());
     }
 
-    private static Value value(OptionalDouble radians, Unit unit) {
+    private static Value position(JointReading joint, Set<String> sliding) {
+        return sliding.contains(joint.name())
+                ? millimetres(joint.position(), Unit.MM)
+                : degrees(joint.position(), Unit.DEG);
+    }
+
+    private static Value velocity(JointReading joint, Set<String> sliding) {
+        return sliding.contains(joint.name())
+                ? millimetres(joint.velocity(), Unit.MM_PER_S)
+                : degrees(joint.velocity(), Unit.DEG_PER_S);
+    }
+
+    private static Value millimetres(OptionalDouble metres, Unit unit) {
+        return metres.isEmpty() ? NOT_REPORTED : Value.of(metres.getAsDouble() * MM_PER_M, unit);
+    }
+
+    private static Value degrees(OptionalDouble radians, Unit unit) {
         return radians.isEmpty() ? NOT_REPORTED : Value.of(Math.toDegrees(radians.getAsDouble()), unit);
     }
 }

@@ -139,22 +139,35 @@ public final class RosReadings {
                         topic.each(SCAN_MS),
                         message -> ranges.get(topic.name()).arrived(RangeMessage.from(message))));
         sensors.battery()
-                .ifPresent(topic -> subscribe(
-                        topic, topic.each(SLOW_MS), message -> battery.arrived(BatteryMessage.from(message))));
+                .ifPresent(topic ->
+                        subscribe(topic, topic.each(SLOW_MS), message -> battery.arrived(batteryOf(topic, message))));
         sensors.hazards().ifPresent(topic -> subscribe(topic, topic.each(CONTACT_MS), this::hazardsListed));
         sensors.contacts().forEach(this::beginContacts);
     }
 
-    /** Each event of a Kobuki counts, so none may be left out; a TurtleBot3 repeats its state. */
+    private static BatteryMessage batteryOf(RosTopic topic, JsonNode message) {
+        return switch (topic.shortType()) {
+            case RosSensors.SPOT_BATTERIES -> BatteryMessage.spot(message);
+            case RosSensors.CORE_SENSORS -> BatteryMessage.kobuki(message);
+            default -> BatteryMessage.from(message);
+        };
+    }
+
+    /** Each event of a Kobuki counts, so none may be left out; core sensors are repeated. */
     private void beginContacts(RosTopic topic) {
-        boolean repeated = topic.shortType().equals("SensorState");
+        boolean repeated = topic.shortType().equals(RosSensors.CORE_SENSORS);
         TopicSubscription wanted =
                 new TopicSubscription(topic.name(), topic.type(), repeated ? CONTACT_MS : 0, repeated ? 1 : 100, false);
-        subscribe(
-                topic,
-                wanted,
-                message -> hazards.arrived(
-                        repeated ? ContactMessage.turtleBot3(message) : ContactMessage.kobuki(message)));
+        subscribe(topic, wanted, message -> hazards.arrived(contactsOf(topic, message)));
+    }
+
+    private static ContactMessage contactsOf(RosTopic topic, JsonNode message) {
+        if (!topic.shortType().equals(RosSensors.CORE_SENSORS)) {
+            return ContactMessage.kobuki(message);
+        }
+        return topic.plainType().startsWith("turtlebot3_msgs/")
+                ? ContactMessage.turtleBot3(message)
+                : ContactMessage.kobukiCore(message);
     }
 
     private void subscribe(RosTopic topic, TopicSubscription wanted, Consumer<JsonNode> reader) {

@@ -1,10 +1,11 @@
 package majic.ros.readings;
 
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Predicate;
 
 /**
@@ -13,12 +14,13 @@ import java.util.function.Predicate;
  *
  * @param scan of a laser scanner
  * @param ranges of sonars and other single beams, in the order of their names
- * @param battery with the charge or the voltage
+ * @param battery with the charge or the voltage; the core sensors of a Kobuki if it has no other
  * @param imu of an inertial unit
  * @param joints of wheels and arms
+ * @param slidingJoints the names of the joints that slide; the others turn
  * @param hazards of a Create 3
  * @param contacts of a Kobuki or a TurtleBot3
- * @param camera with compressed pictures
+ * @param cameras with compressed pictures, the one to be shown first; colour before infrared, no depth
  * @param fixedFrames where sensors are on the robot
  */
 public record RosSensors(
@@ -27,17 +29,26 @@ public record RosSensors(
         Optional<RosTopic> battery,
         Optional<RosTopic> imu,
         Optional<RosTopic> joints,
+        Set<String> slidingJoints,
         Optional<RosTopic> hazards,
         List<RosTopic> contacts,
-        Optional<RosTopic> camera,
+        List<RosTopic> cameras,
         Optional<RosTopic> fixedFrames) {
+    /** The last part of the type of all that a Kobuki or a TurtleBot3 measures itself. */
+    static final String CORE_SENSORS = "SensorState";
+
+    /** The last part of the type of the batteries of a Spot. */
+    static final String SPOT_BATTERIES = "BatteryStateArray";
+
     /** A robot without sensors. */
     public static final RosSensors NONE = of(Map.of(), "");
 
     /** Keeps copies of the lists. */
     public RosSensors {
         ranges = List.copyOf(ranges);
+        slidingJoints = Set.copyOf(slidingJoints);
         contacts = List.copyOf(contacts);
+        cameras = List.copyOf(cameras);
     }
 
     /**
@@ -53,24 +64,71 @@ public record RosSensors(
         return new RosSensors(
                 finder.best("sensor_msgs/LaserScan"::equals),
                 finder.all("sensor_msgs/Range"::equals),
-                finder.best("sensor_msgs/BatteryState"::equals),
+                finder.best("sensor_msgs/BatteryState"::equals)
+                        .or(() -> finder.best(("spot_msgs/" + SPOT_BATTERIES)::equals))
+                        .or(() -> finder.best(RosSensors::isKobukiCore)),
                 finder.best("sensor_msgs/Imu"::equals),
                 finder.best("sensor_msgs/JointState"::equals),
+                Set.of(),
                 finder.best("irobot_create_msgs/HazardDetectionVector"::equals),
                 finder.all(RosSensors::isContact),
-                finder.best(
-                        "sensor_msgs/CompressedImage",
-                        name -> !name.toLowerCase(Locale.ROOT).contains("depth")),
-                finder.best("tf2_msgs/TFMessage", name -> name.endsWith("/tf_static")));
+                CameraTopics.bestFirst(finder.all("sensor_msgs/CompressedImage"::equals)),
+                finder.all("tf2_msgs/TFMessage"::equals).stream()
+                        .filter(topic -> topic.name().endsWith("/tf_static"))
+                        .min(Finder.SIMPLEST));
     }
 
     private static boolean isContact(String type) {
-        return type.equals("turtlebot3_msgs/SensorState")
+        return type.equals("turtlebot3_msgs/" + CORE_SENSORS)
+                || isKobukiCore(type)
                 || type.matches("kobuki_(msgs|ros_interfaces)/(Bumper|Cliff|WheelDrop)Event");
+    }
+
+    private static boolean isKobukiCore(String type) {
+        return type.equals("kobuki_msgs/" + CORE_SENSORS) || type.equals("kobuki_ros_interfaces/" + CORE_SENSORS);
+    }
+
+    /**
+     * Returns the camera that is shown.
+     *
+     * @return the first of the cameras; empty for a robot without one
+     */
+    public Optional<RosTopic> camera() {
+        return cameras.stream().findFirst();
+    }
+
+    /**
+     * Returns the same sensors with another camera first.
+     *
+     * @param name its topic; what follows the name of the picture, such as {@code /compressed}, may be left out
+     * @return empty if none of the cameras has that name
+     */
+    public Optional<RosSensors> withCamera(String name) {
+        return CameraTopics.find(cameras, name).map(first -> {
+            List<RosTopic> reordered = new ArrayList<>(cameras);
+            reordered.remove(first);
+            reordered.add(0, first);
+            return new RosSensors(
+                    scan, ranges, battery, imu, joints, slidingJoints, hazards, contacts, reordered, fixedFrames);
+        });
+    }
+
+    /**
+     * Returns the same sensors with joints that slide.
+     *
+     * @param names those of the joints
+     * @return the sensors
+     */
+    public RosSensors withSlidingJoints(Set<String> names) {
+        return new RosSensors(scan, ranges, battery, imu, joints, names, hazards, contacts, cameras, fixedFrames);
     }
 
     /** Looks for the topics of one robot. */
     private record Finder(Map<String, String> topics, String namespace) {
+        static final Comparator<RosTopic> SIMPLEST = Comparator.<RosTopic>comparingInt(
+                        topic -> topic.name().split("/").length)
+                .thenComparingInt(topic -> topic.name().length());
+
         List<RosTopic> all(Predicate<String> type) {
             List<RosTopic> found = topics.entrySet().stream()
                     .filter(topic -> type.test(RosTopic.plainType(topic.getValue())))
@@ -90,19 +148,7 @@ public record RosSensors(
         }
 
         Optional<RosTopic> best(Predicate<String> type) {
-            return shortest(all(type));
-        }
-
-        Optional<RosTopic> best(String type, Predicate<String> name) {
-            return shortest(all(type::equals).stream()
-                    .filter(topic -> name.test(topic.name()))
-                    .toList());
-        }
-
-        private static Optional<RosTopic> shortest(List<RosTopic> topics) {
-            return topics.stream()
-                    .min(Comparator.<RosTopic>comparingInt(topic -> topic.name().split("/").length)
-                            .thenComparingInt(topic -> topic.name().length()));
+            return all(type).stream().min(SIMPLEST);
         }
     }
 }

@@ -10,7 +10,7 @@ import majic.ros.bridge.TopicSubscription;
  */
 public record RosTopic(String name, String type) {
     /**
-     * Returns the type without the difference between the two systems.
+     * Returns a type without the difference between the two systems.
      *
      * @param type {@code sensor_msgs/LaserScan} or {@code sensor_msgs/msg/LaserScan}
      * @return the form of ROS 1
@@ -26,6 +26,15 @@ public record RosTopic(String name, String type) {
      */
     public String shortType() {
         return type.substring(type.lastIndexOf('/') + 1);
+    }
+
+    /**
+     * Returns the type without the difference between the two systems.
+     *
+     * @return the form of ROS 1, as {@code sensor_msgs/LaserScan}
+     */
+    public String plainType() {
+        return plainType(type);
     }
 
     /** Asks for its newest messages, no more often than each so many ms. */

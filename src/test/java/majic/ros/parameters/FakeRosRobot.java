@@ -60,7 +60,10 @@ public final class FakeRosRobot implements AutoCloseable {
     }
 
     void sensors(Map<String, String> topics) {
-        RosSensors sensors = RosSensors.of(topics, "");
+        sensors(RosSensors.of(topics, ""));
+    }
+
+    void sensors(RosSensors sensors) {
         readings = new RosReadings(
                 client, sensors, new RobotWait(clock.time(), driver.signal()), new RosReadings.Events() {
                     @Override
@@ -73,7 +76,7 @@ public final class FakeRosRobot implements AutoCloseable {
                     public void notice(String message) {}
                 });
         readings.begin();
-        driver.describe(sensors, NavigationServers.of(topics, List.of(), ""));
+        driver.describe(sensors, NavigationServers.of(client.topics(), List.of(), ""));
     }
 
     /** Offers the servers of actions of ROS 2. */

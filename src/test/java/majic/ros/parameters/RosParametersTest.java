@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
@@ -13,6 +14,7 @@ import majic.bot.ParameterException;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.ros.readings.FakeRosClient;
+import majic.ros.readings.RosSensors;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -104,6 +106,27 @@ class RosParametersTest {
         assertThat(get("joints", "/joint_states", "{'name':['a','b'],'position':[3.141592653589793]}"))
                 .isEqualTo(Value.many(List.of(Value.of(180, Unit.DEG), Value.unknown("not reported"))));
         assertThat(robot.bot().get("jointNames")).isEqualTo(Value.text("a, b"));
+    }
+
+    @Test
+    void jointsThatSlideAreInMillimetres() {
+        robot.sensors(RosSensors.of(robot.client().topics(), "").withSlidingJoints(Set.of("lift")));
+
+        assertThat(get("joints", "/joint_states", "{'name':['lift','a'],'position':[0.25,0],'velocity':[-0.1,0]}"))
+                .isEqualTo(Value.many(List.of(Value.of(250, Unit.MM), Value.of(0, Unit.DEG))));
+        assertThat(robot.bot().get("jointRates"))
+                .isEqualTo(Value.many(List.of(Value.of(-100, Unit.MM_PER_S), Value.of(0, Unit.DEG_PER_S))));
+    }
+
+    @Test
+    void aLargeNumberIsNotShownWithWrongDigits() {
+        CompletableFuture<String> shown = robot.aside(() -> robot.run("topic", "odom/id"));
+        robot.clock().until(() -> robot.client().subscribed().contains("/odom"));
+        robot.client().robotPublishes("/odom", "{'id':9007199254740993,'small':9007199254740991}");
+
+        assertThat(robot.clock().join(shown)).isEqualTo("9007199254740993");
+        assertThat(robot.bot().get("topic/odom/id")).hasToString("about 9007199254740992");
+        assertThat(robot.bot().get("topic/odom/small")).hasToString("9007199254740991");
     }
 
     @Test

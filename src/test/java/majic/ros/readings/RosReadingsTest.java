@@ -1,16 +1,22 @@
 package majic.ros.readings;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.RobotWait;
 import majic.drivertest.TestClock;
+import majic.ros.message.BatteryMessage;
+import majic.ros.message.BatteryMessage.Supply;
 import majic.ros.message.CompressedPicture;
 import majic.ros.message.ImuMessage;
 import majic.time.Signal;
@@ -19,6 +25,7 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class RosReadingsTest {
     private static final Map<String, String> BURGER = Map.of(
@@ -262,6 +269,63 @@ class RosReadingsTest {
         assertThat(readings.distance(HullSide.BACK, 150, NoEcho.UNKNOWN)).isEqualTo(Value.of(450, Unit.MM));
         assertThat(readings.distance(HullSide.FRONT, 150, NoEcho.UNKNOWN))
                 .isEqualTo(Value.unknown("no sensor looks there"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "/image/compressed /camera/rgb/image_raw/compressed, /camera/rgb/image_raw/compressed",
+        "/camera/depth/image_raw/compressed /camera/color/image_raw/compressed, /camera/color/image_raw/compressed",
+        "/camera/infra1/image_raw/compressed /camera/stereo/left/image_raw/compressed, /camera/stereo/left/image_raw/compressed",
+        "/d/image/compressedDepth /ir/image/compressed, /ir/image/compressed",
+        "/fir/image/compressed /front/image/compressed, /fir/image/compressed",
+        "/b/image/compressed /a/image/compressed, /a/image/compressed"
+    })
+    void theCameraWithColoursIsShown(String names, String shown) {
+        Map<String, String> topics = Arrays.stream(names.split(" "))
+                .collect(Collectors.toMap(name -> name, name -> "sensor_msgs/msg/CompressedImage"));
+
+        assertThat(RosSensors.of(topics, "").camera().orElseThrow().name()).isEqualTo(shown);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"/rear/image/compressed", "rear/image/compressed", "/rear/image"})
+    void anotherCameraIsChosenByItsName(String name) {
+        RosSensors sensors = RosSensors.of(
+                Map.of(
+                        "/rgb/image/compressed", "sensor_msgs/CompressedImage",
+                        "/rear/image/compressed", "sensor_msgs/CompressedImage"),
+                "");
+
+        RosSensors chosen = sensors.withCamera(name).orElseThrow();
+
+        assertThat(chosen.camera().orElseThrow().name()).isEqualTo("/rear/image/compressed");
+        assertThat(chosen.cameras()).containsExactlyInAnyOrderElementsOf(sensors.cameras());
+        assertThat(sensors.withCamera("/front/image")).isEmpty();
+    }
+
+    @Test
+    void theCoreSensorsOfAKobukiAreItsContactsAndItsBattery() {
+        robot = new FakeRosClient(true, Map.of("/sensors/core", "kobuki_ros_interfaces/msg/SensorState"));
+        RosReadings readings = begun();
+        robot.robotPublishes(
+                "/sensors/core", "{'bumper':4,'wheel_drop':0,'cliff':1,'charger':0,'battery':163,'over_current':0}");
+
+        assertThat(readings.hazards().now())
+                .extracting(ActiveHazards.Report::words)
+                .containsExactly("bump left", "cliff right");
+        assertThat(readings.battery().get().orElseThrow().volts().getAsDouble()).isCloseTo(16.3, within(1e-9));
+    }
+
+    @Test
+    void theFirstBatteryInASpotCounts() {
+        robot = new FakeRosClient(false, Map.of("/status/battery_states", "spot_msgs/BatteryStateArray"));
+        RosReadings readings = begun();
+        robot.robotPublishes(
+                "/status/battery_states",
+                "{'battery_states':[{'status':1},{'status':2,'charge_percentage':0.8,'voltage':56.5}]}");
+
+        assertThat(readings.battery().get())
+                .contains(new BatteryMessage(OptionalDouble.of(56.5), OptionalDouble.of(0.8), Supply.CHARGING));
     }
 
     @ParameterizedTest
