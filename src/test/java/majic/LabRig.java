@@ -88,7 +88,7 @@ public final class LabRig implements AutoCloseable {
         return new LabRig(LabOptions.exactOnFreePorts().withNoise(seed));
     }
 
-    /** Adds all three robots: 1 Aibo, 2 Pioneer, 3 Hemisson. */
+    /** Adds all robots: 1 Aibo, 2 Pioneer, 3 Hemisson, and 4 the ROS robot if the lab has one. */
     public LabRig withAllRobots() {
         lab.robots().forEach(this::add);
         return this;

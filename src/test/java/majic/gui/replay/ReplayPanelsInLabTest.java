@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** In a replay the panels of all three robots show what they showed when it was recorded. */
+/** In a replay the panels of all four robots show what they showed when it was recorded. */
 @Tag("jdk")
 class ReplayPanelsInLabTest {
     @TempDir
@@ -36,11 +36,11 @@ class ReplayPanelsInLabTest {
     void aReplayedPanelShowsTheTextsOfTheRobotsPanel() throws Exception {
         SwingUtilities.invokeAndWait(FlatLightLaf::setup);
         RecordingFolder files = new RecordingFolder(folder);
-        try (LabRig rig = LabRig.exact()) {
+        try (LabRig rig = LabRig.exactWithRos("2")) {
             Recorder recorder = new Recorder(rig.team(), rig.session().factory(), files, problem -> {});
             recorder.start();
             rig.withAllRobots();
-            rig.run("2 move 300", "1 set headPan 20", "3 move 100", "3 set ledLeft on", "wait 2s");
+            rig.run("2 move 300", "1 set headPan 20", "3 move 100", "3 set ledLeft on", "4 move 200", "wait 2s");
             recorder.close();
             for (Member member : rig.team().members()) {
                 SwingUtilities.invokeAndWait(
@@ -53,10 +53,13 @@ class ReplayPanelsInLabTest {
         recorded.forEach((number, texts) ->
                 assertThat(replayed.get(number)).as("robot " + number).containsAllEntriesOf(texts));
         assertThat(recorded.get(2)).containsEntry("motors", "motors on");
+        assertThat(recorded.get(4))
+                .containsEntry("model", "TurtleBot3 Burger (ROS 2)")
+                .containsEntry("scanner", "scan ok");
     }
 
     private void replay(Recording recording, List<BotType> types) throws Exception {
-        for (int index = 0; index < 3; index++) {
+        for (int index = 0; index < 4; index++) {
             int number = index + 1;
             ReplayRobot[] made = new ReplayRobot[1];
             SwingUtilities.invokeAndWait(() -> made[0] = new ReplayRobot(
