@@ -60,6 +60,16 @@ class RosTeamInLabTest {
         }
     }
 
+    @ParameterizedTest
+    @ValueSource(strings = {"ros", "pioneer"})
+    void theNameOfARobotOfTheLabIsAnsweredWithItsAddress(String name) {
+        try (LabRig rig = LabRig.exactWithRos("1")) {
+            rig.say("add " + name);
+
+            assertThat(rig.said()).containsExactly(name + ": not a robot's address; did you mean sim:" + name + "?");
+        }
+    }
+
     @ParameterizedTest(name = "ROS {0}")
     @ValueSource(strings = {"1", "2"})
     void anAddressWithoutANamespaceIsAnsweredWithThoseThatThereAre(String version) {

@@ -118,11 +118,27 @@ public final class BotFactory {
      * @throws BotException if the address or its type is unknown; the message says what would be right
      */
     public MajicBot create(String text) {
-        BotAddress address = BotAddress.parse(text);
+        BotAddress address = parse(text);
         if (address.scheme().equals(BotAddress.SIMULATED)) {
             return createSimulated(address);
         }
         return driver(address, TimeSource.system());
+    }
+
+    /**
+     * Takes an address apart.
+     *
+     * @param text as typed
+     * @return the address; its type may be unknown
+     * @throws BotException if it is no address; the message shows a right one, that of the lab's robot if its name was typed
+     */
+    public BotAddress parse(String text) {
+        LabAccess running = lab;
+        if (running != null && running.robots().contains(text)) {
+            throw new BotException(
+                    text + ": not a robot's address; did you mean " + BotAddress.SIMULATED + ":" + text + "?");
+        }
+        return BotAddress.parse(text);
     }
 
     private MajicBot createSimulated(BotAddress address) {

@@ -211,7 +211,7 @@ final class TeamActions {
 
     private static void checkAddress(Literal literal, BotFactory factory) {
         literal.at().check(() -> {
-            BotAddress address = BotAddress.parse(literal.unquoted());
+            BotAddress address = factory.parse(literal.unquoted());
             if (!address.scheme().equals(BotAddress.SIMULATED)) {
                 factory.type(address.type());
             }
