@@ -208,9 +208,9 @@ public final class MajicPioneer extends BotDriver {
     public void confirmHalt() {
         PioneerSession open = current();
         parameters.halt();
-        if (WaitPolicy.isAllowed() && !open.reported().awaitStationary(HALT_S)) {
+        if (WaitPolicy.isAllowed() && !open.awaitStopped(HALT_S)) {
             open.send(ArcosCommand.ESTOP.packet());
-            if (!open.reported().awaitStationary(EMERGENCY_S)) {
+            if (!open.awaitStopped(EMERGENCY_S)) {
                 throw new BotException(name() + " has not reported its stop within " + (int) (HALT_S + EMERGENCY_S)
                         + " s of the stop");
             }

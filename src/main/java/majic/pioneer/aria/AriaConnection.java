@@ -221,6 +221,12 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         return true;
     }
 
+    /** The library keeps them. */
+    @Override
+    public boolean passesAnswers() {
+        return false;
+    }
+
     @Override
     public boolean delivers(RequestedReport kind) {
         return kind == RequestedReport.PORTS || kind == RequestedReport.ENCODERS;

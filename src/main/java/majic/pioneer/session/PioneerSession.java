@@ -6,6 +6,7 @@ import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
+import majic.bot.MotionStopped;
 import majic.bot.Pose;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Config;
@@ -41,6 +42,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final TimeSource time;
     private final Listener listener;
     private final ReportedState reported;
+    private final RoundTrip roundTrip;
     private final WheelMotors motors;
     private final LinkWatch watch;
     private final ContinuousDrive driving;
@@ -82,6 +84,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         this.start = start;
         this.listener = listener;
         this.reported = new ReportedState(line, wait.waiting());
+        this.roundTrip = new RoundTrip(line, wait.waiting());
         this.motors = new WheelMotors(line, reported, time, listener::notice);
         this.watch = new LinkWatch(line, motors, time, wait.waiting().changes());
         this.driving = new ContinuousDrive(motors, reported, this::equipment, time, listener::notice);
@@ -132,6 +135,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     public void configured(Config reportedConfig) {
         equipment = Equipment.of(equipment.model(), reportedConfig);
         config = reportedConfig;
+        roundTrip.answered();
         listener.otherReported();
     }
 
@@ -282,6 +286,21 @@ public final class PioneerSession implements PioneerConnection.Listener {
     /** The last state that the robot reported. */
     public PioneerState state() {
         return reported.get();
+    }
+
+    /**
+     * Waits for a SIP that shows the robot stationary, and that it sent after it had received the stop. A robot that does not
+     * answer CONFIG, or a library that keeps the answers, cannot tell the latter; the next SIP decides then.
+     *
+     * @param seconds the longest wait
+     * @return whether one came in time
+     * @throws LinkLost if the line ended before
+     * @throws MotionStopped if the thread is interrupted meanwhile
+     */
+    public boolean awaitStopped(double seconds) {
+        long beganNanos = time.nanos();
+        boolean received = config == null || !line.passesAnswers() || roundTrip.await(seconds);
+        return reported.awaitStationary(received ? seconds - time.secondsSince(beganNanos) : 0);
     }
 
     /** Waits for states. */

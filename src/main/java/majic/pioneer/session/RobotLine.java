@@ -37,6 +37,11 @@ public interface RobotLine {
         return true;
     }
 
+    /** Whether each answer of the robot to a CONFIG command is passed on. */
+    default boolean passesAnswers() {
+        return true;
+    }
+
     /** Why the line has ended; null before. */
     @Nullable
     LinkLost end();
