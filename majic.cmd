@@ -42,5 +42,5 @@ exit /b %ERRORLEVEL%
 
 :package
 rem The dot keeps the backslash in front of it from quoting the quote.
-java -Djava.awt.headless=true -cp "%HERE%target\lib\*" "%HERE%src\build\Packaging.java" "%HERE%."
+java -Djava.awt.headless=true -cp "%HERE%target\majic.jar" "%HERE%src\build\Packaging.java" "%HERE%."
 exit /b %ERRORLEVEL%

@@ -89,7 +89,7 @@ need_packaging_tools() {
 # exec_packaging HERE: makes an image and an installer of MAJIC, in place of this process.
 exec_packaging() {
     say "making an image and an installer in target/package; this takes a minute"
-    exec "$java" -Djava.awt.headless=true -cp "$1/target/lib/*" "$1/src/build/Packaging.java" "$1"
+    exec "$java" -Djava.awt.headless=true -cp "$1/target/majic.jar" "$1/src/build/Packaging.java" "$1"
 }
 
 # Builds the jar, saying once that it does and what it is at.

@@ -1,5 +1,3 @@
-import com.formdev.flatlaf.extras.FlatSVGIcon;
-import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.File;
 import java.io.IOException;
@@ -22,6 +20,7 @@ import java.util.jar.JarFile;
 import java.util.spi.ToolProvider;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import majic.gui.kit.Icons;
 
 /**
  * Makes an image of MAJIC that starts without an installed Java, and an installer of it for this system: .deb, .msi or .dmg.
@@ -280,11 +279,8 @@ final class Packaging {
     }
 
     private byte[] picture(int size) throws IOException {
-        Path drawing = home.resolve("src/main/resources/majic/gui/app.svg");
-        BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
-        new FlatSVGIcon(drawing.toUri().toURL()).derive(size, size).paintIcon(null, image.createGraphics(), 0, 0);
         ByteArrayOutputStream png = new ByteArrayOutputStream();
-        ImageIO.write(image, "png", png);
+        ImageIO.write(Icons.program(size), "png", png);
         return png.toByteArray();
     }
 

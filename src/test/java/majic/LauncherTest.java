@@ -79,7 +79,7 @@ class LauncherTest {
         program("bin/objcopy", "#!/bin/sh\n");
 
         assertThat(start("", "package"))
-                .endsWith("java -Djava.awt.headless=true -cp " + clone + "/target/lib/* " + clone
+                .endsWith("java -Djava.awt.headless=true -cp " + clone + "/target/majic.jar " + clone
                         + "/src/build/Packaging.java " + clone + "\n");
     }
 

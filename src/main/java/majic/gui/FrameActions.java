@@ -4,6 +4,7 @@ import java.awt.event.KeyEvent;
 import java.util.List;
 import javax.swing.KeyStroke;
 import majic.gui.kit.IconAction;
+import majic.gui.kit.Pictogram;
 import majic.text.Texts;
 
 /** Holds the actions of the window's buttons and menus. */
@@ -29,28 +30,33 @@ final class FrameActions {
     final IconAction killMajic;
 
     FrameActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
-        addBot = action("addBot", "add", "addBot.tip", frame::addBot).withKey(KeyEvent.VK_N);
-        killBot = action("killBot", "kill", "killBot.tip", frame::removeBot);
-        loadAct = action("loadAct", "act", "loadAct.tip", frame::loadAct).withKey(KeyEvent.VK_L);
-        endAct = action("endAct", "kill", "endAct.tip", dialogs::endAct).withKey(KeyEvent.VK_E);
-        makeAct = action("makeAct", "act", "makeAct.tip", dialogs::makeAct);
-        help = action("help", "help", "help.tip", dialogs::help).withKey(KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
-        guide = action("guide", "help", "guide.tip", dialogs::guide);
-        about = action("about", "app", "about.tip", dialogs::about);
-        newScript = action("newScript", "new", "newScript.tip", editor::newScript);
-        openScript = action("openScript", "open", "openScript.tip", editor::chooseAndOpen)
+        addBot = action("addBot", Pictogram.ADD, "addBot.tip", frame::addBot).withKey(KeyEvent.VK_N);
+        killBot = action("killBot", Pictogram.REMOVE, "killBot.tip", frame::removeBot);
+        loadAct =
+                action("loadAct", Pictogram.ACT, "loadAct.tip", frame::loadAct).withKey(KeyEvent.VK_L);
+        endAct = action("endAct", Pictogram.REMOVE, "endAct.tip", dialogs::endAct)
+                .withKey(KeyEvent.VK_E);
+        makeAct = action("makeAct", Pictogram.ACT, "makeAct.tip", dialogs::makeAct);
+        help = action("help", Pictogram.HELP, "help.tip", dialogs::help)
+                .withKey(KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
+        guide = action("guide", Pictogram.HELP, "guide.tip", dialogs::guide);
+        about = action("about", Pictogram.HELP, "about.tip", dialogs::about);
+        newScript = action("newScript", Pictogram.NEW, "newScript.tip", editor::newScript);
+        openScript = action("openScript", Pictogram.OPEN, "openScript.tip", editor::chooseAndOpen)
                 .withKey(KeyEvent.VK_O);
-        saveSession = action("saveSession", "session", "saveSession.tip", () -> dialogs.saveSession(editor::open))
+        saveSession = action(
+                        "saveSession", Pictogram.SESSION, "saveSession.tip", () -> dialogs.saveSession(editor::open))
                 .withKey(KeyEvent.VK_S);
-        saveLog = action("saveLog", "log", "saveLog.tip", dialogs::saveLog);
-        openRecording = action("openRecording", "log", "openRecording.tip", dialogs::openRecording);
-        openTeam = action("openTeam", "team", "openTeam.tip", frame::openTeam);
-        saveTeam = action("saveTeam", "team", "saveTeam.tip", dialogs::saveTeam);
-        tour = action("tour", "tour", "tour.tip", dialogs::tour);
-        killMajic = action("killMajic", "quit", "killMajic.tip", frame::quit).withKey(KeyEvent.VK_Q);
+        saveLog = action("saveLog", Pictogram.LOG, "saveLog.tip", dialogs::saveLog);
+        openRecording = action("openRecording", Pictogram.LOG, "openRecording.tip", dialogs::openRecording);
+        openTeam = action("openTeam", Pictogram.TEAM, "openTeam.tip", frame::openTeam);
+        saveTeam = action("saveTeam", Pictogram.TEAM, "saveTeam.tip", dialogs::saveTeam);
+        tour = action("tour", Pictogram.TOUR, "tour.tip", dialogs::tour);
+        killMajic = action("killMajic", Pictogram.QUIT, "killMajic.tip", frame::quit)
+                .withKey(KeyEvent.VK_Q);
     }
 
-    private static IconAction action(String name, String icon, String tip, Runnable action) {
+    private static IconAction action(String name, Pictogram icon, String tip, Runnable action) {
         return new IconAction(TEXTS.get(name), icon, TEXTS.get(tip), action);
     }
 

@@ -5,7 +5,6 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.GraphicsEnvironment;
-import java.awt.Image;
 import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
@@ -15,6 +14,7 @@ import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.RootPaneContainer;
+import javax.swing.Timer;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.environment.Settings;
@@ -48,6 +48,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(MajicFrame.class);
     private static final int ICON_SIZE = 64;
+
+    /** When the window is painted after it was opened, even by a slow computer. */
+    private static final int AFTER_PAINTING_MS = 100;
 
     private final transient Session session;
     private final transient ProgramServices services;
@@ -126,7 +129,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
-                EventThread.background("reading pictures", () -> complete(content, menu));
+                Timer painted = new Timer(AFTER_PAINTING_MS, done -> complete(menu));
+                painted.setRepeats(false);
+                painted.start();
             }
 
             @Override
@@ -144,16 +149,11 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     /** Adds what would have delayed the window. */
-    private void complete(FrameContent content, FrameMenu menu) {
-        content.readPictures();
-        start.readPictures();
-        Image icon = Icons.now("app", ICON_SIZE);
-        EventThread.later(() -> {
-            setIconImage(icon);
-            menu.fill();
-            FileDrop.installInside(getRootPane(), editor::open);
-            repaint();
-        });
+    private void complete(FrameMenu menu) {
+        setIconImage(Icons.program(ICON_SIZE));
+        menu.fill();
+        FileDrop.installInside(getRootPane(), editor::open);
+        WindowPreloader.preparePanels();
     }
 
     private void listen() {

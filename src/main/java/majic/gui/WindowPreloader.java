@@ -15,7 +15,7 @@ import net.miginfocom.swing.MigLayout;
 
 /**
  * Loads what every window needs while the program is built: the toolkit, a look and feel, the fonts, the renderer of
- * smooth shapes, the layout manager. Building the program takes about as long, so that the window is visible sooner
+ * smooth shapes. Building the program takes about as long, so that the window is visible sooner
  * where there are two processors.
  */
 public final class WindowPreloader {
@@ -32,6 +32,11 @@ public final class WindowPreloader {
             background("preloading the window", WindowPreloader::load);
             background("preloading the fonts", WindowPreloader::loadFonts);
         }
+    }
+
+    /** Begins to load in the background what the panels of robots need besides. */
+    static void preparePanels() {
+        background("preloading the panels", () -> new MigLayout("insets 0", "[grow]", "[]"));
     }
 
     private static void background(String name, Runnable loading) {
@@ -52,7 +57,6 @@ public final class WindowPreloader {
         nowhere.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
         nowhere.fill(new Ellipse2D.Double(1, 1, 6, 6));
         nowhere.dispose();
-        new MigLayout("insets 0", "[grow]", "[]");
     }
 
     private static void loadFonts() {

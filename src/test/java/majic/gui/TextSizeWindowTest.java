@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import majic.gui.kit.Icons;
+import majic.gui.kit.Pictogram;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -24,7 +25,7 @@ class TextSizeWindowTest {
             float before = line.getFont().getSize2D();
             window.run(() -> LookAndFeels.changeTextSize(150, window.settings));
             assertThat(line.getFont().getSize2D()).isGreaterThan(1.3f * before);
-            assertThat(Icons.later("add", 20).getIconHeight()).isGreaterThan(26);
+            assertThat(Icons.of(Pictogram.ADD, 20).getIconHeight()).isGreaterThan(26);
             window.await("the choice", () -> LookAndFeels.textSize(window.settings) == 150);
         }
     }

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
 import majic.gui.kit.IconAction;
+import majic.gui.kit.Pictogram;
 import majic.script.run.ScriptControl.Progress;
 import majic.text.Texts;
 
@@ -28,54 +29,55 @@ final class EditorActions {
     final IconAction end;
 
     EditorActions(EditorWindow window) {
-        newScript =
-                new IconAction(TEXTS.get("new"), "new", TEXTS.get("new.tip"), window::newScript).withKey(KeyEvent.VK_N);
-        open = new IconAction(TEXTS.get("open"), "open", TEXTS.get("open.tip"), window::chooseAndOpen)
+        newScript = new IconAction(TEXTS.get("new"), Pictogram.NEW, TEXTS.get("new.tip"), window::newScript)
+                .withKey(KeyEvent.VK_N);
+        open = new IconAction(TEXTS.get("open"), Pictogram.OPEN, TEXTS.get("open.tip"), window::chooseAndOpen)
                 .withKey(KeyEvent.VK_O);
         save = new IconAction(
                         TEXTS.get("save"),
-                        "save",
+                        Pictogram.SAVE,
                         TEXTS.get("save.tip"),
                         window.onTab(tab -> tab.file().save(() -> {})))
                 .withKey(KeyEvent.VK_S);
         saveAs = new IconAction(
                         TEXTS.get("saveAs"),
-                        "save",
+                        Pictogram.SAVE,
                         TEXTS.get("saveAs.tip"),
                         window.onTab(tab -> tab.file().saveAs(() -> {})))
                 .withKey(KeyStroke.getKeyStroke(KeyEvent.VK_S, menuKey() | InputEvent.SHIFT_DOWN_MASK));
-        makeAct = new IconAction(TEXTS.get("makeAct"), "act", TEXTS.get("makeAct.tip"), window.onTab(window::makeAct));
+        makeAct = new IconAction(
+                TEXTS.get("makeAct"), Pictogram.ACT, TEXTS.get("makeAct.tip"), window.onTab(window::makeAct));
         close = new IconAction(
                         TEXTS.get("close"),
-                        "quit",
+                        Pictogram.QUIT,
                         TEXTS.get("close.tip"),
                         window.onTab(tab -> window.close(tab, () -> {})))
                 .withKey(KeyEvent.VK_W);
         find = new IconAction(
                         TEXTS.get("find"),
-                        "find",
+                        Pictogram.FIND,
                         TEXTS.get("find.tip"),
                         window.onTab(tab -> tab.find().open()))
                 .withKey(KeyEvent.VK_F);
-        run = running(window, TEXTS.get("run"), "run", TEXTS.get("run.tip"), TabRun::run)
+        run = running(window, TEXTS.get("run"), Pictogram.RUN, TEXTS.get("run.tip"), TabRun::run)
                 .withKey(key(KeyEvent.VK_F5, 0));
         runSelection = running(
                         window,
                         TEXTS.get("runSelection"),
-                        "run-selection",
+                        Pictogram.RUN_SELECTION,
                         TEXTS.get("runSelection.tip"),
                         TabRun::runSelection)
                 .withKey(key(KeyEvent.VK_F5, InputEvent.CTRL_DOWN_MASK));
-        step = running(window, TEXTS.get("step"), "step", TEXTS.get("step.tip"), TabRun::step)
+        step = running(window, TEXTS.get("step"), Pictogram.STEP, TEXTS.get("step.tip"), TabRun::step)
                 .withKey(key(KeyEvent.VK_F7, 0));
-        pause = running(window, TEXTS.get("pause"), "pause", TEXTS.get("pause.tip"), TabRun::pause)
+        pause = running(window, TEXTS.get("pause"), Pictogram.PAUSE, TEXTS.get("pause.tip"), TabRun::pause)
                 .withKey(key(KeyEvent.VK_F6, 0));
-        end = running(window, TEXTS.get("end"), "end", TEXTS.get("end.tip"), TabRun::stop)
+        end = running(window, TEXTS.get("end"), Pictogram.END, TEXTS.get("end.tip"), TabRun::stop)
                 .withKey(key(KeyEvent.VK_F5, InputEvent.SHIFT_DOWN_MASK));
     }
 
     private static IconAction running(
-            EditorWindow window, String name, String icon, String tip, Consumer<TabRun> action) {
+            EditorWindow window, String name, Pictogram icon, String tip, Consumer<TabRun> action) {
         return new IconAction(name, icon, tip, window.onTab(tab -> action.accept(tab.run())));
     }
 

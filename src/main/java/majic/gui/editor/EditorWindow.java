@@ -24,7 +24,6 @@ import majic.gui.kit.EventThread;
 import majic.gui.kit.EventThreadTeamListener;
 import majic.gui.kit.FileDrop;
 import majic.gui.kit.HelpTopic;
-import majic.gui.kit.IconAction;
 import majic.gui.kit.PlainTextUi;
 import majic.gui.kit.StopButton;
 import majic.script.ScriptRunner;
@@ -96,10 +95,6 @@ public final class EditorWindow extends JFrame {
         tabs.addChangeListener(event -> showTab());
         context.session().team().addListener(team);
         FileDrop.install(getRootPane(), files -> files.forEach(this::open));
-        EventThread.background("reading pictures", () -> {
-            actions.buttons().forEach(group -> group.forEach(IconAction::readPicture));
-            EventThread.later(this::repaint);
-        });
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
             /**

@@ -4,7 +4,6 @@ import java.awt.Toolkit;
 import java.awt.event.ActionEvent;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
-import javax.swing.Icon;
 import javax.swing.KeyStroke;
 
 /** An action of the window; its button and its menu entry are both made from it. */
@@ -17,14 +16,13 @@ public final class IconAction extends AbstractAction {
     /**
      * Creates an action without a key.
      *
-     * @param icon name of one of MAJIC's icons, without {@code .svg}
      * @param tip tool tip, one line
      */
-    public IconAction(String name, String icon, String tip, Runnable action) {
+    public IconAction(String name, Pictogram icon, String tip, Runnable action) {
         super(name);
         this.action = action;
         putValue(SHORT_DESCRIPTION, tip);
-        putValue(LARGE_ICON_KEY, Icons.later(icon, LARGE_ICON));
+        putValue(LARGE_ICON_KEY, Icons.of(icon, LARGE_ICON));
     }
 
     /** Sets the action's key, which is pressed together with Ctrl (Cmd on a Mac). */
@@ -37,11 +35,6 @@ public final class IconAction extends AbstractAction {
     public IconAction withKey(KeyStroke key) {
         putValue(Action.ACCELERATOR_KEY, key);
         return this;
-    }
-
-    /** Reads the icon from its file; may block. */
-    public void readPicture() {
-        Icons.read((Icon) getValue(LARGE_ICON_KEY));
     }
 
     @Override

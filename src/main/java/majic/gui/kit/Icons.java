@@ -1,84 +1,74 @@
 package majic.gui.kit;
 
-import com.formdev.flatlaf.extras.FlatSVGIcon;
-import com.formdev.flatlaf.util.UIScale;
+import java.awt.BasicStroke;
+import java.awt.Color;
 import java.awt.Component;
-import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.Image;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
 import java.awt.image.BufferedImage;
 import javax.swing.Icon;
-import org.jspecify.annotations.Nullable;
+import javax.swing.UIManager;
+import majic.panel.ScaledIcon;
 
-/**
- * Provides MAJIC's icons. Reading the first one takes a third of a second, so the window is shown without them, and
- * they are read in the background.
- */
+/** Provides MAJIC's icons. They are drawn, since a library for drawings in files would delay the window. */
 public final class Icons {
+    private static final float STROKE = 1.8f;
+
+    /** Side of the square in which the icon of the program is drawn. */
+    private static final double PROGRAM_SIDE = 64;
+
     private Icons() {}
 
     /**
-     * Returns an icon by its name without {@code .svg}; its grey follows the look and feel. It has its size at once but
-     * is empty until it is read.
+     * Returns an icon in the grey of the look and feel.
+     *
+     * @param size width and height at the normal font size, pixels
      */
-    public static Icon later(String name, int size) {
-        return new LateIcon(name, size);
-    }
-
-    /** Returns an icon as an image; reads it from its file. */
-    public static Image now(String name, int size) {
-        return new FlatSVGIcon(path(name), size, size).getImage();
+    public static Icon of(Pictogram pictogram, int size) {
+        return new LineIcon(pictogram, size);
     }
 
     /**
-     * Reads an icon, so that it can be painted.
+     * Draws the icon of the program. Needs no display.
      *
-     * @param icon made by {@link #later}
+     * @param size width and height, pixels
      */
-    public static void read(Icon icon) {
-        if (icon instanceof LateIcon late) {
-            late.read();
-        }
+    public static BufferedImage program(int size) {
+        BufferedImage image = new BufferedImage(size, size, BufferedImage.TYPE_INT_ARGB);
+        Graphics2D pen = image.createGraphics();
+        pen.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+        pen.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+        pen.scale(size / PROGRAM_SIDE, size / PROGRAM_SIDE);
+        pen.setColor(new Color(0x1F4E79));
+        pen.fillRoundRect(2, 2, 60, 60, 28, 28);
+        pen.setColor(new Color(0xF2B134));
+        pen.fill(new LineArt().area(32, 10, 39, 19, 25, 19).shape());
+        pen.setColor(Color.WHITE);
+        pen.setStroke(round(6.5f));
+        pen.draw(new LineArt().line(14, 48, 14, 26, 32, 39, 50, 26, 50, 48).shape());
+        pen.dispose();
+        return image;
     }
 
-    private static String path(String name) {
-        return "majic/gui/" + name + ".svg";
+    private static BasicStroke round(float width) {
+        return new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     }
 
-    private static final class LateIcon implements Icon {
-        private final String name;
-        private final int size;
-        private volatile @Nullable Icon picture;
-
-        LateIcon(String name, int size) {
-            this.name = name;
-            this.size = size;
-        }
-
-        void read() {
-            Icon icon = new FlatSVGIcon(path(name), size, size);
-            Graphics2D nowhere = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
-            icon.paintIcon(null, nowhere, 0, 0);
-            nowhere.dispose();
-            picture = icon;
+    /** The icon of a pictogram. */
+    private record LineIcon(Pictogram pictogram, int width) implements ScaledIcon {
+        @Override
+        public int height() {
+            return width;
         }
 
         @Override
-        public void paintIcon(@Nullable Component component, Graphics g, int x, int y) {
-            Icon icon = picture;
-            if (icon != null) {
-                icon.paintIcon(component, g, x, y);
-            }
-        }
-
-        @Override
-        public int getIconWidth() {
-            return UIScale.scale(size);
-        }
-
-        @Override
-        public int getIconHeight() {
-            return UIScale.scale(size);
+        public void paint(Component on, Graphics2D pen) {
+            double scale = (double) width / Pictogram.SIDE;
+            Color grey = UIManager.getColor(on.isEnabled() ? "Actions.Grey" : "Button.disabledText");
+            pen.setColor(grey == null ? Color.GRAY : grey);
+            pen.setStroke(round((float) (STROKE * scale)));
+            pen.draw(AffineTransform.getScaleInstance(scale, scale).createTransformedShape(pictogram.lines()));
         }
     }
 }

@@ -1,14 +1,16 @@
 package majic.gui.start;
 
+import java.awt.BorderLayout;
 import java.awt.Font;
-import javax.swing.Icon;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.SwingConstants;
 import majic.gui.kit.Icons;
 import majic.gui.kit.Palette;
+import majic.gui.kit.Pictogram;
 import majic.gui.kit.StyledLabel;
-import net.miginfocom.swing.MigLayout;
 
 /** A large button of the start page: picture, title and one line of explanation. */
 final class StartButton extends JButton {
@@ -16,33 +18,26 @@ final class StartButton extends JButton {
     private static final int ICON = 26;
 
     private final String title;
-    private final transient Icon picture;
     private final JLabel detail;
     private final JLabel heading;
 
-    /**
-     * Creates a button.
-     *
-     * @param icon name of one of MAJIC's icons, without {@code .svg}
-     */
-    StartButton(String title, String detail, String icon, Runnable action) {
-        super.setLayout(new MigLayout("insets 5 4 5 8, gap 10 0, novisualpadding", "[][grow, fill]", "[][]"));
+    StartButton(String title, String detail, Pictogram icon, Runnable action) {
+        super.setLayout(new BorderLayout(10, 0));
         this.title = title;
         setName(title);
-        picture = Icons.later(icon, ICON);
         heading = new StyledLabel(title + " heading", title, Font.BOLD, 0);
         this.detail = new StyledLabel(title + " detail", "", Font.PLAIN, -2);
-        add(new JLabel(picture, SwingConstants.CENTER), "spany 2, w 30!, aligny center");
-        add(heading, "wmin 0, wrap");
-        add(this.detail, "wmin 0");
+        JLabel picture = new JLabel(Icons.of(icon, ICON), SwingConstants.CENTER);
+        picture.setBorder(BorderFactory.createEmptyBorder(0, 6, 0, 2));
+        Box texts = Box.createVerticalBox();
+        texts.setBorder(BorderFactory.createEmptyBorder(5, 0, 5, 8));
+        texts.add(heading);
+        texts.add(this.detail);
+        add(picture, BorderLayout.WEST);
+        add(texts, BorderLayout.CENTER);
         addActionListener(event -> action.run());
         describe(detail);
         updateUI();
-    }
-
-    /** Reads the picture from its file; may block. */
-    void readPicture() {
-        Icons.read(picture);
     }
 
     /** Shows another explanation. */

@@ -1,20 +1,25 @@
 package majic.gui.start;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Container;
+import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.GridBagConstraints;
+import java.awt.GridBagLayout;
+import java.awt.Insets;
 import java.awt.KeyboardFocusManager;
 import java.util.List;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
-import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.Palette;
+import majic.gui.kit.Pictogram;
 import majic.gui.kit.PlainLabel;
 import majic.gui.kit.StyledLabel;
 import majic.text.Texts;
-import net.miginfocom.swing.MigLayout;
 
 /** Offers what can be done while there is no robot. Must be used on the event dispatch thread. */
 public final class StartPage extends JPanel {
@@ -25,7 +30,6 @@ public final class StartPage extends JPanel {
     private final transient StartActions actions;
     private final StartButton lab;
     private final StartButton team;
-    private final transient List<StartButton> buttons;
     private final JLabel welcome = new StyledLabel("welcome", TEXTS.get("welcome"), Font.BOLD, 6);
     private final JLabel hint = new PlainLabel("startHint", TEXTS.get("hint"));
 
@@ -36,22 +40,31 @@ public final class StartPage extends JPanel {
      * @param lastTeam the team that the page offers again
      */
     public StartPage(StartActions actions, LastTeam lastTeam) {
-        super(new MigLayout("insets 16, gap 6 8, wrap 1, alignx center, aligny center", "[320:420:460, fill]"));
+        super(new GridBagLayout());
         HelpTopic.set(this, "the-start-page");
         this.actions = actions;
         this.lastTeam = lastTeam;
         setName("startPage");
-        lab = new StartButton(TEXTS.get("lab"), "", "lab", actions.startLab());
-        team = new StartButton(TEXTS.get("team"), TEXTS.get("team.none"), "team", actions.openLastTeam());
-        add(welcome);
-        add(hint, "gapbottom 8");
-        buttons = List.of(
+        lab = new StartButton(TEXTS.get("lab"), "", Pictogram.LAB, actions.startLab());
+        team = new StartButton(TEXTS.get("team"), TEXTS.get("team.none"), Pictogram.TEAM, actions.openLastTeam());
+        JPanel column = new Column();
+        for (JComponent part : List.of(
+                welcome,
+                hint,
                 lab,
-                new StartButton(TEXTS.get("robot"), TEXTS.get("robot.detail"), "add", actions.addBot()),
+                new StartButton(TEXTS.get("robot"), TEXTS.get("robot.detail"), Pictogram.ADD, actions.addBot()),
                 team,
-                new StartButton(TEXTS.get("session"), TEXTS.get("session.detail"), "session", actions.openSession()),
-                new StartButton(TEXTS.get("tour"), TEXTS.get("tour.detail"), "tour", actions.startTour()));
-        buttons.forEach(this::add);
+                new StartButton(
+                        TEXTS.get("session"), TEXTS.get("session.detail"), Pictogram.SESSION, actions.openSession()),
+                new StartButton(TEXTS.get("tour"), TEXTS.get("tour.detail"), Pictogram.TOUR, actions.startTour()))) {
+            GridBagConstraints row = new GridBagConstraints();
+            row.gridx = 0;
+            row.weightx = 1;
+            row.fill = GridBagConstraints.HORIZONTAL;
+            row.insets = new Insets(0, 0, part == hint ? 16 : 8, 0);
+            column.add(part, row);
+        }
+        add(column);
         showTeam(List.of());
         lastTeam.onChange(this::showTeam);
         updateUI();
@@ -74,12 +87,6 @@ public final class StartPage extends JPanel {
         super.addNotify();
         showLab();
         lastTeam.read();
-    }
-
-    /** Reads the pictures of the buttons from their files; may block. */
-    public void readPictures() {
-        buttons.forEach(StartButton::readPicture);
-        EventThread.later(this::repaint);
     }
 
     @Override
@@ -108,6 +115,27 @@ public final class StartPage extends JPanel {
         super.updateUI();
         if (hint != null) {
             hint.setForeground(Palette.faint());
+        }
+    }
+
+    /** The parts below each other, in a width that is easy to read. */
+    private static final class Column extends JPanel {
+        private static final long serialVersionUID = 1L;
+        private static final int WIDTH = 420;
+        private static final int LEAST_WIDTH = 320;
+
+        Column() {
+            super(new GridBagLayout());
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            return new Dimension(UIScale.scale(WIDTH), super.getPreferredSize().height);
+        }
+
+        @Override
+        public Dimension getMinimumSize() {
+            return new Dimension(UIScale.scale(LEAST_WIDTH), super.getPreferredSize().height);
         }
     }
 }
