@@ -1,13 +1,15 @@
 package majic.gui;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
+import java.awt.Dimension;
 import java.util.List;
 import javax.swing.BorderFactory;
+import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import majic.gui.kit.IconAction;
-import net.miginfocom.swing.MigLayout;
 
 /**
  * Places the row of buttons at the top, with STOP at its end. STOP is never clipped, however narrow the window is.
@@ -16,9 +18,13 @@ import net.miginfocom.swing.MigLayout;
 final class FrameToolbar extends JPanel {
     private static final long serialVersionUID = 1L;
 
+    /** Height of the buttons at the normal font size, pixels. */
+    static final int BUTTON_HEIGHT = 52;
+
+    private static final int LEAST_BUTTON_WIDTH = 48;
     private static final int GAP = 8;
 
-    private final JPanel row = new JPanel(new MigLayout("insets 0, gap 0", "", "[fill]"));
+    private final Box row = Box.createHorizontalBox();
     private final transient List<JButton> buttons;
     private final StopPanel stop;
     private int wordsWidth;
@@ -28,7 +34,7 @@ final class FrameToolbar extends JPanel {
         this.stop = stop;
         this.buttons = actions.stream().map(FrameToolbar::button).toList();
         setBorder(BorderFactory.createEmptyBorder(6, GAP, 6, GAP));
-        buttons.forEach(button -> row.add(button, "h 52!, wmin 48"));
+        buttons.forEach(row::add);
         add(row, BorderLayout.CENTER);
         add(stop, BorderLayout.EAST);
     }
@@ -44,12 +50,32 @@ final class FrameToolbar extends JPanel {
     }
 
     private static JButton button(IconAction action) {
-        JButton button = new JButton(action);
+        JButton button = new ToolbarButton(action);
         button.setName((String) action.getValue(IconAction.NAME));
         button.setVerticalTextPosition(SwingConstants.BOTTOM);
         button.setHorizontalTextPosition(SwingConstants.CENTER);
         button.setFocusable(false);
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         return button;
+    }
+
+    /** A button as high as STOP, so that its whole height can be clicked. */
+    private static final class ToolbarButton extends JButton {
+        private static final long serialVersionUID = 1L;
+
+        ToolbarButton(IconAction action) {
+            super(action);
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            int width = Math.max(super.getPreferredSize().width, UIScale.scale(LEAST_BUTTON_WIDTH));
+            return new Dimension(width, UIScale.scale(BUTTON_HEIGHT));
+        }
+
+        @Override
+        public Dimension getMaximumSize() {
+            return getPreferredSize();
+        }
     }
 }

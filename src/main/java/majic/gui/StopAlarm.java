@@ -1,11 +1,15 @@
 package majic.gui;
 
+import java.awt.BorderLayout;
 import java.awt.Color;
 import java.awt.Font;
+import java.awt.GridBagLayout;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -15,7 +19,6 @@ import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
 import majic.text.Texts;
-import net.miginfocom.swing.MigLayout;
 
 /**
  * The strip below the buttons that names the robots whose stop was not confirmed, with the reasons and with what to do.
@@ -35,19 +38,25 @@ final class StopAlarm extends JPanel implements TeamListener {
     private final JButton again = new JButton(TEXTS.get("stopAgain"));
 
     StopAlarm(Team team) {
-        super(new MigLayout("insets 6 12 6 12, gap 8 2, hidemode 3", "[grow, fill][]", "[][][]"));
+        super(new BorderLayout(8, 0));
         this.team = team;
         setBackground(RED);
+        setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
         again.setName("stopAgain");
         again.setFocusable(false);
         again.setToolTipText(TEXTS.get("stopAgain.tip"));
         again.addActionListener(event -> stopAgain());
         JLabel remedy = white(new PlainLabel("stopRemedy", TEXTS.get("remedy")));
         remedy.setToolTipText(remedy.getText());
-        add(title, "wmin 0");
-        add(again, "spany 3, aligny center, wrap");
-        add(reasons, "wmin 0, wrap");
-        add(remedy, "wmin 0");
+        Box texts = Box.createVerticalBox();
+        texts.add(title);
+        texts.add(reasons);
+        texts.add(remedy);
+        JPanel button = new JPanel(new GridBagLayout());
+        button.setOpaque(false);
+        button.add(again);
+        add(texts, BorderLayout.CENTER);
+        add(button, BorderLayout.EAST);
         showRobots();
     }
 

@@ -1,7 +1,12 @@
 package majic.gui;
 
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Font;
+import java.awt.GridBagConstraints;
+import java.awt.GridBagLayout;
 import java.awt.KeyboardFocusManager;
 import java.beans.PropertyChangeListener;
 import javax.swing.JButton;
@@ -13,18 +18,25 @@ import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
 import majic.text.Texts;
-import net.miginfocom.swing.MigLayout;
 
 /** Shows the large red STOP for all robots, and beside it the button that permits motion again. */
 final class StopPanel extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(StopPanel.class);
     private static final Color RED = new Color(0xC62828);
+    private static final int STOP_WIDTH = 170;
     private static final String FOCUSED = "focusedWindow";
     private static final Color DARK_RED = new Color(0x7F1D1D);
 
     private final transient Team team;
-    private final JButton stop = new JButton();
+    private final JButton stop = new JButton() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public Dimension getPreferredSize() {
+            return UIScale.scale(new Dimension(STOP_WIDTH, FrameToolbar.BUTTON_HEIGHT));
+        }
+    };
     private final JLabel word = new StyledLabel("stopWord", "", Font.BOLD, 6);
     private final JLabel below = new JLabel();
     private final transient PropertyChangeListener focus = event -> EventThread.later(this::showLatch);
@@ -36,12 +48,14 @@ final class StopPanel extends JPanel implements TeamListener {
      * @param stopAll stops all robots
      */
     StopPanel(Team team, Runnable stopAll) {
-        super(new MigLayout("insets 0, gap 6, hidemode 3", "[][]", "[fill]"));
+        super(new BorderLayout(6, 0));
         stop.setName("stop");
         stop.setFocusable(false);
-        stop.setLayout(new MigLayout("insets 0, gap 0, wrap 1, alignx center, aligny center", "[center]"));
-        stop.add(word);
-        stop.add(below);
+        GridBagConstraints oneColumn = new GridBagConstraints();
+        oneColumn.gridx = 0;
+        stop.setLayout(new GridBagLayout());
+        stop.add(word, oneColumn);
+        stop.add(below, oneColumn);
         word.setForeground(Color.WHITE);
         below.setName("stopCount");
         below.setForeground(Color.WHITE);
@@ -51,8 +65,8 @@ final class StopPanel extends JPanel implements TeamListener {
         release.setName("release");
         release.setToolTipText(TEXTS.get("release.tip"));
         release.addActionListener(event -> team.release());
-        add(release, "h 52!");
-        add(stop, "w 170!, h 52!");
+        add(release, BorderLayout.WEST);
+        add(stop, BorderLayout.EAST);
         this.team = team;
         showLatch();
     }

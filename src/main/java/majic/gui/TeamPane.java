@@ -1,6 +1,7 @@
 package majic.gui;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
 import java.awt.Dimension;
 import javax.swing.JComponent;
 import javax.swing.JPanel;
@@ -15,7 +16,6 @@ import majic.gui.map.TeamMap;
 import majic.script.Session;
 import majic.team.Member;
 import majic.team.Team;
-import net.miginfocom.swing.MigLayout;
 
 /**
  * Shows the team: the cards, the map and the panels beside each other. While two panels are compared, the map is narrower;
@@ -51,10 +51,9 @@ final class TeamPane extends JSplitPane {
         strip = new TeamStrip(team, selection, actions, panels::openWindow);
         mapFeed = new MapFeed(team, session.factory(), map::show);
         map.select(team, selection, strip::showMenu);
-        JPanel overview = new JPanel(
-                new MigLayout("insets 0, gap 0, hidemode 3", "[fill][grow, fill, shrinkprio 200]", "[grow, fill]"));
-        overview.add(strip, "cell 0 0, hmin 0, gapright 6");
-        overview.add(map, "cell 1 0, hmin 0");
+        JPanel overview = new JPanel(new BorderLayout(6, 0));
+        overview.add(strip, BorderLayout.WEST);
+        overview.add(map, BorderLayout.CENTER);
         setLeftComponent(overview);
         setRightComponent(panels);
         setResizeWeight(0.58);

@@ -46,7 +46,7 @@ public final class RobotPanels extends JPanel implements TeamListener {
     private final transient RobotSelection selection;
     private final transient RobotActions actions;
     private final CardLayout cards = new CardLayout();
-    private final JPanel row = new JPanel(new MigLayout("insets 0, gap 0, hidemode 3, fill", "", "[fill]"));
+    private final JPanel row = new JPanel();
     private final JLabel notice = new PlainLabel("panelNotice", "");
     private @Nullable DrivePad pad;
     private final transient Map<Member, BotPanel> panels = new HashMap<>();
@@ -74,6 +74,7 @@ public final class RobotPanels extends JPanel implements TeamListener {
         DrivePad made = new DrivePad("", actions::showError);
         notice.setHorizontalAlignment(SwingConstants.CENTER);
         notice.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
+        row.setLayout(new MigLayout("insets 0, gap 0, hidemode 3, fill", "", "[fill]"));
         JPanel robots = new JPanel(new BorderLayout());
         robots.add(notice, BorderLayout.NORTH);
         robots.add(row, BorderLayout.CENTER);

@@ -1,19 +1,22 @@
 package majic.gui.command;
 
+import java.awt.BorderLayout;
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import javax.swing.GroupLayout;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.Palette;
 import majic.gui.kit.ProgramServices;
 import majic.script.MajicParser;
 import majic.text.Texts;
-import net.miginfocom.swing.MigLayout;
 
 /** Holds the message area, the command line, and below it the line's error or a hint. */
 public final class CommandPane extends JPanel {
     private static final Texts TEXTS = Texts.of(CommandPane.class);
     private static final long serialVersionUID = 1L;
+
+    private static final int GAP = 4;
 
     private final MessagePane messages;
     private final JLabel hint = new JLabel();
@@ -26,7 +29,7 @@ public final class CommandPane extends JPanel {
      * @param alarm reports a problem with that file; called on the event dispatch thread
      */
     public CommandPane(MajicParser parser, ProgramServices services, Consumer<String> alarm) {
-        super(new MigLayout("insets 0, gap 4 4", "[][grow, fill]", "[grow, fill][][]"));
+        super(new BorderLayout(0, GAP));
         Path history = services.history();
         line = new CommandLine(parser, history == null ? null : new HistoryFile(history, alarm), this::showHint);
         messages = new MessagePane(services.settings(), line::requestFocusInWindow);
@@ -35,11 +38,28 @@ public final class CommandPane extends JPanel {
         JLabel prompt = new JLabel(TEXTS.get("prompt"));
         prompt.setLabelFor(line);
         prompt.setDisplayedMnemonic(prompt.getText().charAt(0));
-        add(messages, "spanx 2, grow, wrap");
-        add(prompt);
-        add(line, "wrap");
-        add(hint, "skip 1, wmin 0");
+        add(messages, BorderLayout.CENTER);
+        add(withHint(prompt), BorderLayout.SOUTH);
         showHint("");
+    }
+
+    /** Places the line beside its prompt, and the hint below the line, however long the hint is. */
+    private JPanel withHint(JLabel prompt) {
+        JPanel panel = new JPanel();
+        GroupLayout layout = new GroupLayout(panel);
+        panel.setLayout(layout);
+        GroupLayout.Group lineAndHint = layout.createParallelGroup()
+                .addComponent(line, 0, GroupLayout.DEFAULT_SIZE, Short.MAX_VALUE)
+                .addComponent(hint, 0, GroupLayout.DEFAULT_SIZE, Short.MAX_VALUE);
+        layout.setHorizontalGroup(
+                layout.createSequentialGroup().addComponent(prompt).addGap(GAP).addGroup(lineAndHint));
+        layout.setVerticalGroup(layout.createSequentialGroup()
+                .addGroup(layout.createParallelGroup(GroupLayout.Alignment.BASELINE)
+                        .addComponent(prompt)
+                        .addComponent(line))
+                .addGap(GAP)
+                .addComponent(hint));
+        return panel;
     }
 
     public MessageArea messages() {

@@ -1,9 +1,15 @@
 package majic.gui.command;
 
+import com.formdev.flatlaf.util.UIScale;
+import java.awt.Dimension;
+import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
@@ -14,20 +20,37 @@ import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.KeyAction;
 import majic.gui.kit.TextChange;
 import majic.text.Texts;
-import net.miginfocom.swing.MigLayout;
 
 /** The controls above the messages: which robots and kinds are shown, and the search. */
 final class MessageBar extends JPanel implements ClosesByEsc {
     private static final Texts TEXTS = Texts.of(MessageBar.class);
     private static final long serialVersionUID = 1L;
 
+    private static final int GAP = 4;
+    private static final int COUNT_WIDTH = 60;
+
     private final MessageArea area;
     private final transient MessageSearch search;
     private final transient Runnable toCommandLine;
     private final JButton robots = new JButton();
     private final JButton kinds = new JButton();
-    private final JTextField find = new JTextField(14);
-    private final JLabel count = new JLabel();
+    private final JTextField find = new JTextField(14) {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public Dimension getMaximumSize() {
+            return getPreferredSize();
+        }
+    };
+    private final JLabel count = new JLabel() {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension text = super.getPreferredSize();
+            return new Dimension(Math.max(UIScale.scale(COUNT_WIDTH), text.width), text.height);
+        }
+    };
     private final JButton previous = button("\u2191", TEXTS.get("find.previous"));
     private final JButton next = button("\u2193", TEXTS.get("find.next"));
 
@@ -37,7 +60,7 @@ final class MessageBar extends JPanel implements ClosesByEsc {
      * @param toCommandLine gives the focus to the command line
      */
     MessageBar(MessageArea area, Runnable toCommandLine) {
-        super(new MigLayout("insets 0, gap 4 0", "[][]push[][60::][][]"));
+        setLayout(new BoxLayout(this, BoxLayout.X_AXIS));
         this.area = area;
         this.toCommandLine = toCommandLine;
         search = new MessageSearch(area.text());
@@ -48,13 +71,19 @@ final class MessageBar extends JPanel implements ClosesByEsc {
         prepareFind();
         previous.addActionListener(event -> move(-1));
         next.addActionListener(event -> move(1));
-        add(robots);
-        add(kinds);
-        add(find, "wmin 60");
-        add(count);
-        add(previous);
-        add(next);
+        place();
         update();
+    }
+
+    private void place() {
+        List.of(robots, kinds).forEach(this::addWithGap);
+        add(Box.createHorizontalGlue());
+        List.of(find, count, previous, next).forEach(this::addWithGap);
+    }
+
+    private void addWithGap(JComponent component) {
+        add(component);
+        add(Box.createHorizontalStrut(UIScale.scale(GAP)));
     }
 
     private static void prepare(JButton button, String name, String purpose) {

@@ -1,12 +1,12 @@
 package majic.gui.command;
 
+import java.awt.BorderLayout;
 import java.util.List;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import majic.environment.Settings;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.KeyAction;
-import net.miginfocom.swing.MigLayout;
 
 /** The messages with their controls and keys. The size of the text and the times of day are kept in the settings. */
 final class MessagePane extends JPanel {
@@ -24,15 +24,15 @@ final class MessagePane extends JPanel {
      * @param toCommandLine gives the focus to the command line
      */
     MessagePane(Settings settings, Runnable toCommandLine) {
-        super(new MigLayout("insets 0, gap 0 2, wrap 1", "[grow, fill]", "[][grow, fill]"));
+        super(new BorderLayout(0, 2));
         this.settings = settings;
         bar = new MessageBar(area, toCommandLine);
         area.onChange(bar::update);
         area.text().useMenu(() -> new MessageMenu(area, bar::startFind, this::resize, this::keepTimes));
         settings.get(SIZE).ifPresent(points -> area.text().setLarger(number(points)));
         area.showTimes(settings.get(TIMES).filter("yes"::equals).isPresent());
-        add(bar, "wmin 0");
-        add(area, "hmin 0");
+        add(bar, BorderLayout.NORTH);
+        add(area, BorderLayout.CENTER);
         bind("ctrl F", bar::startFind);
         bind("F3", () -> bar.move(-1));
         bind("shift F3", () -> bar.move(1));

@@ -1,27 +1,32 @@
 package majic.panel.map;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Insets;
 import java.util.EnumMap;
 import java.util.Map;
 import javax.swing.AbstractButton;
+import javax.swing.BorderFactory;
+import javax.swing.Box;
+import javax.swing.BoxLayout;
 import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JToggleButton;
 import majic.panel.DrawingColors;
-import net.miginfocom.swing.MigLayout;
 
 /** Holds the buttons in a map's corner. */
 final class MapTools extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int ICON_PX = 14;
+    private static final int GAP_PX = 6;
 
     private final transient ZoomableMap map;
     private final transient Map<MapAction, AbstractButton> toggles = new EnumMap<>(MapAction.class);
 
     MapTools(ZoomableMap map) {
-        super(new MigLayout("insets 1, gap 0, novisualpadding"));
+        setLayout(new BoxLayout(this, BoxLayout.X_AXIS));
+        setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
         this.map = map;
         setOpaque(false);
         MapAction.WITH_BUTTON.stream().filter(action -> action.suits(map)).forEach(this::addButton);
@@ -40,7 +45,10 @@ final class MapTools extends JPanel {
         if (action.toggles()) {
             toggles.put(action, button);
         }
-        add(button, action == MapAction.CLEAR ? "gapleft 6" : "");
+        if (action == MapAction.CLEAR) {
+            add(Box.createHorizontalStrut(UIScale.scale(GAP_PX)));
+        }
+        add(button);
     }
 
     /** Selects the buttons that match the map's state. */
