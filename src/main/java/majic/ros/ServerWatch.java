@@ -12,7 +12,8 @@ import majic.time.WaitPolicy;
 final class ServerWatch implements AutoCloseable {
     /**
      * A connection is given up when nothing has arrived for this time, answers to pings included. With the time that an answer
-     * takes, a server that hangs is noticed within a second.
+     * takes, a server that hangs is noticed within a second. Time by which this thread is woken too late does not count: a
+     * computer that is so busy does not read what has arrived either.
      */
     static final double SILENCE_S = 0.9;
 
@@ -68,8 +69,9 @@ final class ServerWatch implements AutoCloseable {
 
     private void watch() throws InterruptedException {
         double untilPingS = 0;
+        double lateS = 0;
         while (!over) {
-            double leftS = SILENCE_S - server.silenceS();
+            double leftS = SILENCE_S + lateS - server.silenceS();
             if (leftS <= 0) {
                 onSilence.run();
                 return;
@@ -78,9 +80,12 @@ final class ServerWatch implements AutoCloseable {
                 server.ping();
                 untilPingS = PING_S;
             }
+            double waitS = Math.min(untilPingS, leftS);
             long fromNanos = time.nanos();
-            ended.await(() -> over, Math.min(untilPingS, leftS));
-            untilPingS -= time.secondsSince(fromNanos);
+            ended.await(() -> over, waitS);
+            double waitedS = time.secondsSince(fromNanos);
+            untilPingS -= waitedS;
+            lateS = server.silenceS() < waitedS ? 0 : lateS + Math.max(0, waitedS - waitS);
         }
     }
 

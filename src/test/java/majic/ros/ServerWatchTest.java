@@ -3,8 +3,10 @@ package majic.ros;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 import majic.bot.LinkLost;
 import majic.drivertest.TestClock;
+import majic.time.Signal;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -48,6 +50,20 @@ class ServerWatchTest {
     }
 
     @Test
+    void timeByWhichItIsWokenTooLateDoesNotCount() {
+        TimeSource late = new LateTime(time, 0.5);
+        FakeServer server = new FakeServer(time);
+        server.answers = false;
+
+        new ServerWatch(late, server, server::silent).start();
+
+        pass(1.5);
+        assertThat(server.silences).hasValue(0);
+        pass(3);
+        assertThat(server.silences).hasValue(1);
+    }
+
+    @Test
     void theEndOfTheConnectionIsLeftToItsReader() {
         FakeServer server = new FakeServer(time);
         server.ended = true;
@@ -77,6 +93,45 @@ class ServerWatchTest {
     private void pass(double seconds) {
         long from = time.nanos();
         clock.until(() -> time.secondsSince(from) >= seconds);
+    }
+
+    /**
+     * A clock that wakes each thread too late, as on a busy computer.
+     *
+     * @param clock the right one
+     * @param lateS by which all waits are longer
+     */
+    private record LateTime(TimeSource clock, double lateS) implements TimeSource {
+        @Override
+        public long nanos() {
+            return clock.nanos();
+        }
+
+        @Override
+        public Signal signal() {
+            Signal signal = clock.signal();
+            return new Signal() {
+                @Override
+                public boolean await(BooleanSupplier condition, double seconds) throws InterruptedException {
+                    return signal.await(condition, seconds + lateS);
+                }
+
+                @Override
+                public void raise() {
+                    signal.raise();
+                }
+            };
+        }
+
+        @Override
+        public Thread thread(String name, Runnable body) {
+            return clock.thread(name, body);
+        }
+
+        @Override
+        public Membership join() {
+            return clock.join();
+        }
     }
 
     private static final class FakeServer implements ServerWatch.Server {
