@@ -28,6 +28,8 @@ import majic.ros.message.OdometryMessage;
 import majic.ros.message.UnusableMessage;
 import majic.ros.message.VelocityForm;
 import majic.ros.motion.VelocityOutput;
+import majic.time.SuspendDetector;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -57,6 +59,7 @@ final class RosSession implements VelocityOutput {
     private final Events events;
     private final RosConnections connections;
     private final List<ServerWatch> watches = new CopyOnWriteArrayList<>();
+    private final SuspendDetector suspend = new SuspendDetector();
     private final AtomicBoolean over = new AtomicBoolean();
     private final AtomicBoolean problemNoticed = new AtomicBoolean();
     private volatile @Nullable RosGraph graph;
@@ -66,7 +69,7 @@ final class RosSession implements VelocityOutput {
     private volatile boolean reporting;
     private volatile @Nullable String problem;
 
-    /** Handles what happens in a session. Called on a reader thread or the thread that watches the server, neither of which may wait. */
+    /** Handles what happens in a session. Called on threads that must not wait: readers, and those that watch the server. */
     interface Events {
         /** Handles a message of the odometry. */
         void odometry(RosSession from, OdometryMessage reading);
@@ -206,7 +209,20 @@ final class RosSession implements VelocityOutput {
         if (used == null || over.get()) {
             throw new LinkLost("not connected");
         }
+        if (mmPerSec != 0 || degPerSec != 0) {
+            refuseAfterSuspend();
+        }
         connections.drive().publish(base().command(), used.message(mmPerSec, degPerSec));
+    }
+
+    /** A motion must not go on where it was interrupted: the robot may have been moved or have stopped by itself since then. */
+    private void refuseAfterSuspend() {
+        if (suspend.wasSuspended()) {
+            LinkLost cause = new LinkLost("this computer was asleep");
+            // On another thread: this one may hold locks that the end of the session needs.
+            waiting.time().runAsync("ros suspended", () -> WaitPolicy.without(() -> end(cause)));
+            throw cause;
+        }
     }
 
     /** Ends the session in order, after the last stop has had the time to reach the robot. */
