@@ -38,6 +38,13 @@ final class StartOptions {
     private List<String> robots = new ArrayList<>();
 
     @Option(
+            names = "--max-robots",
+            paramLabel = "N",
+            scope = ScopeType.INHERIT,
+            description = "How many robots the team may have, 1 to " + Team.MOST_BOTS + " (" + Team.MAX_BOTS + ").")
+    private int maxRobots = Team.MAX_BOTS;
+
+    @Option(
             names = "--aria-home",
             paramLabel = "DIR",
             scope = ScopeType.INHERIT,
@@ -74,8 +81,9 @@ final class StartOptions {
 
     /** Returns the options of the lab, where nothing else is to be started. */
     LabChoice labAlone() {
-        if (lab || listen != null || !robots.isEmpty()) {
-            throw new UsageException("lab runs the simulators alone; --lab, --add and --listen do not go with it");
+        if (lab || listen != null || !robots.isEmpty() || maxRobots != Team.MAX_BOTS) {
+            throw new UsageException(
+                    "lab runs the simulators alone; --lab, --add, --listen and --max-robots do not go with it");
         }
         return choice;
     }
@@ -96,13 +104,16 @@ final class StartOptions {
         if (!lab && choice.isGiven()) {
             throw new UsageException("the options of the simulated lab need --lab, as in majic --lab --exact");
         }
+        if (maxRobots < 1 || maxRobots > Team.MOST_BOTS) {
+            throw new UsageException("--max-robots " + maxRobots + ": outside 1 … " + Team.MOST_BOTS);
+        }
         name(VendorLibrary.ARIA, ariaHome);
         name(VendorLibrary.LIBURBI, liburbiHome);
         SimulatedLab simulated = lab ? SimulatedLab.scaled(choice.options(), choice.speed()) : null;
         if (simulated != null) {
             choice.tellTakenPorts(simulated.simulators().addresses());
         }
-        Program program = new Program(folder, simulated, !unrecorded);
+        Program program = new Program(folder, simulated, !unrecorded, maxRobots);
         program.closeWhenProgramEnds();
         if (listen != null) {
             tell(program, listen(program, address(listen)));
@@ -161,16 +172,15 @@ final class StartOptions {
         List<String> lines = new ArrayList<>();
         SimulatedLab simulated = program.lab();
         if (simulated != null) {
-            lines.addAll(labLines(simulated.robots()));
+            lines.addAll(labLines(simulated.robots(), maxRobots));
         }
         robots.forEach(robot -> lines.add("add " + robot));
         return lines;
     }
 
     /** Adds as many robots of the lab as a team has numbers. */
-    static List<String> labLines(List<String> robots) {
-        int count = Math.min(Team.MAX_BOTS, robots.size());
-        return IntStream.range(0, count)
+    static List<String> labLines(List<String> robots, int maxRobots) {
+        return IntStream.range(0, Math.min(maxRobots, robots.size()))
                 .mapToObj(index -> "add sim:" + robots.get(index) + " as " + (index + 1))
                 .toList();
     }

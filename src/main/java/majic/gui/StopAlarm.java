@@ -18,6 +18,7 @@ import majic.gui.kit.StyledLabel;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.NumberList;
 import majic.text.Texts;
 
 /**
@@ -73,7 +74,7 @@ final class StopAlarm extends JPanel implements TeamListener {
     private void showRobots() {
         Map<Integer, String> unconfirmed = team.stopStatus().unconfirmed();
         setVisible(!unconfirmed.isEmpty());
-        title.setText(TEXTS.get("unconfirmed", unconfirmed.size(), names(List.copyOf(unconfirmed.keySet()))));
+        title.setText(TEXTS.get("unconfirmed", unconfirmed.size(), NumberList.of(List.copyOf(unconfirmed.keySet()))));
         String why = reasons(unconfirmed);
         reasons.setText(why);
         reasons.setToolTipText(why);
@@ -94,15 +95,11 @@ final class StopAlarm extends JPanel implements TeamListener {
         unconfirmed.forEach((robot, reason) ->
                 robots.computeIfAbsent(reason, key -> new ArrayList<>()).add(robot));
         List<String> texts = new ArrayList<>();
-        robots.forEach((reason, which) -> texts.add(names(which) + ": " + reason));
+        robots.forEach((reason, which) -> texts.add(NumberList.of(which) + ": " + reason));
         if (texts.size() <= MOST_REASONS) {
             return String.join("   ", texts);
         }
         int others = texts.size() - MOST_REASONS + 1;
         return TEXTS.get("reasons.more", String.join("   ", texts.subList(0, MOST_REASONS - 1)), others);
-    }
-
-    private static String names(List<Integer> robots) {
-        return String.join(", ", robots.stream().map(String::valueOf).toList());
     }
 }

@@ -8,6 +8,7 @@ import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import majic.gui.bots.RobotActions;
 import majic.gui.bots.RobotPanels;
+import majic.gui.bots.StripScroll;
 import majic.gui.bots.TeamStrip;
 import majic.gui.kit.EventThreadTeamListener;
 import majic.gui.kit.RobotSelection;
@@ -52,7 +53,7 @@ final class TeamPane extends JSplitPane {
         mapFeed = new MapFeed(team, session.factory(), map::show);
         map.select(team, selection, strip::showMenu);
         JPanel overview = new JPanel(new BorderLayout(6, 0));
-        overview.add(strip, BorderLayout.WEST);
+        overview.add(new StripScroll(strip), BorderLayout.WEST);
         overview.add(map, BorderLayout.CENTER);
         setLeftComponent(overview);
         setRightComponent(panels);

@@ -7,10 +7,14 @@ import java.nio.file.Path;
 import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.bot.BotException;
@@ -40,6 +44,11 @@ public final class Program implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(Program.class.getName());
     private static final int CLOSE_BOUND_MS = 3000;
 
+    private static final Pattern NUMBERED = Pattern.compile("add .* as \\d+");
+
+    /** How many robots of a large team connect at the same time. */
+    private static final int CONNECTING_AT_ONCE = 16;
+
     private final UserFolder folder;
     private final BotFactory factory;
     private volatile @Nullable SimulatedLab lab;
@@ -63,6 +72,18 @@ public final class Program implements AutoCloseable {
      * @param records whether what the robots report is recorded
      */
     public Program(UserFolder folder, @Nullable SimulatedLab lab, boolean records) {
+        this(folder, lab, records, Team.MAX_BOTS);
+    }
+
+    /**
+     * Builds a program for a team of another size.
+     *
+     * @param folder the user's folder
+     * @param lab a running lab; null for none
+     * @param records whether what the robots report is recorded
+     * @param maxRobots how many robots the team may have, 1 to {@value Team#MOST_BOTS}
+     */
+    public Program(UserFolder folder, @Nullable SimulatedLab lab, boolean records, int maxRobots) {
         this.folder = folder;
         this.lab = lab;
         TimeSource time = lab == null ? TimeSource.system() : lab.time();
@@ -73,7 +94,7 @@ public final class Program implements AutoCloseable {
         if (lab != null) {
             factory.useLab(lab);
         }
-        team = new Team(time);
+        team = new Team(time, maxRobots);
         log = openLog(folder.file("sessions"));
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
@@ -186,19 +207,36 @@ public final class Program implements AutoCloseable {
 
     /**
      * Adds the robots that were requested at the start, and then accepts the clients' lines. Blocks until every robot
-     * is added or refused.
+     * is added or refused. Robots of a large team whose lines contain their numbers connect several at a time, before the others.
      *
      * @param lines MAJIC Script that adds them
      * @return whether every line succeeded
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
     public boolean addFirst(List<String> lines) throws InterruptedException {
-        MajicParser first = new MajicParser(session, false);
-        lines.forEach(first::parseText);
-        boolean succeeded = first.awaitAll();
+        boolean large = lines.size() > Team.MAX_BOTS;
+        Map<Boolean, List<String>> parts = lines.stream()
+                .collect(Collectors.partitioningBy(
+                        line -> large && NUMBERED.matcher(line).matches()));
+        boolean numbered = add(parts.getOrDefault(true, List.of()), CONNECTING_AT_ONCE);
+        boolean succeeded = add(parts.getOrDefault(false, List.of()), 1) && numbered;
         LineServer listening = server;
         if (listening != null) {
             listening.ready();
+        }
+        return succeeded;
+    }
+
+    private boolean add(List<String> lines, int atOnce) throws InterruptedException {
+        List<MajicParser> parsers = Stream.generate(() -> new MajicParser(session, false))
+                .limit(atOnce)
+                .toList();
+        for (int index = 0; index < lines.size(); index++) {
+            parsers.get(index % atOnce).parseText(lines.get(index));
+        }
+        boolean succeeded = true;
+        for (MajicParser parser : parsers) {
+            succeeded &= parser.awaitAll();
         }
         return succeeded;
     }

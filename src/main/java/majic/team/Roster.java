@@ -24,6 +24,10 @@ final class Roster {
         this.maxBots = maxBots;
     }
 
+    int maxBots() {
+        return maxBots;
+    }
+
     /**
      * Adds a robot.
      *
@@ -68,7 +72,8 @@ final class Roster {
                 members.size() < maxBots
                         ? "all numbers up to " + maxBots
                                 + " were used; add the robot \"as\" the number of a removed one"
-                        : "the team is full (" + maxBots + " robots); remove one first");
+                        : "the team is full (" + maxBots
+                                + " robots); remove one first, or start MAJIC with a higher --max-robots");
     }
 
     /**

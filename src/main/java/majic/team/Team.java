@@ -22,6 +22,9 @@ public final class Team implements AutoCloseable {
     /** How many robots there may be unless set otherwise. */
     public static final int MAX_BOTS = 20;
 
+    /** How many robots there may be at most. */
+    public static final int MOST_BOTS = 1000;
+
     /** How long {@link #close()} waits for all robots, seconds. */
     private static final double CLOSE_BOUND_S = 2.5;
 
@@ -52,9 +55,13 @@ public final class Team implements AutoCloseable {
      * Creates an empty team.
      *
      * @param time the clock of scripts and of waits for robots
-     * @param maxBots how many robots there may be, at least 1
+     * @param maxBots how many robots there may be, 1 to {@value #MOST_BOTS}
+     * @throws IllegalArgumentException if it is outside of that range
      */
     public Team(TimeSource time, int maxBots) {
+        if (maxBots < 1 || maxBots > MOST_BOTS) {
+            throw new IllegalArgumentException("a team has room for 1 to " + MOST_BOTS + " robots, not " + maxBots);
+        }
         this.time = time;
         this.changes = time.signal();
         this.events = new TeamEvents(time, changes);
@@ -154,6 +161,15 @@ public final class Team implements AutoCloseable {
      */
     public List<Member> members() {
         return roster.all();
+    }
+
+    /**
+     * Returns how many robots there may be, which is also the highest number.
+     *
+     * @return the number passed to the constructor, or {@link #MAX_BOTS}
+     */
+    public int maxBots() {
+        return roster.maxBots();
     }
 
     /**

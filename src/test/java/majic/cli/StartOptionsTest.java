@@ -9,12 +9,13 @@ import org.junit.jupiter.api.Test;
 class StartOptionsTest {
     @Test
     void theRobotsOfTheLabAreAddedInItsOrder() {
-        assertThat(StartOptions.labLines(List.of("aibo", "pioneer")))
+        assertThat(StartOptions.labLines(List.of("aibo", "pioneer"), 20))
                 .containsExactly("add sim:aibo as 1", "add sim:pioneer as 2");
     }
 
     @Test
     void ofALargeLabAsManyRobotsAreAddedAsATeamHasNumbers() {
-        assertThat(StartOptions.labLines(Collections.nCopies(502, "pioneer"))).hasSize(20);
+        assertThat(StartOptions.labLines(Collections.nCopies(502, "pioneer"), 200))
+                .hasSize(200);
     }
 }

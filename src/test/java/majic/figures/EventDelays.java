@@ -41,11 +41,8 @@ final class EventDelays extends EventQueue {
     /** Measures while robots report and move, then with plots, then while dialogs open and the look changes. */
     static List<String> measure(JFrame frame) throws Exception {
         Thread.sleep(SETTLING_S * 1000);
-        EventDelays queue = new EventDelays();
-        Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
-        List<String> lines = new ArrayList<>();
-        lines.add(queue.during("20 robots at rest", MEASURED_S, () -> {}));
-        lines.add(queue.during("20 robots driving", MEASURED_S, () -> command(frame, "all move 600")));
+        EventDelays queue = installed();
+        List<String> lines = new ArrayList<>(queue.reports(frame, 20));
         lines.add(queue.during("4 plots begin", DIALOG_S, () -> openPlots(frame)));
         lines.add(queue.during("20 robots, 4 plots", MEASURED_S, () -> command(frame, "all move -600")));
         SwingUtilities.invokeAndWait(() -> closeWindows(frame));
@@ -59,6 +56,32 @@ final class EventDelays extends EventQueue {
             lines.add(queue.during("look " + look, DIALOG_S, () -> choose(frame, look)));
         }
         return lines;
+    }
+
+    /** Waits for the cards of a large team, then measures while its robots report and move. */
+    static List<String> measureLarge(JFrame frame, int robots) throws Exception {
+        long began = System.nanoTime();
+        while (((Container) find(frame, "teamStrip")).getComponentCount() < robots) {
+            Thread.sleep(PROBE_MS);
+        }
+        double seconds = (System.nanoTime() - began) / 1e9;
+        List<String> lines = new ArrayList<>();
+        lines.add(String.format(Locale.ROOT, "%d cards %.1f s after the window", robots, seconds));
+        Thread.sleep(SETTLING_S * 1000);
+        lines.addAll(installed().reports(frame, robots));
+        return lines;
+    }
+
+    private static EventDelays installed() {
+        EventDelays queue = new EventDelays();
+        Toolkit.getDefaultToolkit().getSystemEventQueue().push(queue);
+        return queue;
+    }
+
+    private List<String> reports(JFrame frame, int robots) throws Exception {
+        return List.of(
+                during(robots + " robots at rest", MEASURED_S, () -> {}),
+                during(robots + " robots driving", MEASURED_S, () -> command(frame, "all move 600")));
     }
 
     @Override

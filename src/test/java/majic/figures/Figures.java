@@ -11,11 +11,14 @@ import java.util.TreeMap;
 /**
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
- * {@code idle}, {@code events}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}, {@code load},
+ * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}, {@code load},
  * {@code crash}, {@code ros}; without arguments all are measured. The address of a robot behind a rosbridge server, such as
  * {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to 12 degrees.
  */
 public final class Figures {
+    /** The robots of the window that {@code large} measures. */
+    static final int LARGE_TEAM = 200;
+
     private static final int STARTS = 9;
     private static final int NINE_PIONEERS = 9;
     private static final List<Integer> TEAMS = List.of(1, 10, 100, 500);
@@ -23,8 +26,8 @@ public final class Figures {
     private static final int PIONEERS_OF_MIXED_LAB = 8;
 
     private static final int[] LABS = {1, 10, 45, 100, 500};
-    private static final List<String> ALL =
-            List.of("start", "idle", "events", "line", "memory", "stop", "flood", "lab", "load", "crash", "ros");
+    private static final List<String> ALL = List.of(
+            "start", "idle", "events", "large", "line", "memory", "stop", "flood", "lab", "load", "crash", "ros");
 
     private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash", "ros");
 
@@ -44,6 +47,7 @@ public final class Figures {
                 case "start" -> figures.start();
                 case "idle" -> figures.idle();
                 case "events" -> figures.events();
+                case "large" -> figures.large();
                 case "line" -> figures.line();
                 case "memory" -> figures.memory();
                 case "stop" -> figures.stop();
@@ -93,6 +97,12 @@ public final class Figures {
             further.pioneers().forEach(address -> arguments.addAll(List.of("--add", address)));
             programs.lines("events", arguments.toArray(String[]::new)).forEach(line -> say("  " + line));
         }
+    }
+
+    private void large() throws IOException, InterruptedException {
+        say("event dispatch thread with " + LARGE_TEAM + " robots");
+        programs.lines("large", "--lab", "--pioneers=" + (LARGE_TEAM - 2), "--max-robots=" + LARGE_TEAM)
+                .forEach(line -> say("  " + line));
     }
 
     private void line() throws IOException, InterruptedException {

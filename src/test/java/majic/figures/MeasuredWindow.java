@@ -62,6 +62,7 @@ final class MeasuredWindow {
                 case "bare", "majic" -> List.of(SHOWN);
                 case "idle" -> ThreadLoads.idle();
                 case "events" -> EventDelays.measure(frame());
+                case "large" -> EventDelays.measureLarge(frame(), Figures.LARGE_TEAM);
                 case "line" -> LineTimes.measure(frame());
                 case "flood" -> ClientFlood.measure();
                 case "stop" -> StopTimes.measure(rest);

@@ -63,7 +63,7 @@ public final class TestWindow implements AutoCloseable {
     final ToyType type = new ToyType(BotType.Reach.TCP);
     final Settings settings = Settings.inMemory();
     final BotFactory factory = new BotFactory(List.of(type), settings);
-    final Team team = new Team(TimeSource.system());
+    final Team team = new Team(TimeSource.system(), 200);
     final AtomicInteger quits = new AtomicInteger();
     final Session session;
     final MajicParser parser;
@@ -164,6 +164,17 @@ public final class TestWindow implements AutoCloseable {
     /** Adds a connected toy and waits for its card. */
     public ToyBot add(String address) {
         return connect("toy:" + address);
+    }
+
+    /** Adds this many connected toys, and waits for their cards. */
+    void addAll(int robots) {
+        for (int number = 1; number <= robots; number++) {
+            ToyBot bot = (ToyBot) factory.create("toy:number " + number);
+            bot.connect();
+            team.add(bot, OptionalInt.of(number));
+        }
+        await("the cards", () -> cards().size() == robots);
+        settle();
     }
 
     /** Starts a lab, and adds its robot as {@link #add} does. */
@@ -273,6 +284,12 @@ public final class TestWindow implements AutoCloseable {
 
     void pressWithAlt(int keyCode) {
         with(KeyEvent.VK_ALT, () -> press(keyCode));
+    }
+
+    /** Dispatches the event of a key pressed together with Alt with a given time, ms since 1970. */
+    void pressWithAltAsOf(long whenMs, int keyCode) {
+        run(() -> frame.dispatchEvent(new KeyEvent(
+                frame, KeyEvent.KEY_PRESSED, whenMs, KeyEvent.ALT_DOWN_MASK, keyCode, KeyEvent.CHAR_UNDEFINED)));
     }
 
     void clickWithCtrl(String name) {

@@ -91,6 +91,13 @@ class TeamTest {
     }
 
     @Test
+    void aTeamHasRoomForAThousandRobotsAtMost() {
+        assertThat(new Team(clock.time(), 1000).maxBots()).isEqualTo(1000);
+        assertThatThrownBy(() -> new Team(clock.time(), 1001))
+                .hasMessage("a team has room for 1 to 1000 robots, not 1001");
+    }
+
+    @Test
     void aMissingRobotIsNamedWithThoseThereAre() {
         join();
 

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import majic.team.Member;
+import majic.text.NumberList;
 import majic.text.Texts;
 
 /**
@@ -60,6 +61,7 @@ public record LoadTargets(List<LoadTarget> all) {
         }
         return TEXTS.get(
                 "actForEach",
-                all.stream().map(target -> "" + target.member().number()).collect(Collectors.joining(", ")));
+                NumberList.of(
+                        all.stream().map(target -> target.member().number()).toList()));
     }
 }

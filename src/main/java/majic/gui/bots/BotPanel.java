@@ -33,9 +33,10 @@ final class BotPanel extends JPanel implements PlotHost {
     private final StatusStrip strip;
     private final transient Runnable update;
     private final transient BotListener listener = new ChangeListener();
+    private boolean hasDisplay;
 
     /**
-     * Creates a panel for a robot; it listens to the robot until {@link #close()}.
+     * Creates a panel for a robot, not visible yet; it listens to the robot until {@link #close()}.
      *
      * @param move shows the panel in a window of its own, or back in the main window
      * @param changed runs, at most ten times a second, after the robot's state has changed
@@ -47,11 +48,13 @@ final class BotPanel extends JPanel implements PlotHost {
         setName("bot" + member.number());
         strip = new StatusStrip(team, member, actions, () -> move.accept(member));
         update = () -> {
-            strip.update();
+            if (isVisible()) {
+                strip.update();
+            }
             changed.run();
         };
         add(strip, BorderLayout.NORTH);
-        add(display(), BorderLayout.CENTER);
+        setVisible(false);
         member.bot().addListener(listener);
     }
 
@@ -82,6 +85,19 @@ final class BotPanel extends JPanel implements PlotHost {
     /** Shows whether the panel is in a window of its own. */
     void setDocked(boolean docked) {
         strip.setDocked(docked);
+    }
+
+    /** Makes the display when the panel becomes visible first, since most panels of a large team never do. */
+    @Override
+    public void setVisible(boolean visible) {
+        if (visible && !hasDisplay) {
+            hasDisplay = true;
+            add(display(), BorderLayout.CENTER);
+        }
+        if (visible && !isVisible()) {
+            strip.update();
+        }
+        super.setVisible(visible);
     }
 
     /** Removes the listener. */

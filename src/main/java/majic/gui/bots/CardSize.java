@@ -12,7 +12,9 @@ enum CardSize {
     /** One line. */
     COMPACT(1, 10),
     /** One line of half the width; battery and connection only if they need attention. */
-    NARROW(1, 10);
+    NARROW(1, 10),
+    /** The number and the sign of the state, without buttons. */
+    BADGE(1, 5);
 
     private final int lines;
     private final int extra;

@@ -176,9 +176,16 @@ final class RobotCard extends JPanel implements PlotHost {
                 add(connection, "gapleft 4");
                 add(battery, "gapleft 4");
             }
+            case BADGE -> {
+                arrange("insets 0 3 0 2", "[grow]");
+                add(badge);
+                add(line, "wmin 0, gapleft 3");
+            }
         }
-        add(reconnect, "hmin 18, hmax 100%, gapleft 4");
-        add(stop, "hmin 18, hmax 100%, gapleft 4");
+        if (newSize != CardSize.BADGE) {
+            add(reconnect, "hmin 18, hmax 100%, gapleft 4");
+            add(stop, "hmin 18, hmax 100%, gapleft 4");
+        }
         shown = null;
         update();
     }
@@ -207,6 +214,7 @@ final class RobotCard extends JPanel implements PlotHost {
                     case FULL -> now.problem().isEmpty() ? now.condition() : now.problem();
                     case MEDIUM -> now.line();
                     case COMPACT, NARROW -> now.shortest();
+                    case BADGE -> "";
                 });
         line.putClientProperty("FlatLaf.style", now.problem().isEmpty() ? null : "font: bold");
         line.setForeground(now.isUnconfirmed() || now.isLost() ? Palette.error() : null);
@@ -222,7 +230,7 @@ final class RobotCard extends JPanel implements PlotHost {
     }
 
     private static boolean isOneLine(@Nullable CardSize size) {
-        return size == CardSize.COMPACT || size == CardSize.NARROW;
+        return size == CardSize.COMPACT || size == CardSize.NARROW || size == CardSize.BADGE;
     }
 
     /** A card of one line has no room for a voltage, and a narrow one only for a warning. */

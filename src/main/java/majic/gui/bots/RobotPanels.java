@@ -6,7 +6,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
@@ -21,6 +20,7 @@ import majic.team.Member;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.NumberList;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
@@ -203,7 +203,7 @@ public final class RobotPanels extends JPanel implements TeamListener {
     }
 
     private static String numbers(List<Member> members) {
-        return members.stream().map(member -> "" + member.number()).collect(Collectors.joining(", "));
+        return NumberList.of(members.stream().map(Member::number).toList());
     }
 
     private void changed(Member member) {

@@ -7,16 +7,22 @@ import java.awt.Dimension;
 import java.awt.LayoutManager;
 import java.util.List;
 import java.util.stream.Stream;
+import javax.swing.JViewport;
 
 /**
  * Places the cards of all robots in the room there is: in one column, each as large as possible; in more columns where
- * one has no room for all.
+ * one has no room for all. The cards of a large team show numbers and states only, in rows that may be higher than the room
+ * together.
  */
 final class StripLayout implements LayoutManager {
     private static final int WIDTH = 248;
     private static final int LEAST_WIDTH = 96;
+    private static final int BADGE_WIDTH = 45;
     private static final int GAP = 3;
     private static final int MOST_COLUMNS = 3;
+
+    /** As many robots always have cards with buttons, however low. */
+    private static final int ALWAYS_WITH_BUTTONS = 20;
 
     /**
      * Places in a grid.
@@ -25,38 +31,67 @@ final class StripLayout implements LayoutManager {
      * @param size what the cards show
      * @param height of a card in pixels
      */
-    record Grid(int columns, CardSize size, int height) {}
+    record Grid(int columns, CardSize size, int height) {
+        /** Returns whether neighbours are beside each other, and not below each other. */
+        boolean isInRows() {
+            return size == CardSize.BADGE;
+        }
+
+        private int rows(int cards) {
+            return (cards + columns - 1) / columns;
+        }
+
+        /** Returns the height of all cards in pixels. */
+        int heightOf(int cards) {
+            return rows(cards) * (height + GAP) - GAP;
+        }
+    }
 
     /**
      * Chooses the places for some cards.
      *
      * @param cards how many, at least 1
-     * @param height the height for all in pixels
+     * @param room width and height for all in pixels
      * @param component has the font of the cards
      */
-    static Grid grid(int cards, int height, Component component) {
+    static Grid grid(int cards, Dimension room, Component component) {
         for (CardSize size : List.of(CardSize.FULL, CardSize.MEDIUM, CardSize.COMPACT)) {
-            int room = room(cards, 1, height);
-            if (size.height(component) <= room) {
-                return new Grid(1, size, size.height(component) + slack(size, room, component));
+            int height = share(cards, 1, room.height);
+            if (size.height(component) <= height) {
+                return new Grid(1, size, size.height(component) + slack(size, height, component));
             }
         }
+        int natural = CardSize.NARROW.height(component);
         int columns = 2;
-        while (columns < MOST_COLUMNS && room(cards, columns, height) < CardSize.NARROW.height(component)) {
+        while (columns < MOST_COLUMNS && share(cards, columns, room.height) < natural) {
             columns++;
         }
-        int room = room(cards, columns, height);
-        return new Grid(columns, CardSize.NARROW, Math.min(room, CardSize.NARROW.height(component) * 3 / 2));
+        int height = share(cards, columns, room.height);
+        if (cards > ALWAYS_WITH_BUTTONS && height < natural * 2 / 3) {
+            return badges(room.width, component);
+        }
+        return new Grid(columns, CardSize.NARROW, Math.min(height, natural * 3 / 2));
     }
 
-    private static int room(int cards, int columns, int height) {
+    private static Grid badges(int width, Component component) {
+        int columns = Math.max(1, (width + GAP) / (UIScale.scale(BADGE_WIDTH) + GAP));
+        return new Grid(columns, CardSize.BADGE, CardSize.BADGE.height(component));
+    }
+
+    private static int share(int cards, int columns, int height) {
         int rows = (cards + columns - 1) / columns;
         return (height - (rows - 1) * GAP) / rows;
     }
 
     /** Returns by how much a card is higher than it must be: at most half a line. */
-    private static int slack(CardSize size, int room, Component component) {
-        return Math.min(room - size.height(component), CardSize.COMPACT.height(component) / 2);
+    private static int slack(CardSize size, int height, Component component) {
+        return Math.min(height - size.height(component), CardSize.COMPACT.height(component) / 2);
+    }
+
+    /** Returns the grid for the visible part of a strip, which has a card at least. */
+    static Grid gridOf(Container strip) {
+        Dimension room = strip.getParent() instanceof JViewport port ? port.getExtentSize() : strip.getSize();
+        return grid(strip.getComponentCount(), room, strip);
     }
 
     @Override
@@ -65,12 +100,12 @@ final class StripLayout implements LayoutManager {
         if (cards.length == 0) {
             return;
         }
-        Grid grid = grid(cards.length, strip.getHeight(), strip);
-        int rows = (cards.length + grid.columns() - 1) / grid.columns();
+        Grid grid = gridOf(strip);
+        int rows = grid.rows(cards.length);
         int width = (strip.getWidth() - (grid.columns() - 1) * GAP) / grid.columns();
         for (int index = 0; index < cards.length; index++) {
-            int column = index / rows;
-            int row = index % rows;
+            int column = grid.isInRows() ? index % grid.columns() : index / rows;
+            int row = grid.isInRows() ? index / grid.columns() : index % rows;
             cards[index].show(grid.size());
             cards[index].setBounds(column * (width + GAP), row * (grid.height() + GAP), width, grid.height());
         }
@@ -82,8 +117,11 @@ final class StripLayout implements LayoutManager {
 
     @Override
     public Dimension preferredLayoutSize(Container strip) {
-        int rows = Math.max(1, strip.getComponentCount());
-        return new Dimension(UIScale.scale(WIDTH), rows * (CardSize.COMPACT.height(strip) + GAP) - GAP);
+        int cards = Math.max(1, strip.getComponentCount());
+        Grid grid = cards > ALWAYS_WITH_BUTTONS
+                ? gridOf(strip)
+                : new Grid(1, CardSize.COMPACT, CardSize.COMPACT.height(strip));
+        return new Dimension(UIScale.scale(WIDTH), grid.heightOf(cards));
     }
 
     @Override

@@ -1,6 +1,8 @@
 package majic.gui.bots;
 
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
 import java.awt.event.MouseAdapter;
@@ -10,6 +12,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import javax.swing.JPanel;
+import javax.swing.Scrollable;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import majic.gui.kit.HelpTopic;
@@ -24,7 +27,7 @@ import majic.text.Texts;
  * The team at a glance: a card for each robot, by number. A click selects a robot, Ctrl and a click adds it to the
  * selection or removes it; a right click opens its menu. {@link StripKeys} lists the keys.
  */
-public final class TeamStrip extends JPanel implements TeamListener {
+public final class TeamStrip extends JPanel implements TeamListener, Scrollable {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(TeamStrip.class);
 
@@ -142,8 +145,48 @@ public final class TeamStrip extends JPanel implements TeamListener {
         cards().forEach(RobotCard::changed);
     }
 
+    /** Marks the selected robots, and scrolls to the first if none of them is visible. */
     private void showSelection() {
         cards().forEach(card -> card.setSelected(selection.contains(card.member())));
+        List<RobotCard> marked = cards().stream().filter(RobotCard::isSelected).toList();
+        if (!marked.isEmpty()
+                && marked.stream().noneMatch(card -> getVisibleRect().intersects(card.getBounds()))) {
+            scrollRectToVisible(marked.get(0).getBounds());
+        }
+    }
+
+    /** Returns by how many cards the one below a card is further. */
+    int cardsToNextRow() {
+        StripLayout.Grid grid = StripLayout.gridOf(this);
+        return grid.isInRows() ? grid.columns() : 1;
+    }
+
+    @Override
+    public Dimension getPreferredScrollableViewportSize() {
+        return getPreferredSize();
+    }
+
+    @Override
+    public int getScrollableUnitIncrement(Rectangle visible, int orientation, int direction) {
+        return CardSize.BADGE.height(this);
+    }
+
+    @Override
+    public int getScrollableBlockIncrement(Rectangle visible, int orientation, int direction) {
+        return Math.max(visible.height - CardSize.BADGE.height(this), 1);
+    }
+
+    @Override
+    public boolean getScrollableTracksViewportWidth() {
+        return true;
+    }
+
+    /** Only cards without buttons may be higher together than the visible part. */
+    @Override
+    public boolean getScrollableTracksViewportHeight() {
+        return getComponentCount() == 0
+                || StripLayout.gridOf(this).heightOf(getComponentCount())
+                        <= getParent().getHeight();
     }
 
     /** Opens the dialog that renames a robot. */
@@ -196,6 +239,7 @@ public final class TeamStrip extends JPanel implements TeamListener {
         @Override
         public void focusGained(FocusEvent event) {
             cards().forEach(other -> other.setFocusable(other == card));
+            scrollRectToVisible(card.getBounds());
             card.repaint();
         }
 

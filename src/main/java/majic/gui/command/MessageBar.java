@@ -3,7 +3,6 @@ package majic.gui.command;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.util.List;
-import java.util.SortedSet;
 import java.util.TreeSet;
 import javax.swing.Box;
 import javax.swing.BoxLayout;
@@ -11,6 +10,7 @@ import javax.swing.JButton;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
+import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JPanel;
 import javax.swing.JPopupMenu;
@@ -28,6 +28,8 @@ final class MessageBar extends JPanel implements ClosesByEsc {
 
     private static final int GAP = 4;
     private static final int COUNT_WIDTH = 60;
+    /** With more robots, the menu has submenus of as many. */
+    private static final int MENU_LENGTH = 20;
 
     private final MessageArea area;
     private final transient MessageSearch search;
@@ -154,15 +156,26 @@ final class MessageBar extends JPanel implements ClosesByEsc {
 
     private JPopupMenu robotMenu() {
         JPopupMenu menu = new JPopupMenu();
-        SortedSet<Integer> numbers = new TreeSet<>(area.robots());
-        numbers.add(MessageFilter.ALL_ROBOTS);
-        for (int number : numbers) {
-            JCheckBoxMenuItem item = new JCheckBoxMenuItem(
-                    MessageFilter.label(number), area.filter().robot() == number);
-            item.addActionListener(event -> area.show(area.filter().forRobot(number)));
-            menu.add(item);
+        menu.add(robotItem(MessageFilter.ALL_ROBOTS));
+        List<Integer> numbers = List.copyOf(new TreeSet<>(area.robots()));
+        if (numbers.size() <= MENU_LENGTH) {
+            numbers.forEach(number -> menu.add(robotItem(number)));
+            return menu;
+        }
+        for (int begin = 0; begin < numbers.size(); begin += MENU_LENGTH) {
+            List<Integer> part = numbers.subList(begin, Math.min(numbers.size(), begin + MENU_LENGTH));
+            JMenu submenu = new JMenu(part.get(0) + " – " + part.get(part.size() - 1));
+            part.forEach(number -> submenu.add(robotItem(number)));
+            menu.add(submenu);
         }
         return menu;
+    }
+
+    private JMenuItem robotItem(int number) {
+        JMenuItem item =
+                new JCheckBoxMenuItem(MessageFilter.label(number), area.filter().robot() == number);
+        item.addActionListener(event -> area.show(area.filter().forRobot(number)));
+        return item;
     }
 
     private JPopupMenu kindMenu() {

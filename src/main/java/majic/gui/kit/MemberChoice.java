@@ -2,9 +2,9 @@ package majic.gui.kit;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import javax.swing.JComboBox;
 import majic.team.Member;
+import majic.text.NumberList;
 import majic.text.Texts;
 
 /** A drop-down list of robots. */
@@ -20,8 +20,7 @@ public final class MemberChoice extends JComboBox<MemberChoice.Entry> {
 
         @Override
         public String toString() {
-            String numbers =
-                    members.stream().map(member -> "" + member.number()).collect(Collectors.joining(", "));
+            String numbers = NumberList.of(members.stream().map(Member::number).toList());
             return members.size() == 1 ? numbers + "  " + members.get(0).label() : TEXTS.get("selected", numbers);
         }
     }

@@ -11,17 +11,19 @@ import javax.swing.UIManager;
 import majic.panel.ScaledIcon;
 
 /**
- * A robot's number on its colour: a disc for the numbers up to 10, a rounded square for larger ones.
+ * A robot's number on its colour: a disc for the numbers up to 10, a rounded square for larger ones, which is wider from 100.
  *
  * @param number the robot's number
- * @param size width and height in pixels at the normal font size
+ * @param size height in pixels at the normal font size, and width of a number below 100
  */
 public record NumberBadge(int number, int size) implements ScaledIcon {
     private static final int LAST_DISC = 10;
+    private static final int LAST_SQUARE = 99;
+    private static final float FONT_SIZE = 0.58f;
 
     @Override
     public void paint(Component on, Graphics2D pen) {
-        paint(pen, size / 2.0, size / 2.0, "" + number);
+        paint(pen, width() / 2.0, size / 2.0, "" + number);
     }
 
     /**
@@ -37,8 +39,8 @@ public record NumberBadge(int number, int size) implements ScaledIcon {
                 number <= LAST_DISC
                         ? new Ellipse2D.Double(x - size / 2.0, y - size / 2.0, size, size)
                         : new RoundRectangle2D.Double(
-                                x - size / 2.0, y - size / 2.0, size, size, size / 3.0, size / 3.0));
-        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.BOLD, size * 0.58f));
+                                x - width() / 2.0, y - size / 2.0, width(), size, size / 3.0, size / 3.0));
+        g.setFont(UIManager.getFont("Label.font").deriveFont(Font.BOLD, size * FONT_SIZE));
         FontMetrics metrics = g.getFontMetrics();
         g.setColor(RobotColors.textOn(color));
         g.drawString(text, (float) (x - metrics.stringWidth(text) / 2.0), (float)
@@ -48,7 +50,7 @@ public record NumberBadge(int number, int size) implements ScaledIcon {
 
     @Override
     public int width() {
-        return size;
+        return number <= LAST_SQUARE ? size : size * 3 / 2;
     }
 
     @Override

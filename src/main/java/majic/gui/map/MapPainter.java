@@ -4,11 +4,14 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.AlphaComposite;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import javax.swing.UIManager;
@@ -19,7 +22,7 @@ import majic.lab.LabAccess.Wall;
 import majic.panel.map.MapView;
 import majic.text.Texts;
 
-/** Draws a scene: tape, walls, lamps, robots and legend, in that order. */
+/** Draws a scene: tape, walls, lamps, robots, labels and legend, in that order. */
 public final class MapPainter {
     private static final Texts TEXTS = Texts.of(MapPainter.class);
     /** Height in pixels of the space for scale and legend below the room. */
@@ -40,6 +43,7 @@ public final class MapPainter {
 
     private final Graphics2D g;
     private final MapView view;
+    private final LabelRoom room = new LabelRoom();
 
     MapPainter(Graphics2D g, MapView view) {
         this.g = g;
@@ -56,15 +60,24 @@ public final class MapPainter {
         scene.furnishing().tapes().forEach(this::paintTape);
         scene.walls().forEach(this::paintWall);
         scene.furnishing().lamps().forEach(this::paintLamp);
-        scene.bystanders().forEach(this::paintBystander);
         List<RobotGlyph> robots = scene.robots().stream()
                 .map(robot -> new RobotGlyph(robot, view))
                 .toList();
         robots.forEach(robot -> robot.paintTrail(g));
         robots.forEach(robot -> robot.paintBody(g));
         robots.forEach(robot -> robot.paintTruth(g));
+        paintNumbers(robots, selected);
+        scene.bystanders().forEach(this::paintBystander);
         robots.stream().filter(robot -> selected.contains(robot.number())).forEach(robot -> robot.paintSelection(g));
         paintKey(scene);
+    }
+
+    /** Draws the numbers that cover no other number; first those of robots that need attention or are selected. */
+    private void paintNumbers(List<RobotGlyph> robots, Set<Integer> selected) {
+        robots.stream()
+                .sorted(Comparator.comparing((RobotGlyph robot) -> !robot.isAlarming())
+                        .thenComparing(robot -> !selected.contains(robot.number())))
+                .forEach(robot -> robot.paintNumber(g, room));
     }
 
     /** Draws a robot where it is being dragged to, with its pose beside it. */
@@ -72,6 +85,7 @@ public final class MapPainter {
         g.setComposite(AlphaComposite.SrcOver.derive(0.7f));
         RobotGlyph glyph = new RobotGlyph(robot, view);
         glyph.paintBody(g);
+        glyph.paintNumber(g, new LabelRoom());
         g.setComposite(AlphaComposite.SrcOver);
         glyph.paintTruth(g);
         glyph.paintSelection(g);
@@ -126,7 +140,15 @@ public final class MapPainter {
         g.setStroke(THIN);
         g.setColor(Palette.faint());
         g.draw(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
-        g.drawString(bystander.name(), (float) (x + radius + 3), (float) y);
+        FontMetrics metrics = g.getFontMetrics();
+        Rectangle2D label = new Rectangle2D.Double(
+                x + radius + 3,
+                y - metrics.getAscent(),
+                metrics.stringWidth(bystander.name()),
+                metrics.getAscent() + metrics.getDescent());
+        if (room.take(label)) {
+            g.drawString(bystander.name(), (float) label.getX(), (float) y);
+        }
     }
 
     private void paintKey(MapScene scene) {

@@ -3,11 +3,13 @@ package majic.gui.map;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Stroke;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
+import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
@@ -80,10 +82,14 @@ final class RobotGlyph {
         g.setStroke(TRAIL);
         g.draw(circle(robot.reported()));
         g.fill(nose(robot.reported()));
-        paintNumber(g);
-        if (robot.stopUnconfirmed()) {
+        if (isAlarming()) {
             paintAlarm(g);
         }
+    }
+
+    /** Returns whether the robot may still move after a stop. */
+    boolean isAlarming() {
+        return robot.stopUnconfirmed();
     }
 
     /** Draws the four corners of a square around the robot. */
@@ -104,7 +110,7 @@ final class RobotGlyph {
         }
     }
 
-    /** Draws two rings around the robot and an exclamation mark beside it. */
+    /** Draws two rings around the robot. */
     private void paintAlarm(Graphics2D g) {
         g.setColor(Palette.error());
         g.setStroke(ALARM);
@@ -112,9 +118,6 @@ final class RobotGlyph {
         for (double radius = radiusPx + ALARM_GAP_PX; radius <= radiusPx + 2 * ALARM_GAP_PX; radius += ALARM_GAP_PX) {
             g.draw(new Ellipse2D.Double(middle.getX() - radius, middle.getY() - radius, 2 * radius, 2 * radius));
         }
-        double aside = radiusPx + 2 * ALARM_GAP_PX + 4;
-        g.drawString(
-                TEXTS.get("stopUnconfirmed"), (float) (middle.getX() + aside), (float) (middle.getY() - aside / 2));
     }
 
     void paintTruth(Graphics2D g) {
@@ -127,10 +130,34 @@ final class RobotGlyph {
         }
     }
 
-    private void paintNumber(Graphics2D g) {
-        String text = robot.connected() ? "" + robot.number() : robot.number() + "?";
+    /** Draws the number, and the mark of an unconfirmed stop beside the robot, where they cover no other label. */
+    void paintNumber(Graphics2D g, LabelRoom room) {
         Point2D middle = pixel(robot.reported());
-        new NumberBadge(robot.number(), UIScale.scale(BADGE_PX)).paint(g, middle.getX(), middle.getY(), text);
+        NumberBadge badge = new NumberBadge(robot.number(), UIScale.scale(BADGE_PX));
+        if (room.take(around(middle, badge.width(), badge.height()))) {
+            String text = robot.connected() ? "" + robot.number() : robot.number() + "?";
+            badge.paint(g, middle.getX(), middle.getY(), text);
+        }
+        if (isAlarming()) {
+            paintMark(g, room, middle);
+        }
+    }
+
+    private void paintMark(Graphics2D g, LabelRoom room, Point2D middle) {
+        String mark = TEXTS.get("stopUnconfirmed");
+        FontMetrics metrics = g.getFontMetrics();
+        double aside = radiusPx + 2 * ALARM_GAP_PX + 4;
+        double x = middle.getX() + aside;
+        double y = middle.getY() - aside / 2;
+        if (room.take(
+                new Rectangle2D.Double(x, y - metrics.getAscent(), metrics.stringWidth(mark), metrics.getHeight()))) {
+            g.setColor(Palette.error());
+            g.drawString(mark, (float) x, (float) y);
+        }
+    }
+
+    private static Rectangle2D around(Point2D middle, double width, double height) {
+        return new Rectangle2D.Double(middle.getX() - width / 2, middle.getY() - height / 2, width, height);
     }
 
     private Ellipse2D circle(Pose at) {

@@ -2,6 +2,7 @@ package majic.gui.bots;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Dimension;
 import javax.swing.JLabel;
 import org.junit.jupiter.api.Test;
 
@@ -11,7 +12,7 @@ class StripLayoutTest {
     private final JLabel font = new JLabel();
 
     private StripLayout.Grid grid(int cards) {
-        return StripLayout.grid(cards, HEIGHT, font);
+        return StripLayout.grid(cards, new Dimension(248, HEIGHT), font);
     }
 
     @Test
@@ -35,9 +36,19 @@ class StripLayoutTest {
 
     @Test
     void withVeryLittleRoomTheCardsAreLowerThanTheyShouldBe() {
-        StripLayout.Grid grid = StripLayout.grid(20, 90, font);
+        StripLayout.Grid grid = StripLayout.grid(20, new Dimension(248, 90), font);
         assertThat(grid.columns()).isEqualTo(3);
         assertThat(7 * grid.height()).isLessThanOrEqualTo(90);
+    }
+
+    @Test
+    void ofALargeTeamNumbersAndStatesAreInRows() {
+        StripLayout.Grid grid = grid(200);
+
+        assertThat(grid.size()).isEqualTo(CardSize.BADGE);
+        assertThat(grid.isInRows()).isTrue();
+        assertThat(grid.columns()).isGreaterThanOrEqualTo(5);
+        assertThat(grid.height()).isGreaterThanOrEqualTo(18);
     }
 
     @Test

@@ -1,0 +1,38 @@
+package majic.gui.bots;
+
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
+import java.awt.event.KeyEvent;
+import javax.swing.BorderFactory;
+import javax.swing.JScrollPane;
+import javax.swing.KeyStroke;
+
+/** Scrolls the team strip of a large team. Visible while the strip is. */
+public final class StripScroll extends JScrollPane {
+    private static final long serialVersionUID = 1L;
+
+    /** Creates it around a strip. */
+    public StripScroll(TeamStrip strip) {
+        super(strip, VERTICAL_SCROLLBAR_AS_NEEDED, HORIZONTAL_SCROLLBAR_NEVER);
+        setName("teamStripScroll");
+        setBorder(BorderFactory.createEmptyBorder());
+        setVisible(strip.isVisible());
+        strip.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentShown(ComponentEvent event) {
+                setVisible(true);
+            }
+
+            @Override
+            public void componentHidden(ComponentEvent event) {
+                setVisible(false);
+            }
+        });
+    }
+
+    /** Leaves the arrow keys to the strip, which selects robots with them. */
+    @Override
+    protected boolean processKeyBinding(KeyStroke stroke, KeyEvent event, int condition, boolean pressed) {
+        return false;
+    }
+}
