@@ -1,7 +1,5 @@
 package majic.gui.bots;
 
-import java.awt.event.ComponentAdapter;
-import java.awt.event.ComponentEvent;
 import java.awt.event.KeyEvent;
 import javax.swing.BorderFactory;
 import javax.swing.JScrollPane;
@@ -17,17 +15,6 @@ public final class StripScroll extends JScrollPane {
         setName("teamStripScroll");
         setBorder(BorderFactory.createEmptyBorder());
         setVisible(strip.isVisible());
-        strip.addComponentListener(new ComponentAdapter() {
-            @Override
-            public void componentShown(ComponentEvent event) {
-                setVisible(true);
-            }
-
-            @Override
-            public void componentHidden(ComponentEvent event) {
-                setVisible(false);
-            }
-        });
     }
 
     /** Leaves the arrow keys to the strip, which selects robots with them. */

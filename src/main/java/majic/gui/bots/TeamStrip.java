@@ -130,6 +130,15 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
         repaint();
     }
 
+    /** Hides the pane that scrolls the strip together with it. */
+    @Override
+    public void setVisible(boolean visible) {
+        super.setVisible(visible);
+        if (SwingUtilities.getAncestorOfClass(StripScroll.class, this) instanceof StripScroll scroll) {
+            scroll.setVisible(visible);
+        }
+    }
+
     @Override
     public void renamed(Member member) {
         ownerChanged(member);
