@@ -1,32 +1,23 @@
 package majic.pioneer.panel;
 
 import java.awt.Graphics2D;
-import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 import majic.panel.DrawingColors;
-import majic.panel.map.Echoes;
-import majic.panel.map.EchoesDrawing;
-import majic.panel.map.MapView;
-import majic.panel.map.TrailContent;
-import majic.panel.map.TrailDrawing;
+import majic.panel.map.EchoContent;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.SonarDisc;
 import majic.pioneer.state.SonarScan;
-import org.jspecify.annotations.Nullable;
 
 /**
  * A Pioneer on its floor, to scale: its start, its path, the echoes along that path and the cones of its sonars now.
  * {@link #record} is for the driver's threads, everything else for the event thread.
  */
-final class PioneerDrawing extends TrailContent {
+final class PioneerDrawing extends EchoContent<PioneerScene> {
     private static final Reach REACH = new Reach(0.065, 2000, 4200, 900);
 
-    private final Echoes echoes = new Echoes();
-    private @Nullable PioneerScene scene;
-
     PioneerDrawing() {
-        super(REACH, true);
+        super(REACH);
     }
 
     /** Adds a pose to the path, and its echoes. */
@@ -36,63 +27,44 @@ final class PioneerDrawing extends TrailContent {
             model.discs().stream()
                     .filter(disc -> state.sonar().atNanos(disc.number()) == state.atNanos())
                     .filter(disc -> state.sonar().rangeMm(disc.number()) < SonarScan.NOTHING_MM)
-                    .forEach(disc -> echoes.add(echo(disc, state)));
+                    .forEach(disc -> addEcho(disc, state));
         }
     }
 
-    private static Echoes.Echo echo(SonarDisc disc, PioneerState state) {
+    private void addEcho(SonarDisc disc, PioneerState state) {
         double range = state.sonar().rangeMm(disc.number());
-        Pose pose = state.pose();
-        double cos = Math.cos(Math.toRadians(pose.headingDeg()));
-        double sin = Math.sin(Math.toRadians(pose.headingDeg()));
-        double x = disc.echoX(range);
-        double y = disc.echoY(range);
-        return new Echoes.Echo(pose.xMm() + x * cos - y * sin, pose.yMm() + x * sin + y * cos, state.atNanos());
+        addEcho(state.pose(), disc.echoX(range), disc.echoY(range), state.atNanos());
     }
 
     void show(PioneerScene newScene) {
-        scene = newScene;
+        showScene(newScene);
     }
 
     @Override
-    public Pose pose() {
-        PioneerScene shown = scene;
-        return shown == null ? Pose.START : shown.state().pose();
+    protected Pose pose(PioneerScene scene) {
+        return scene.state().pose();
     }
 
     @Override
-    protected void extend(Rectangle2D extent) {
-        echoes.all().forEach(echo -> extent.add(echo.xMm(), echo.yMm()));
+    protected boolean isConnected(PioneerScene scene) {
+        return scene.isConnected();
     }
 
     @Override
-    public void clear() {
-        super.clear();
-        echoes.clear();
+    protected long nowNanos(PioneerScene scene) {
+        return scene.state().atNanos();
     }
 
     @Override
-    public void paint(Graphics2D pen, MapView view) {
-        PioneerScene shown = scene;
-        if (shown == null) {
-            paintNoReading(pen, view);
-            return;
+    protected void paintSensing(Graphics2D pen, PioneerScene scene, DrawingColors colors, double pxPerMm) {
+        if (scene.isConnected() && scene.state().sonarOn()) {
+            new ConesDrawing(scene.state(), colors, pxPerMm)
+                    .paint(pen, scene.model().discs());
         }
-        DrawingColors colors = shown.isConnected()
-                ? DrawingColors.current()
-                : DrawingColors.current().faded();
-        TrailDrawing.paintStart(pen, view, colors);
-        Graphics2D robot = inRobotFrame(pen, view, shown.state().pose());
-        if (shown.isConnected() && shown.state().sonarOn()) {
-            new ConesDrawing(shown.state(), colors, view.pxPerMm())
-                    .paint(robot, shown.model().discs());
-        }
-        paintTrail(pen, view, colors);
-        Graphics2D echoPen = (Graphics2D) pen.create();
-        new EchoesDrawing(colors, view)
-                .paint(echoPen, echoes.all(), shown.state().atNanos());
-        echoPen.dispose();
-        new PioneerBodyDrawing(shown, colors, view.pxPerMm()).paint(robot);
-        robot.dispose();
+    }
+
+    @Override
+    protected void paintBody(Graphics2D pen, PioneerScene scene, DrawingColors colors, double pxPerMm) {
+        new PioneerBodyDrawing(scene, colors, pxPerMm).paint(pen);
     }
 }
