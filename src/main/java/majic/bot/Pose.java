@@ -58,6 +58,17 @@ public record Pose(double xMm, double yMm, double headingDeg) {
     }
 
     /**
+     * Returns how far ahead of this pose a place is, along its heading.
+     *
+     * @param place in the same frame
+     * @return mm; negative for a place behind
+     */
+    public double aheadMm(Pose place) {
+        double heading = Math.toRadians(headingDeg);
+        return (place.xMm - xMm) * Math.cos(heading) + (place.yMm - yMm) * Math.sin(heading);
+    }
+
+    /**
      * Converts a pose relative to this one into the frame in which this one is given.
      *
      * @param relative for instance what a robot reports, from where it was added

@@ -1,6 +1,7 @@
 package majic.bot;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import org.junit.jupiter.api.Test;
 
@@ -10,6 +11,14 @@ class PoseFrameTest {
         Pose place = new Pose(1000, 500, 90).plus(new Pose(200, 0, 10));
         assertThat(place.distanceMm(new Pose(1000, 700, 0))).isLessThan(1e-6);
         assertThat(place.headingDeg()).isEqualTo(100);
+    }
+
+    @Test
+    void aPlaceBehindIsANegativeDistanceAheadAndOneAsideIsNone() {
+        Pose looksUp = new Pose(1000, 500, 90);
+        assertThat(looksUp.aheadMm(new Pose(1000, 200, 0))).isCloseTo(-300, within(1e-9));
+        assertThat(looksUp.aheadMm(new Pose(700, 500, 0))).isCloseTo(0, within(1e-9));
+        assertThat(looksUp.aheadMm(new Pose(5000, 520, 0))).isCloseTo(20, within(1e-9));
     }
 
     @Test

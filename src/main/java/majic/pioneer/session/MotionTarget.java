@@ -57,9 +57,7 @@ public sealed interface MotionTarget {
 
         @Override
         public double covered(PioneerState now) {
-            double heading = Math.toRadians(start.pose().headingDeg());
-            return (now.pose().xMm() - start.pose().xMm()) * Math.cos(heading)
-                    + (now.pose().yMm() - start.pose().yMm()) * Math.sin(heading);
+            return start.pose().aheadMm(now.pose());
         }
 
         @Override

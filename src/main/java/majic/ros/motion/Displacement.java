@@ -64,9 +64,7 @@ sealed interface Displacement {
 
         @Override
         public double covered(TrackedState now) {
-            double heading = Math.toRadians(start.pose().headingDeg());
-            return (now.pose().xMm() - start.pose().xMm()) * Math.cos(heading)
-                    + (now.pose().yMm() - start.pose().yMm()) * Math.sin(heading);
+            return start.pose().aheadMm(now.pose());
         }
 
         @Override

@@ -98,7 +98,7 @@ final class OdometryTracker {
         double movedDegPerSec = 0;
         boolean continuous = old == null || old.jumps() == jumps;
         if (old != null && seconds > 0 && continuous) {
-            movedMmPerSec = aheadMm(old.pose(), pose) / seconds;
+            movedMmPerSec = travelledMm(old.pose(), pose) / seconds;
             movedDegPerSec = (turnedDeg - old.turnedDeg()) / seconds;
         }
         boolean stationary =
@@ -113,10 +113,10 @@ final class OdometryTracker {
                 atNanos);
     }
 
-    private static double aheadMm(Pose from, Pose to) {
-        double heading = Math.toRadians(to.headingDeg());
-        double along = (to.xMm() - from.xMm()) * Math.cos(heading) + (to.yMm() - from.yMm()) * Math.sin(heading);
-        return Math.copySign(from.distanceMm(to), along);
+    /** The distance between two poses, negative for a motion backward. */
+    private static double travelledMm(Pose from, Pose to) {
+        double distance = from.distanceMm(to);
+        return to.aheadMm(from) > 0 ? -distance : distance;
     }
 
     private static boolean isStationary(double mmPerSec, double degPerSec) {
