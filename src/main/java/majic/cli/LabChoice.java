@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.Iterator;
 import java.util.Map;
 import java.util.Stack;
+import java.util.function.Function;
 import majic.program.UsageException;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
@@ -132,11 +133,13 @@ final class LabChoice {
 
     /** Returns the options with which a lab of this choice is opened. */
     LabOptions options() throws IOException {
-        RosOptions ros = ros();
+        RosOptions ros = rosModel == null ? null : model("--ros", rosModel, RosOptions::parse);
         Room room =
                 world == null ? LabOptions.roomFor(pioneers() + (ros == null ? 0 : ros.robots())) : Room.load(world);
         LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort), port(rosPort));
-        return new LabOptions(room, exact, seed, ports, !exact, model(), hemisson(), pioneers(), ros);
+        String pioneer = model("--pioneer-model", pioneerModel, PioneerRobot::modelNamed);
+        HemissonOptions hemisson = model("--hemisson-model", hemissonModel, HemissonOptions::parse);
+        return new LabOptions(room, exact, seed, ports, !exact, pioneer, hemisson, pioneers(), ros);
     }
 
     /** Returns its speed, after a check. */
@@ -156,14 +159,6 @@ final class LabChoice {
         }
     }
 
-    private String model() {
-        try {
-            return PioneerRobot.modelNamed(pioneerModel);
-        } catch (IllegalArgumentException e) {
-            throw new UsageException("--pioneer-model " + pioneerModel + ": " + e.getMessage());
-        }
-    }
-
     private int pioneers() {
         if (pioneers < 1 || pioneers > LabOptions.MOST_PIONEERS) {
             throw new UsageException("--pioneers " + pioneers + ": outside 1 … " + LabOptions.MOST_PIONEERS);
@@ -171,19 +166,12 @@ final class LabChoice {
         return pioneers;
     }
 
-    private HemissonOptions hemisson() {
+    /** Reads the model of a robot, whose parser says what would be right. */
+    private static <T> T model(String option, String chosen, Function<String, T> parser) {
         try {
-            return HemissonOptions.parse(hemissonModel);
+            return parser.apply(chosen);
         } catch (IllegalArgumentException e) {
-            throw new UsageException("--hemisson-model " + hemissonModel + ": " + e.getMessage());
-        }
-    }
-
-    private @Nullable RosOptions ros() {
-        try {
-            return rosModel == null ? null : RosOptions.parse(rosModel);
-        } catch (IllegalArgumentException e) {
-            throw new UsageException("--ros " + rosModel + ": " + e.getMessage());
+            throw new UsageException(option + " " + chosen + ": " + e.getMessage());
         }
     }
 
