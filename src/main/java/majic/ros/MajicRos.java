@@ -21,6 +21,7 @@ import majic.ros.graph.KnownRobots;
 import majic.ros.message.CompressedPicture;
 import majic.ros.message.OdometryMessage;
 import majic.ros.motion.BaseOwner;
+import majic.ros.motion.ObstructionSource;
 import majic.ros.motion.RosMotion;
 import majic.ros.motion.RosMotion.PoseSource;
 import majic.ros.panel.RosPanel;
@@ -113,7 +114,6 @@ public final class MajicRos extends BotDriver {
                 owner,
                 opening,
                 RosProfiles.dynamics(opening.robot()),
-                sensing,
                 lastPose,
                 hasOdometry ? PoseSource.ODOMETRY : PoseSource.COMMANDS);
         motions = next;
@@ -328,6 +328,11 @@ public final class MajicRos extends BotDriver {
         @Override
         public RobotWait waiting() {
             return new RobotWait(time(), changes());
+        }
+
+        @Override
+        public ObstructionSource obstructions() {
+            return sensing;
         }
 
         @Override

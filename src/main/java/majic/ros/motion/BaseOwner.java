@@ -11,6 +11,9 @@ public interface BaseOwner {
     /** The clock, and the signal that is raised after each reading, stop and change of the connection. */
     RobotWait waiting();
 
+    /** The contact sensors of the robot. */
+    ObstructionSource obstructions();
+
     /**
      * Runs a task once on the timer thread of the robot.
      *

@@ -64,20 +64,13 @@ public final class RosMotion {
      * @param owner its driver
      * @param output its velocity topic
      * @param dynamics its limits
-     * @param obstructions its contact sensors
      * @param start the pose that the first reading stands for
      * @param source whether it has odometry
      */
-    public RosMotion(
-            BaseOwner owner,
-            VelocityOutput output,
-            BaseDynamics dynamics,
-            ObstructionSource obstructions,
-            Pose start,
-            PoseSource source) {
+    public RosMotion(BaseOwner owner, VelocityOutput output, BaseDynamics dynamics, Pose start, PoseSource source) {
         this.owner = owner;
         this.dynamics = dynamics;
-        this.obstructions = obstructions;
+        this.obstructions = owner.obstructions();
         this.sender = new VelocitySender(output, owner.waiting().time(), this::sent);
         this.base = new MovingBase(owner.waiting(), sender);
         this.driving = new VelocityDrive(base, obstructions, dynamics);

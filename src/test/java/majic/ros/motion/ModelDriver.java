@@ -1,11 +1,8 @@
 package majic.ros.motion;
 
-import java.util.List;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
-import majic.bot.BotType;
 import majic.bot.LinkLost;
-import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Value;
@@ -14,6 +11,7 @@ import majic.driver.Motion;
 import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
+import majic.ros.RosType;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -32,7 +30,7 @@ final class ModelDriver extends BotDriver {
     private volatile boolean wasMoving;
 
     ModelDriver(TimeSource time, double timeoutS, RosMotion.PoseSource source) {
-        super(new Type(), size(), new BotEnvironment(time, Settings.inMemory()));
+        super(new RosType(), size(), new BotEnvironment(time, Settings.inMemory()));
         this.dynamics = BaseDynamics.of(FASTEST_MM_PER_SEC, FASTEST_DEG_PER_SEC, timeoutS);
         this.source = source;
     }
@@ -86,7 +84,7 @@ final class ModelDriver extends BotDriver {
 
     @Override
     protected void open() {
-        RosMotion opened = new RosMotion(owner, owner, dynamics, () -> obstruction, Pose.START, source);
+        RosMotion opened = new RosMotion(owner, owner, dynamics, Pose.START, source);
         motions = opened;
         opened.begin(wasMoving);
         owner.waiting().awaitConnecting(opened::hasReported, 3);
@@ -139,6 +137,11 @@ final class ModelDriver extends BotDriver {
         }
 
         @Override
+        public ObstructionSource obstructions() {
+            return () -> obstruction;
+        }
+
+        @Override
         public void once(String what, double seconds, Runnable task) {
             ModelDriver.this.once(what, seconds, task);
         }
@@ -161,44 +164,6 @@ final class ModelDriver extends BotDriver {
         @Override
         public void publish(double mmPerSec, double degPerSec) {
             base().command(mmPerSec, degPerSec);
-        }
-    }
-
-    /** The type of this driver. */
-    static final class Type implements BotType {
-        @Override
-        public String name() {
-            return "model";
-        }
-
-        @Override
-        public String label() {
-            return "model";
-        }
-
-        @Override
-        public String make() {
-            return "model";
-        }
-
-        @Override
-        public List<Reach> reaches() {
-            return List.of(Reach.TCP);
-        }
-
-        @Override
-        public int defaultPort() {
-            return 1;
-        }
-
-        @Override
-        public String advice() {
-            return "Look at the test.";
-        }
-
-        @Override
-        public MajicBot create(String address, BotEnvironment environment) {
-            throw new UnsupportedOperationException("made by tests");
         }
     }
 }

@@ -8,8 +8,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Supplier;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
-import majic.bot.BotType;
-import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Unit;
@@ -20,6 +18,7 @@ import majic.driver.RobotWait;
 import majic.drivertest.TestClock;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
+import majic.ros.RosType;
 import majic.ros.message.CompressedPicture;
 import majic.ros.message.OdometryMessage;
 import majic.ros.navigation.Navigation;
@@ -120,7 +119,7 @@ public final class FakeRosRobot implements AutoCloseable {
 
         Driver(BotEnvironment environment) {
             super(
-                    new Type(),
+                    new RosType(),
                     new BotProfile(100, new Range(-300, 300), new Range(-90, 90), 100, 45, 100, false),
                     environment);
         }
@@ -163,44 +162,6 @@ public final class FakeRosRobot implements AutoCloseable {
             halts.incrementAndGet();
             client.publish("/cmd_vel", "geometry_msgs/Twist", FakeRosClient.json("{}"));
             navigation.cancel();
-        }
-    }
-
-    /** Needed by every driver. */
-    private static final class Type implements BotType {
-        @Override
-        public String name() {
-            return "fakeros";
-        }
-
-        @Override
-        public String label() {
-            return "fake ROS robot";
-        }
-
-        @Override
-        public String make() {
-            return "fake";
-        }
-
-        @Override
-        public List<Reach> reaches() {
-            return List.of(Reach.TCP);
-        }
-
-        @Override
-        public int defaultPort() {
-            return 1;
-        }
-
-        @Override
-        public String advice() {
-            return "Look at the test.";
-        }
-
-        @Override
-        public MajicBot create(String address, BotEnvironment environment) {
-            throw new UnsupportedOperationException();
         }
     }
 }
