@@ -1,11 +1,14 @@
 package majic.ros;
 
+import static majic.ros.RosLabSteps.aside;
+import static majic.ros.RosLabSteps.connected;
+import static majic.ros.RosLabSteps.frontMm;
+import static majic.ros.RosLabSteps.pass;
+import static majic.ros.RosLabSteps.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
-import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import majic.LabRig;
 import majic.LabRobot;
@@ -13,7 +16,6 @@ import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.Pose;
-import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -22,44 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Sensors, services and goals of a simulated robot that does not do what it should. */
 class RosSensorFaultsTest {
-    private static final double WALL_X_MM = 4500;
     private static final double X_MM = 3500;
-
-    private static LabRobot connected(String model) {
-        LabRobot robot = new LabRobot("ros", LabRig.exactWithRos(model)).at(X_MM, 0, 0);
-        robot.bot().connect();
-        return robot;
-    }
-
-    private static String run(LabRobot robot, String command, Object... arguments) {
-        List<Value> values = Arrays.stream(arguments)
-                .map(argument -> argument instanceof Integer number
-                        ? Value.of(number, Unit.NONE)
-                        : Value.text(argument.toString()))
-                .toList();
-        return robot.bot().run(command, values);
-    }
-
-    private static CompletableFuture<String> aside(LabRobot robot, String command, Object... arguments) {
-        CompletableFuture<String> outcome = new CompletableFuture<>();
-        robot.bot()
-                .time()
-                .thread("command", () -> outcome.completeAsync(() -> run(robot, command, arguments), Runnable::run))
-                .start();
-        return outcome;
-    }
-
-    private static void pass(LabRobot robot, double seconds) {
-        try {
-            robot.bot().time().sleep(seconds);
-        } catch (InterruptedException e) {
-            throw new AssertionError(e);
-        }
-    }
-
-    private static double frontMm(LabRobot robot) {
-        return WALL_X_MM - robot.truePose().xMm() - robot.bot().profile().bodyMm();
-    }
 
     @ParameterizedTest(name = "ROS {0}")
     @CsvSource({
@@ -68,7 +33,7 @@ class RosSensorFaultsTest {
         "1, the robot gave the goal up"
     })
     void aRejectedGoalFailsAndTheRobotIsUsableAfterwards(String model, String message) {
-        try (LabRobot robot = connected(model)) {
+        try (LabRobot robot = connected(model, X_MM)) {
             robot.besideRos(ros -> ros.rejectGoals(true));
 
             assertThatThrownBy(() -> run(robot, "goto", 500, 0))
@@ -84,7 +49,7 @@ class RosSensorFaultsTest {
     @ParameterizedTest(name = "ROS {0}")
     @ValueSource(strings = {"1", "2", "2+unblocked"})
     void aStopCancelsAGoalEvenIfServicesDoNotAnswer(String model) {
-        try (LabRobot robot = connected(model)) {
+        try (LabRobot robot = connected(model, X_MM)) {
             robot.at(1000, 0, 0);
             Pose start = robot.truePose();
             CompletableFuture<String> drive = aside(robot, "goto", 3000, 0);
@@ -105,7 +70,7 @@ class RosSensorFaultsTest {
     @ParameterizedTest(name = "ROS {0}")
     @ValueSource(strings = {"1", "2"})
     void aServiceThatDoesNotAnswerHoldsUpNothingElse(String model) {
-        try (LabRobot robot = connected(model)) {
+        try (LabRobot robot = connected(model, X_MM)) {
             robot.besideRos(ros -> ros.withoutServices(true));
 
             assertThatThrownBy(() -> run(robot, "call", "rosapi/topic_type", "topic=/scan"))
@@ -118,7 +83,7 @@ class RosSensorFaultsTest {
 
     @Test
     void aScanInWhichTwoOfThreeReadingsAreUnusableStillGivesTheDistance() {
-        try (LabRobot robot = connected("1")) {
+        try (LabRobot robot = connected("1", X_MM)) {
             robot.besideRos(ros -> ros.spoilScans(true));
             pass(robot, 1);
 
@@ -129,7 +94,7 @@ class RosSensorFaultsTest {
 
     @Test
     void aScannerThatFallsSilentMakesDistancesUnknownAndEndsAGuardedMotion() {
-        try (LabRobot robot = connected("1")) {
+        try (LabRobot robot = connected("1", X_MM)) {
             robot.at(1000, 0, 0);
             pass(robot, 1);
             robot.besideRos(ros -> ros.silence("/scan", true));
@@ -150,7 +115,7 @@ class RosSensorFaultsTest {
     @ParameterizedTest
     @ValueSource(doubles = {-3600, 3600, 1e8})
     void aJumpOfTheRobotsClockChangesNothing(double seconds) {
-        try (LabRobot robot = connected("2")) {
+        try (LabRobot robot = connected("2", X_MM)) {
             robot.besideRos(ros -> ros.jumpClock(seconds));
             pass(robot, 0.5);
 
@@ -161,7 +126,7 @@ class RosSensorFaultsTest {
 
     @Test
     void messagesThatAreCutOffAreLeftOut() {
-        try (LabRobot robot = connected("2")) {
+        try (LabRobot robot = connected("2", X_MM)) {
             robot.besideRos(ros -> ros.malform(30));
             pass(robot, 1);
 
@@ -171,7 +136,7 @@ class RosSensorFaultsTest {
 
     @Test
     void aTopicThatFloodsIsReadLikeAnyOther() {
-        try (LabRobot robot = connected("2")) {
+        try (LabRobot robot = connected("2", X_MM)) {
             robot.besideRos(ros -> ros.rate("/imu", 1000));
 
             assertThat(robot.bot().get("gyro").number()).isCloseTo(0, within(1.0));

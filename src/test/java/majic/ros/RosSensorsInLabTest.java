@@ -1,15 +1,18 @@
 package majic.ros;
 
+import static majic.ros.RosLabSteps.WALL_X_MM;
+import static majic.ros.RosLabSteps.aside;
+import static majic.ros.RosLabSteps.connected;
+import static majic.ros.RosLabSteps.frontMm;
+import static majic.ros.RosLabSteps.pass;
+import static majic.ros.RosLabSteps.run;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.stream.Stream;
-import majic.LabRig;
 import majic.LabRobot;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
@@ -26,40 +29,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Parameters, commands and goals of the simulated robot, compared with where it really is. */
 class RosSensorsInLabTest {
-    private static final double WALL_X_MM = 4500;
-
-    private static LabRobot connected(String model, double xMm) {
-        LabRobot robot = new LabRobot("ros", LabRig.exactWithRos(model)).at(xMm, 0, 0);
-        robot.bot().connect();
-        return robot;
-    }
-
-    private static String run(LabRobot robot, String command, Object... arguments) {
-        Stream<Value> values = Arrays.stream(arguments)
-                .map(argument -> argument instanceof Integer number
-                        ? Value.of(number, Unit.NONE)
-                        : Value.text(argument.toString()));
-        return robot.bot().run(command, values.toList());
-    }
-
-    /** Runs a command on a thread that uses the clock of the lab. */
-    private static CompletableFuture<String> aside(LabRobot robot, String command, Object... arguments) {
-        CompletableFuture<String> outcome = new CompletableFuture<>();
-        robot.bot()
-                .time()
-                .thread("command", () -> outcome.completeAsync(() -> run(robot, command, arguments), Runnable::run))
-                .start();
-        return outcome;
-    }
-
-    private static void pass(LabRobot robot, double seconds) {
-        try {
-            robot.bot().time().sleep(seconds);
-        } catch (InterruptedException e) {
-            throw new AssertionError(e);
-        }
-    }
-
     @ParameterizedTest(name = "ROS {0}")
     @ValueSource(strings = {"1", "2", "2+stamped", "2+namespace=tb3_0"})
     void allParametersHaveValuesSoonAfterTheRobotIsConnected(String model) {
@@ -99,9 +68,7 @@ class RosSensorsInLabTest {
             MotionReport report = robot.bot()
                     .move(2000, () -> robot.bot().get("distanceFront").number() < 300);
 
-            double leftMm =
-                    WALL_X_MM - robot.truePose().xMm() - robot.bot().profile().bodyMm();
-            assertThat(leftMm).isBetween(200.0, 300.0);
+            assertThat(frontMm(robot)).isBetween(200.0, 300.0);
             assertThat(report.amount()).isNotNull();
         }
     }
