@@ -88,6 +88,14 @@ public final class FakeConnection implements BrokerConnection {
         lose("the connection was reset", true);
     }
 
+    /** Ends the connection as a reset does; it cannot be made again before {@link #restore}. */
+    public void unplug() {
+        synchronized (broker) {
+            unreachable = true;
+        }
+        drop();
+    }
+
     /** Ends the program of the client as a crash does: its will is published, and it never does anything again. */
     public void kill() {
         synchronized (broker) {
@@ -179,7 +187,8 @@ public final class FakeConnection implements BrokerConnection {
         connected = true;
         holding = false;
         deadlineNanos = Long.MAX_VALUE;
-        event(() -> watchers.forEach(Watcher::connected));
+        List<Watcher> present = List.copyOf(watchers);
+        event(() -> present.forEach(Watcher::connected));
         subscriptions.all().forEach(one -> broker.deliverRetained(this, one.filter()));
     }
 
@@ -238,8 +247,8 @@ public final class FakeConnection implements BrokerConnection {
 
     @Override
     public void watch(Watcher watcher) {
-        watchers.add(watcher);
         synchronized (broker) {
+            watchers.add(watcher);
             if (connected) {
                 event(watcher::connected);
             }

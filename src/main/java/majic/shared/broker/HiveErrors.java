@@ -1,0 +1,142 @@
+package majic.shared.broker;
+
+import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
+import com.hivemq.client.mqtt.exceptions.MqttDecodeException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5ConnAckException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
+import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAck;
+import java.util.Optional;
+import java.util.concurrent.TimeoutException;
+import javax.net.ssl.SSLException;
+import javax.net.ssl.SSLHandshakeException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
+
+/** What the client library throws, in sentences for the user. */
+final class HiveErrors {
+    private HiveErrors() {}
+
+    /** Explains why a connection was not made. */
+    static ConnectFailed connectFailed(BrokerAddress address, Throwable failure) {
+        Optional<Mqtt5ConnAckException> refused = cause(failure, Mqtt5ConnAckException.class);
+        if (refused.isPresent()) {
+            return refused(address, refused.get().getMqttMessage(), failure);
+        }
+        if (cause(failure, SSLException.class).isPresent()) {
+            return tls(address, failure);
+        }
+        if (cause(failure, MqttDecodeException.class).isPresent()) {
+            return new ConnectFailed(
+                    Reason.WRONG_DEVICE,
+                    address + ": what answers at this port is no broker that speaks MQTT 5; is the port right, and the"
+                            + " broker new enough?",
+                    failure);
+        }
+        if (cause(failure, TimeoutException.class).isPresent()) {
+            return noAnswer(address, failure);
+        }
+        return closed(address, failure);
+    }
+
+    /** The port was reached, but nothing answered. */
+    static ConnectFailed noAnswer(BrokerAddress address, Throwable failure) {
+        return new ConnectFailed(
+                Reason.NO_ANSWER,
+                address + ": the port was reached, but no broker answers there; is the port right, and the scheme"
+                        + otherScheme(address),
+                failure);
+    }
+
+    private static ConnectFailed closed(BrokerAddress address, Throwable failure) {
+        boolean byBroker = cause(failure, ConnectionClosedException.class).isPresent();
+        return new ConnectFailed(
+                byBroker ? Reason.WRONG_DEVICE : Reason.OTHER,
+                address
+                        + ": the connection was closed before a broker answered; is the port that of a broker for MQTT 5, and"
+                        + " the scheme" + otherScheme(address),
+                failure);
+    }
+
+    private static String otherScheme(BrokerAddress address) {
+        return address.secure() ? ", or is it mqtt:// (without TLS)?" : ", or is it mqtts:// (with TLS)?";
+    }
+
+    private static ConnectFailed refused(BrokerAddress address, Mqtt5ConnAck answer, Throwable failure) {
+        String said = answer.getReasonString().map(text -> " (" + text + ")").orElse("");
+        return switch (answer.getReasonCode()) {
+            case BAD_USER_NAME_OR_PASSWORD, NOT_AUTHORIZED, BAD_AUTHENTICATION_METHOD, BANNED ->
+                new ConnectFailed(
+                        Reason.NOT_ALLOWED,
+                        address + ": the broker refuses the user name or the password" + said
+                                + "; write them into the file brokers.properties of the user's folder, or into the"
+                                + " environment as MAJIC_MQTT_USER and MAJIC_MQTT_PASSWORD",
+                        failure);
+            case UNSUPPORTED_PROTOCOL_VERSION ->
+                new ConnectFailed(
+                        Reason.WRONG_DEVICE,
+                        address + ": the broker does not speak MQTT 5" + said + "; use a newer one",
+                        failure);
+            case SERVER_BUSY, SERVER_UNAVAILABLE, QUOTA_EXCEEDED, CONNECTION_RATE_EXCEEDED ->
+                new ConnectFailed(Reason.BUSY, address + ": the broker is busy" + said + "; try again later", failure);
+            default ->
+                new ConnectFailed(
+                        Reason.OTHER,
+                        address + ": the broker refuses the connection: "
+                                + answer.getReasonCode()
+                                        .toString()
+                                        .replace('_', ' ')
+                                        .toLowerCase(java.util.Locale.ROOT) + said,
+                        failure);
+        };
+    }
+
+    private static ConnectFailed tls(BrokerAddress address, Throwable failure) {
+        if (cause(failure, SSLHandshakeException.class).isPresent()) {
+            return new ConnectFailed(
+                    Reason.NOT_ALLOWED,
+                    address + ": no trusted TLS connection: " + innermost(failure)
+                            + "; a certificate that this computer does not know is named in the file brokers.properties, as"
+                            + " broker." + address.host() + ".ca=FILE.pem",
+                    failure);
+        }
+        return new ConnectFailed(
+                Reason.WRONG_DEVICE,
+                address + ": the port speaks no TLS; is the port right, or is the address mqtt://" + address.host()
+                        + ":" + address.port() + "/" + address.site() + "?",
+                failure);
+    }
+
+    /** Says how a connection was lost, as half a sentence. */
+    static String lost(Throwable failure) {
+        Optional<Mqtt5DisconnectException> told = cause(failure, Mqtt5DisconnectException.class);
+        if (told.isPresent()) {
+            return "the broker ended the connection: "
+                    + told.get()
+                            .getMqttMessage()
+                            .getReasonCode()
+                            .toString()
+                            .replace('_', ' ')
+                            .toLowerCase(java.util.Locale.ROOT);
+        }
+        String message = String.valueOf(failure.getMessage());
+        return message.startsWith("Timeout") ? "the broker does not answer" : "the broker closed the connection";
+    }
+
+    /** Returns the innermost reason, as the system words it. */
+    static String innermost(Throwable failure) {
+        Throwable innermost = failure;
+        while (innermost.getCause() != null) {
+            innermost = innermost.getCause();
+        }
+        return String.valueOf(innermost.getMessage());
+    }
+
+    private static <T extends Throwable> Optional<T> cause(Throwable failure, Class<T> type) {
+        for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
+            if (type.isInstance(cause)) {
+                return Optional.of(type.cast(cause));
+            }
+        }
+        return Optional.empty();
+    }
+}

@@ -1,0 +1,140 @@
+package majic.shared.broker;
+
+import com.hivemq.client.mqtt.MqttGlobalPublishFilter;
+import com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient;
+import com.hivemq.client.mqtt.mqtt5.Mqtt5Client;
+import com.hivemq.client.mqtt.mqtt5.Mqtt5ClientBuilder;
+import com.hivemq.client.mqtt.mqtt5.message.connect.Mqtt5Connect;
+import com.hivemq.client.mqtt.mqtt5.message.connect.Mqtt5ConnectBuilder;
+import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Consumer;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
+
+/**
+ * One session of the client library with a broker, from the packet CONNECT to its end. It begins without a state and ends
+ * with its TCP connection, so neither side keeps a message for a later session.
+ */
+final class HiveSession {
+    /** Queued messages that arrive, of both qualities; the library drops further ones of quality of service 0. */
+    private static final int RECEIVE_MAXIMUM = 500;
+
+    private static final int LARGEST_PACKET_BYTES = 1 << 20;
+    private static final long TIMEOUT_MS = 2_500;
+
+    private final Mqtt5AsyncClient client;
+    private volatile boolean accepted;
+
+    private HiveSession(Mqtt5ClientBuilder builder, Consumer<Throwable> lost) {
+        client = builder.addDisconnectedListener(context -> {
+                    if (accepted) {
+                        accepted = false;
+                        lost.accept(context.getCause());
+                    }
+                })
+                .buildAsync();
+    }
+
+    /**
+     * Connects to a broker. Blocks for at most 5 s.
+     *
+     * @param received called for each message, on the executor
+     * @param lost called once when an accepted session ends otherwise than by {@link #disconnect}
+     * @throws ConnectFailed with the reason and advice
+     */
+    static HiveSession open(
+            BrokerAddress address,
+            ConnectOptions options,
+            Executor handlers,
+            Consumer<BrokerMessage> received,
+            Consumer<Throwable> lost) {
+        BrokerCredentials credentials =
+                BrokerCredentials.find(address, options.environment().settings());
+        InetAddress computer = BrokerReach.find(address);
+        Mqtt5ClientBuilder builder = Mqtt5Client.builder()
+                .identifier(options.clientId())
+                .executorConfig(HiveThreads.config())
+                .transportConfig()
+                .serverAddress(new InetSocketAddress(computer, address.port()))
+                .socketConnectTimeout(TIMEOUT_MS, TimeUnit.MILLISECONDS)
+                .mqttConnectTimeout(TIMEOUT_MS, TimeUnit.MILLISECONDS)
+                .sslConfig(address.secure() ? HiveTls.config(credentials) : null)
+                .applyTransportConfig();
+        HiveSession session = new HiveSession(builder, lost);
+        Consumer<Mqtt5Publish> arrival = publish -> received.accept(HiveMessages.received(publish));
+        session.client.publishes(MqttGlobalPublishFilter.ALL, arrival, handlers);
+        session.connect(address, connect(options, credentials));
+        return session;
+    }
+
+    private static Mqtt5Connect connect(ConnectOptions options, BrokerCredentials credentials) {
+        Mqtt5ConnectBuilder connect = Mqtt5Connect.builder()
+                .cleanStart(true)
+                .sessionExpiryInterval(0)
+                .keepAlive(options.keepAliveSeconds())
+                .restrictions()
+                .receiveMaximum(RECEIVE_MAXIMUM)
+                .maximumPacketSize(LARGEST_PACKET_BYTES)
+                .applyRestrictions();
+        BrokerMessage will = options.will();
+        if (will != null) {
+            connect = connect.willPublish(HiveMessages.will(will));
+        }
+        return credentials.login().map(connect::simpleAuth).orElse(connect).build();
+    }
+
+    private void connect(BrokerAddress address, Mqtt5Connect packet) {
+        CompletableFuture<?> answer = client.connect(packet);
+        try {
+            answer.get(TIMEOUT_MS + 500, TimeUnit.MILLISECONDS);
+            accepted = true;
+        } catch (ExecutionException e) {
+            throw HiveErrors.connectFailed(address, e.getCause());
+        } catch (TimeoutException e) {
+            answer.cancel(true);
+            client.disconnect();
+            throw HiveErrors.noAnswer(address, e);
+        } catch (InterruptedException e) {
+            answer.cancel(true);
+            client.disconnect();
+            Thread.currentThread().interrupt();
+            throw new ConnectFailed(Reason.OTHER, "interrupted while connecting to " + address, e);
+        }
+    }
+
+    /** Returns whether the broker has accepted this client and the connection exists. */
+    boolean isOpen() {
+        return accepted && client.getState().isConnected();
+    }
+
+    /** Sends a subscription; completed when the broker has acknowledged it. */
+    CompletableFuture<?> subscribe(String filter, Quality quality) {
+        return client.subscribeWith()
+                .topicFilter(filter)
+                .qos(HiveMessages.quality(quality))
+                .send();
+    }
+
+    /** Ends a subscription. */
+    void unsubscribe(String filter) {
+        client.unsubscribeWith().topicFilter(filter).send();
+    }
+
+    /** Queues a message; completed when it has been acknowledged or, with quality of service 0, written. */
+    CompletableFuture<?> publish(BrokerMessage message) {
+        return client.publish(HiveMessages.publish(message));
+    }
+
+    /** Ends the session after what was queued; the broker does not publish the will. */
+    CompletableFuture<?> disconnect() {
+        accepted = false;
+        return client.disconnect();
+    }
+}

@@ -1,0 +1,79 @@
+package majic.shared.broker;
+
+import com.hivemq.client.mqtt.MqttClientSslConfig;
+import com.hivemq.client.mqtt.MqttClientSslConfigBuilder;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.security.cert.Certificate;
+import java.security.cert.CertificateFactory;
+import javax.net.ssl.KeyManagerFactory;
+import javax.net.ssl.TrustManagerFactory;
+import majic.bot.BotException;
+
+/** TLS as the client library takes it: the certificates that are trusted and shown. Names are checked as for HTTPS. */
+final class HiveTls {
+    private HiveTls() {}
+
+    /**
+     * Makes the configuration for a broker.
+     *
+     * @throws BotException if a file cannot be read; the message names it
+     */
+    static MqttClientSslConfig config(BrokerCredentials credentials) {
+        MqttClientSslConfigBuilder config = MqttClientSslConfig.builder();
+        Path authority = credentials.authority();
+        if (authority != null) {
+            config = config.trustManagerFactory(reading(authority, "a file with certificates (PEM)", in -> trust(in)));
+        }
+        Path keyStore = credentials.keyStore();
+        if (keyStore != null) {
+            char[] password = credentials.keyStorePassword().toCharArray();
+            config = config.keyManagerFactory(
+                    reading(keyStore, "a key store (PKCS 12) with this password", in -> keys(in, password)));
+        }
+        return config.build();
+    }
+
+    /** Makes something of a file. */
+    private interface Reading<T> {
+        T of(InputStream in) throws IOException, GeneralSecurityException;
+    }
+
+    private static <T> T reading(Path file, String expected, Reading<T> reading) {
+        try (InputStream in = Files.newInputStream(file)) {
+            return reading.of(in);
+        } catch (IOException | GeneralSecurityException e) {
+            throw new BotException(
+                    file + ", named in " + CredentialsFile.NAME + ", cannot be read as " + expected + ": "
+                            + e.getMessage(),
+                    e);
+        }
+    }
+
+    private static TrustManagerFactory trust(InputStream in) throws IOException, GeneralSecurityException {
+        KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
+        trusted.load(null, null);
+        for (Certificate one : CertificateFactory.getInstance("X.509").generateCertificates(in)) {
+            trusted.setCertificateEntry("trusted" + trusted.size(), one);
+        }
+        if (trusted.size() == 0) {
+            throw new IOException("there is no certificate in it");
+        }
+        TrustManagerFactory factory = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+        factory.init(trusted);
+        return factory;
+    }
+
+    private static KeyManagerFactory keys(InputStream in, char[] password)
+            throws IOException, GeneralSecurityException {
+        KeyStore own = KeyStore.getInstance("PKCS12");
+        own.load(in, password);
+        KeyManagerFactory factory = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
+        factory.init(own, password);
+        return factory;
+    }
+}
