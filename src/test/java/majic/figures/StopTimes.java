@@ -1,8 +1,5 @@
 package majic.figures;
 
-import java.awt.AWTException;
-import java.awt.Robot;
-import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.InetAddress;
@@ -64,7 +61,7 @@ final class StopTimes {
     private final LinkedBlockingQueue<String> typed = new LinkedBlockingQueue<>();
     private final Map<Integer, Long> namedNanos = new ConcurrentHashMap<>();
     private final Socket client;
-    private final Robot keys;
+    private final KeyProgram keys;
 
     /** A robot that reads: its line, and the forms of its stop. */
     private record Healthy(RecordedLine line, List<String> stops) {
@@ -82,7 +79,7 @@ final class StopTimes {
         void stop() throws IOException;
     }
 
-    private StopTimes(Path folder) throws IOException, InterruptedException, AWTException {
+    private StopTimes(Path folder) throws IOException, InterruptedException {
         program = new Program(new UserFolder(folder), null, true);
         team = program.team();
         pipe = folder.resolve("pipe.act");
@@ -92,7 +89,7 @@ final class StopTimes {
         LineServer server = program.listen(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), null);
         server.ready();
         client = new Socket(InetAddress.getLoopbackAddress(), server.port());
-        keys = new Robot();
+        keys = KeyProgram.start();
     }
 
     /**
@@ -104,10 +101,13 @@ final class StopTimes {
         StopTimes times = new StopTimes(Files.createTempDirectory("majic-stop"));
         times.start(addresses);
         List<String> lines = new ArrayList<>();
+        KeyArrivals arrivals = KeyArrivals.watch();
         lines.add(times.line("F12", () -> {
-            times.keys.keyPress(KeyEvent.VK_F12);
-            times.keys.keyRelease(KeyEvent.VK_F12);
+            arrivals.begin();
+            times.keys.press();
         }));
+        times.keys.close();
+        lines.add(keyLine(arrivals.delaysMs()));
         lines.add(times.line("console", () -> times.typed.add("stop")));
         lines.add(times.line("socket", () -> times.send("stop")));
         return lines;
@@ -157,28 +157,41 @@ final class StopTimes {
     }
 
     private String line(String way, Stopping stopping) throws Exception {
+        List<Double> first = new ArrayList<>();
         List<Double> written = new ArrayList<>();
         List<Double> named = new ArrayList<>();
-        for (int round = 0; round <= ROUNDS; round++) {
-            List<Double> writtenNow = round == 0 ? new ArrayList<>() : written;
-            measure(stopping, writtenNow, round == 0 ? new ArrayList<>() : named);
+        measure(stopping, first, new ArrayList<>());
+        for (int round = 0; round < ROUNDS; round++) {
+            measure(stopping, written, named);
         }
         Collections.sort(written);
         Collections.sort(named);
         return String.format(
                 Locale.ROOT,
-                "%-8s bytes at a robot: median %5.1f ms, 99 of 100 within %5.1f ms, longest %5.1f ms, %d of %d;"
-                        + " stuck robots named: median %4.0f ms, longest %4.0f ms, %d of %d",
+                "%-8s bytes at a robot: median %5.1f ms, 99 of 100 within %5.1f ms, longest %5.1f ms, %d of %d"
+                        + " (the first time: %5.1f ms); stuck robots named: median %4.0f ms, longest %4.0f ms, %d of %d",
                 way,
                 written.get(written.size() / 2),
                 written.get(written.size() * 99 / 100),
                 written.get(written.size() - 1),
                 written.size(),
                 ROUNDS * healthy.size(),
+                first.stream().max(Double::compare).orElse(Double.NaN),
                 named.isEmpty() ? Double.NaN : named.get(named.size() / 2),
                 named.isEmpty() ? Double.NaN : named.get(named.size() - 1),
                 named.size(),
                 ROUNDS * STUCK);
+    }
+
+    /** The first key is left out, as everywhere. */
+    private static String keyLine(List<Double> delaysMs) {
+        List<Double> sorted = delaysMs.stream().skip(1).sorted().toList();
+        return String.format(
+                Locale.ROOT,
+                "%-8s of that until the event dispatch thread has the key: median %.1f ms, longest %.1f ms",
+                "",
+                sorted.get(sorted.size() / 2),
+                sorted.get(sorted.size() - 1));
     }
 
     private void measure(Stopping stopping, List<Double> written, List<Double> named) throws Exception {
