@@ -156,6 +156,9 @@ exec_majic() {
     find_aria_libraries "$@"
     native=
     [ "$major" -lt 22 ] || native=--enable-native-access=ALL-UNNAMED
+    # On X11, a key that arrives while a thread that draws waits for the display is noticed only when Java asks for events
+    # again, by default after up to half a second. F12 must not wait that long; the value is in ms.
+    export _AWT_MAX_POLL_TIMEOUT="${_AWT_MAX_POLL_TIMEOUT:-10}"
     archive=$(class_data_archive)
     if [ -f "$archive" ] && [ "$archive" -nt "$jar" ]; then
         exec "$java" "-XX:SharedArchiveFile=$archive" $native "@$options" -Xlog:disable \

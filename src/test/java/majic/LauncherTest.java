@@ -73,6 +73,13 @@ class LauncherTest {
     }
 
     @Test
+    void javaAsksForTheKeysOfTheDisplayEveryTenMillisecondsSoThatF12DoesNotWait() throws Exception {
+        java("", "echo \"asks every $_AWT_MAX_POLL_TIMEOUT ms\"");
+
+        assertThat(start("")).contains("asks every 10 ms");
+    }
+
+    @Test
     void aPackageIsMadeByTheJdkInUse() throws Exception {
         java("", "echo \"java $*\"");
         program("bin/fakeroot", "#!/bin/sh\n");

@@ -17,6 +17,9 @@ final class ChildProgram {
     private static final Path TARGET = Path.of(System.getProperty("majic.target", "target"));
     private static final Path JAR = TARGET.resolve("majic.jar");
     private static final Path ARCHIVE = TARGET.resolve("figures.jsa");
+    /** As in config/tools.sh. */
+    private static final String LONGEST_POLL_MS = "10";
+
     private static final Path OPTIONS = Path.of("config", "java.options");
 
     private final Path home;
@@ -123,6 +126,7 @@ final class ChildProgram {
         ProcessBuilder builder = new ProcessBuilder(new ArrayList<>(java));
         builder.command().addAll(rest);
         builder.environment().put("MAJIC_HOME", home.toString());
+        builder.environment().put("_AWT_MAX_POLL_TIMEOUT", LONGEST_POLL_MS);
         builder.redirectError(ProcessBuilder.Redirect.INHERIT);
         return builder;
     }
