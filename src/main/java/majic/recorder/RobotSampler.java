@@ -116,9 +116,6 @@ final class RobotSampler {
     }
 
     static String owner(@Nullable Owner owner) {
-        if (owner == null) {
-            return "";
-        }
-        return owner.kind() == Owner.Kind.MANUAL ? "driven by hand" : "running " + VisibleText.of(owner.name());
+        return owner == null ? "" : VisibleText.of(owner.occupation());
     }
 }

@@ -188,7 +188,7 @@ final class CommandQueue {
     private void end(QueuedCommand command, Ending ending) {
         Object asker = command.asker();
         ending.answers().forEach(line -> events.answer(new Answer(robot, ending.outcome(), robot + " " + line, asker)));
-        command.end(ending.outcome());
+        command.end(new Answer(robot, ending.outcome(), String.join("; ", ending.answers()), asker));
         events.changes().raise();
     }
 

@@ -345,7 +345,12 @@ public final class Member implements TeamMembership {
         notice(String.valueOf(problem.getMessage()));
     }
 
-    private void notice(String words) {
+    /**
+     * Sends a message about the robot to the listeners of the team.
+     *
+     * @param words half a sentence or a whole one, without the robot's number
+     */
+    public void notice(String words) {
         events.publish(listener -> listener.noticed(number, number + ": " + words));
     }
 

@@ -5,7 +5,7 @@ import java.lang.System.Logger.Level;
 import majic.bot.BotException;
 
 /**
- * An exclusive owner of a robot: a script, an act, or manual control. Compared by identity.
+ * An exclusive owner of a robot: a script, an act, manual control, or a person at another desk. Compared by identity.
  */
 public final class Owner {
     /** What kinds of owners there are. */
@@ -15,7 +15,9 @@ public final class Owner {
         /** A running act. */
         ACT,
         /** A person in manual control. */
-        MANUAL
+        MANUAL,
+        /** A person at another desk, who uses the robot through a broker. */
+        REMOTE
     }
 
     private static final Logger LOG = System.getLogger(Owner.class.getName());
@@ -120,9 +122,34 @@ public final class Owner {
         return dismissed;
     }
 
+    /**
+     * Returns what a robot does for this owner.
+     *
+     * @return {@code running WanderDog}, {@code driven by hand} or {@code held by Anna at desk1}
+     */
+    public String occupation() {
+        return occupation(name);
+    }
+
+    /**
+     * Returns what a robot does for this owner, with the values that the owner was begun with.
+     *
+     * @return as {@link #occupation()}, with {@link #title()} in place of the name
+     */
+    public String occupationWithValues() {
+        return occupation(title);
+    }
+
+    private String occupation(String shown) {
+        return switch (kind) {
+            case SCRIPT, ACT -> "running " + shown;
+            case MANUAL -> "driven by hand";
+            case REMOTE -> "held by " + shown;
+        };
+    }
+
     /** Returns what refuses another source's command to a robot of this owner. */
     BotException refusal(int robot) {
-        String what = kind == Kind.MANUAL ? " is driven by hand" : " is running " + name;
-        return new BotException(robot + what + "; \"" + robot + " stop\" ends it");
+        return new BotException(robot + " is " + occupation() + "; \"" + robot + " stop\" ends it");
     }
 }

@@ -221,7 +221,7 @@ final class Ownership {
         }
         if (lent != null) {
             lent.close();
-            lent.drop().forEach(command -> command.end(Answer.Outcome.NOT_RUN));
+            lent.drop().forEach(command -> command.end(new Answer(robot, Answer.Outcome.NOT_RUN, "")));
         }
         return lent;
     }

@@ -1,7 +1,10 @@
 package majic.team;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Consumer;
 import majic.bot.BotControl;
 import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
@@ -12,11 +15,14 @@ import org.jspecify.annotations.Nullable;
  * {@link Team#changes()}.
  */
 public final class QueuedCommand {
+    private static final Logger LOG = System.getLogger(QueuedCommand.class.getName());
+
     private final String text;
     private final boolean moves;
     private final Runnable check;
     private final Work work;
     private final @Nullable Object asker;
+    private final Consumer<Answer> ending;
     private volatile @Nullable BotControl control;
     private volatile Answer.@Nullable Outcome outcome;
     private volatile boolean ended;
@@ -42,15 +48,17 @@ public final class QueuedCommand {
      * @param work what it does
      */
     public QueuedCommand(String text, boolean moves, Work work) {
-        this(text, moves, () -> {}, work, null);
+        this(text, moves, () -> {}, work, null, answer -> {});
     }
 
-    private QueuedCommand(String text, boolean moves, Runnable check, Work work, @Nullable Object asker) {
+    private QueuedCommand(
+            String text, boolean moves, Runnable check, Work work, @Nullable Object asker, Consumer<Answer> ending) {
         this.text = text;
         this.moves = moves;
         this.check = check;
         this.work = work;
         this.asker = asker;
+        this.ending = ending;
     }
 
     /**
@@ -61,7 +69,7 @@ public final class QueuedCommand {
      * @return a new command
      */
     public QueuedCommand askedBy(@Nullable Object by) {
-        return new QueuedCommand(text, moves, check, work, by);
+        return new QueuedCommand(text, moves, check, work, by, ending);
     }
 
     /**
@@ -75,7 +83,18 @@ public final class QueuedCommand {
             further.run();
             check.run();
         };
-        return new QueuedCommand(text, moves, all, work, asker);
+        return new QueuedCommand(text, moves, all, work, asker, ending);
+    }
+
+    /**
+     * Returns the same command, not submitted, with a receiver of its end.
+     *
+     * @param receiver called once after the command was submitted and has ended, with its answer, whose text is empty if
+     *     the command answers nothing; called on the worker of the robot, or on the thread that ends the command
+     * @return a new command
+     */
+    public QueuedCommand endingIn(Consumer<Answer> receiver) {
+        return new QueuedCommand(text, moves, check, work, asker, receiver);
     }
 
     /**
@@ -147,8 +166,13 @@ public final class QueuedCommand {
         outcome = how;
     }
 
-    void end(Answer.Outcome how) {
-        outcome = how;
+    void end(Answer answer) {
+        outcome = answer.outcome();
         ended = true;
+        try {
+            ending.accept(answer);
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.WARNING, "the receiver of the end of \"" + text + "\" failed", e);
+        }
     }
 }

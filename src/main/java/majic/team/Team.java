@@ -354,6 +354,15 @@ public final class Team implements AutoCloseable {
     }
 
     /**
+     * Sends a message about the team as a whole to its listeners.
+     *
+     * @param words one sentence
+     */
+    public void notice(String words) {
+        events.publish(listener -> listener.noticed(0, words));
+    }
+
+    /**
      * Adds a listener.
      *
      * @param listener called on worker threads

@@ -16,10 +16,10 @@ public interface TeamListener {
     default void answered(Answer answer) {}
 
     /**
-     * A robot, or the program on behalf of a robot, issued a message.
+     * A robot, or the program on behalf of a robot or of the team, issued a message.
      *
-     * @param robot its number
-     * @param message the whole line, with the number
+     * @param robot its number; 0 for the team
+     * @param message the whole line, with the number of the robot
      */
     default void noticed(int robot, String message) {}
 

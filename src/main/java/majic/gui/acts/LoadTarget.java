@@ -44,6 +44,9 @@ public record LoadTarget(Member member, @Nullable Owner ends) {
         if (owner.kind() == Owner.Kind.MANUAL) {
             return TEXTS.get("drivenByHand", member.number());
         }
+        if (owner.kind() == Owner.Kind.REMOTE) {
+            return TEXTS.get("held", member.number(), owner.name());
+        }
         Owner lender = member.lender();
         return lender == null
                 ? TEXTS.get("running", member.number(), owner.name())

@@ -31,6 +31,7 @@ public final class BotStatus {
         }
         return switch (owner.kind()) {
             case MANUAL -> TEXTS.get("byHand");
+            case REMOTE -> TEXTS.get("held", owner.name());
             case ACT, SCRIPT -> TEXTS.get("running", owner.title());
         };
     }

@@ -41,8 +41,7 @@ final class TeamListing {
     private static String doing(Member member) {
         Owner owner = member.owner();
         if (owner != null) {
-            String message = owner.status().isEmpty() ? "" : ": " + owner.status();
-            return owner.kind() == Owner.Kind.MANUAL ? "driven by hand" : "running " + owner.title() + message;
+            return owner.occupationWithValues() + (owner.status().isEmpty() ? "" : ": " + owner.status());
         }
         return member.isIdle() ? "idle" : "busy";
     }
