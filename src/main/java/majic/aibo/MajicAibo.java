@@ -198,6 +198,16 @@ public final class MajicAibo extends BotDriver {
         return dog.texts();
     }
 
+    @Override
+    public boolean hasCamera() {
+        return true;
+    }
+
+    @Override
+    public byte[] takePicture() {
+        return CameraPicture.take(session().connections().sensors(), new RobotWait(time(), changes()));
+    }
+
     /** The readings and the estimated state of the dog. */
     DogState dog() {
         return dog;

@@ -138,6 +138,25 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Returns whether this robot has a camera of which pictures can be taken.
+     *
+     * @return as known now; connecting may change it
+     */
+    public boolean hasCamera() {
+        return false;
+    }
+
+    /**
+     * Takes a picture with the robot's camera. Blocks for about 5 s at most; the robot may move meanwhile.
+     *
+     * @return a JPEG file
+     * @throws BotException if there is no camera, or no picture comes in time
+     */
+    public byte[] takePicture() {
+        throw new BotException(name() + " has no camera");
+    }
+
+    /**
      * Returns the type of this robot.
      *
      * @return its type

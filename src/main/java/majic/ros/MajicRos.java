@@ -230,6 +230,24 @@ public final class MajicRos extends BotDriver {
         return scene().map(RosReplay::texts).orElse(Map.of());
     }
 
+    @Override
+    public boolean hasCamera() {
+        RosReadings readings = sensing.readings();
+        return readings != null && readings.camera().isPresent();
+    }
+
+    @Override
+    public byte[] takePicture() {
+        RosReadings readings = sensing.readings();
+        if (readings == null || readings.camera().isEmpty()) {
+            throw new BotException(name() + " has no camera");
+        }
+        return readings.camera()
+                .flatMap(RequestedReading::read)
+                .map(picture -> RosPictureFile.jpeg(picture.file()))
+                .orElseThrow(() -> new BotException("no picture has arrived from the camera"));
+    }
+
     /** Returns what the panel shows; empty before the first connection. */
     private Optional<RosScene> scene() {
         RosSession open = session.get();

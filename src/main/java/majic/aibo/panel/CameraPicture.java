@@ -5,9 +5,12 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;
+import java.util.Objects;
 import javax.imageio.ImageIO;
+import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
+import majic.driver.RobotWait;
 import majic.panel.PictureFile;
 import majic.text.Texts;
 
@@ -55,6 +58,18 @@ public final class CameraPicture {
             throw new UncheckedIOException(e);
         }
         return file.toByteArray();
+    }
+
+    /**
+     * Asks the dog for a picture and waits for it.
+     *
+     * @return a JPEG file
+     * @throws UrbiRefusal if none comes in time, or it is damaged
+     * @throws majic.bot.LinkLost if the connection is lost
+     */
+    public static byte[] take(UrbiConnection from, RobotWait waiting) {
+        UrbiValue picture = new Camera(waiting).next(from, () -> false);
+        return jpegFile(Objects.requireNonNull(picture, "the waiting ends only with a picture"));
     }
 
     private static BufferedImage jpeg(byte[] bytes) {
