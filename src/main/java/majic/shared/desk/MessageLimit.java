@@ -1,0 +1,53 @@
+package majic.shared.desk;
+
+import majic.time.TimeSource;
+
+/** Limits how many messages of one kind are used, and counts those that are not. Thread-safe. */
+final class MessageLimit {
+    /** How often a complaint about left out messages is due at most, seconds. */
+    private static final double COMPLAINT_S = 10;
+
+    private final TimeSource time;
+    private final double perSecond;
+    private double room;
+    private long filledNanos;
+    private long leftOut;
+    private long complainedNanos;
+    private boolean complained;
+
+    /**
+     * @param perSecond how many messages are used in the long run; as many may come at once
+     */
+    MessageLimit(TimeSource time, double perSecond) {
+        this.time = time;
+        this.perSecond = perSecond;
+        this.room = perSecond;
+        this.filledNanos = time.nanos();
+    }
+
+    /** Whether one more message is used; counts it if not. */
+    synchronized boolean allows() {
+        long now = time.nanos();
+        room = Math.min(perSecond, room + (now - filledNanos) / 1e9 * perSecond);
+        filledNanos = now;
+        if (room < 1) {
+            leftOut++;
+            return false;
+        }
+        room--;
+        return true;
+    }
+
+    /** Returns how many messages were left out since the last complaint, if another one is due; otherwise 0. */
+    synchronized long toComplainAbout() {
+        boolean due = leftOut > 0 && (!complained || time.secondsSince(complainedNanos) >= COMPLAINT_S);
+        if (!due) {
+            return 0;
+        }
+        long count = leftOut;
+        leftOut = 0;
+        complained = true;
+        complainedNanos = time.nanos();
+        return count;
+    }
+}

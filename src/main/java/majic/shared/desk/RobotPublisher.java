@@ -1,0 +1,129 @@
+package majic.shared.desk;
+
+import java.util.Objects;
+import java.util.function.Supplier;
+import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.Quality;
+import majic.shared.message.Description;
+import majic.shared.message.SiteTopics.Part;
+import majic.team.Member;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Publishes what one robot is and does: its state at once when a condition has changed, at most ten times a second when
+ * it reports something, and at least once a second. Thread-safe.
+ */
+final class RobotPublisher {
+    /** How often a robot that reports all the time is published, seconds. */
+    private static final double SHORTEST_S = 0.1;
+
+    /** How often a robot that reports nothing is published, seconds: as a sign of life. */
+    private static final double LONGEST_S = 1;
+
+    /** A state that was kept by the broker is not used for longer than this, seconds. */
+    private static final int EXPIRY_S = 3;
+
+    private final DeskContext desk;
+    private final Member member;
+    private final Supplier<@Nullable RobotHold> hold;
+    private volatile boolean changed = true;
+    private volatile boolean reported;
+    private volatile boolean moving;
+    private volatile long publishedNanos;
+    private long describedNanos;
+    private @Nullable Description described;
+    private boolean ended;
+
+    RobotPublisher(DeskContext desk, Member member, Supplier<@Nullable RobotHold> hold) {
+        this.desk = desk;
+        this.member = member;
+        this.hold = hold;
+        this.publishedNanos = desk.connection().time().nanos();
+    }
+
+    /** A condition has changed: the state is published at once. */
+    void changed() {
+        changed = true;
+        desk.wake().run();
+    }
+
+    /** The robot has reported something; called on its listener thread. */
+    void reported(boolean isMoving) {
+        reported = true;
+        if (isMoving != moving) {
+            moving = isMoving;
+            changed();
+        }
+    }
+
+    /** Publishes everything anew: the broker may have lost what it kept. */
+    void repeat() {
+        synchronized (this) {
+            described = null;
+        }
+        changed();
+    }
+
+    boolean isChanged() {
+        return changed;
+    }
+
+    /** Publishes what is due. Called by the timer of the desk. */
+    void tick() {
+        double sinceS = desk.connection().time().secondsSince(publishedNanos);
+        if (changed || (reported && sinceS >= SHORTEST_S) || sinceS >= LONGEST_S) {
+            publishState();
+        }
+    }
+
+    /** Publishes the present state, and the description if it has changed. Called on any thread. */
+    synchronized void publishState() {
+        if (ended) {
+            return;
+        }
+        publishedNanos = desk.connection().time().nanos();
+        changed = false;
+        reported = false;
+        if (!desk.connection().isConnected()) {
+            return;
+        }
+        describe();
+        byte[] state = RobotStates.state(
+                        member,
+                        desk.self(),
+                        desk.clock().ms(),
+                        desk.team().isLatched(),
+                        hold.get(),
+                        desk.team().stopStatus().problem(member.number()))
+                .toJson();
+        desk.publish(BrokerMessage.json(topic(Part.STATE), state, Quality.AT_MOST_ONCE)
+                .retain()
+                .expiringAfter(EXPIRY_S));
+    }
+
+    /** Connecting may change what a robot offers; looked at once a second at most. */
+    private void describe() {
+        long now = desk.connection().time().nanos();
+        if (described != null && (now - describedNanos) / 1e9 < LONGEST_S) {
+            return;
+        }
+        describedNanos = now;
+        Description present = RobotStates.description(member, desk.self());
+        if (!Objects.equals(present, described)
+                && desk.publish(BrokerMessage.json(topic(Part.DESCRIPTION), present.toJson(), Quality.AT_LEAST_ONCE)
+                        .retain())) {
+            described = present;
+        }
+    }
+
+    /** Removes what the broker keeps of the robot, and publishes no more. */
+    synchronized void end() {
+        ended = true;
+        desk.publish(BrokerMessage.removing(topic(Part.STATE)));
+        desk.publish(BrokerMessage.removing(topic(Part.DESCRIPTION)));
+    }
+
+    private String topic(Part part) {
+        return desk.topics().robot(desk.self().desk(), member.number(), part);
+    }
+}

@@ -1,0 +1,272 @@
+package majic.shared.desk;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.Quality;
+import majic.shared.message.HoldMessage;
+import majic.shared.message.RequestReply;
+import majic.shared.message.RequestReply.Outcome;
+import majic.shared.message.RobotMessage;
+import majic.shared.message.Sender;
+import majic.shared.message.SiteTopics.Part;
+import majic.shared.message.SpeedMessage;
+import majic.shared.message.StopMessage;
+import majic.shared.message.UnusableMessageException;
+import majic.team.Member;
+import org.jspecify.annotations.Nullable;
+
+/** One robot that this desk shares: who holds it, and what arrives for it. Thread-safe. */
+final class SharedRobot {
+    /** More of each kind in a second are a mistake or an attack. Stops are never left out. */
+    private static final int REQUESTS_PER_S = 200;
+
+    private static final int SPEEDS_PER_S = 100;
+    private static final int HEARTBEATS_PER_S = 50;
+
+    private final DeskContext desk;
+    private final Member member;
+    private final SeenRequests seen = new SeenRequests();
+    private final AtomicReference<@Nullable RobotHold> hold = new AtomicReference<>();
+    private final ReclaimPause pause;
+    private final RobotPublisher publisher;
+    private final StopRequests stops;
+    private final RequestRunner requests;
+    private final SpeedDriver speeds;
+    private final MessageLimit requestLimit;
+    private final MessageLimit speedLimit;
+    private final MessageLimit heartbeatLimit;
+    private volatile boolean removed;
+
+    SharedRobot(DeskContext desk, Member member) {
+        this.desk = desk;
+        this.member = member;
+        this.pause = new ReclaimPause(desk.connection().time());
+        this.publisher = new RobotPublisher(desk, member, this::hold);
+        this.stops = new StopRequests(desk, member, publisher::publishState);
+        this.requests = new RequestRunner(desk, this, seen);
+        this.speeds = new SpeedDriver(desk, member.number());
+        this.requestLimit = new MessageLimit(desk.connection().time(), REQUESTS_PER_S);
+        this.speedLimit = new MessageLimit(desk.connection().time(), SPEEDS_PER_S);
+        this.heartbeatLimit = new MessageLimit(desk.connection().time(), HEARTBEATS_PER_S);
+    }
+
+    Member member() {
+        return member;
+    }
+
+    MajicBot bot() {
+        return member.bot();
+    }
+
+    RobotPublisher publisher() {
+        return publisher;
+    }
+
+    /** Who holds it; null for nobody at another desk. */
+    @Nullable
+    RobotHold hold() {
+        RobotHold now = hold.get();
+        return now == null || now.hasEnded() ? null : now;
+    }
+
+    /** Handles a message to one of its topics, on the thread of the connection. */
+    void received(Part part, BrokerMessage message) {
+        if (message.retained()) {
+            complain("a retained message to the topic \"" + message.topic() + "\" is ignored: it may be old");
+            return;
+        }
+        switch (part) {
+            case STOP -> stop(message);
+            case HOLD -> heartbeat(message);
+            case REQUEST -> forward(requestLimit, message, () -> requests.received(message));
+            case SPEED -> forward(speedLimit, message, () -> speed(message));
+            case DESCRIPTION, STATE, MESSAGES -> {}
+        }
+    }
+
+    private void forward(MessageLimit limit, BrokerMessage message, Runnable work) {
+        if (!limit.allows() || !desk.worker().submit(work)) {
+            reportFlood(limit, message.topic());
+        }
+    }
+
+    private void reportFlood(MessageLimit limit, String topic) {
+        long count = limit.toComplainAbout();
+        if (count > 0) {
+            complain(count + (count == 1 ? " message" : " messages") + " to the topic \"" + topic
+                    + "\" left out: more arrive than can be used");
+        }
+    }
+
+    /** Listeners of the team may block, so they are called on the worker. */
+    void complain(String words) {
+        desk.worker().submit(() -> member.notice(words));
+    }
+
+    /** A stop that cannot be read is still a stop. */
+    private void stop(BrokerMessage message) {
+        StopMessage stop = readStop(message);
+        seen.stopped(stop);
+        RobotHold now = hold();
+        RobotHold own = now != null && now.isOf(stop.sender()) ? now : null;
+        stops.stop(stop, message, own == null ? null : own.owner(), written -> {
+            if (own != null) {
+                stoppedByHolder(own);
+            }
+            desk.worker().submit(() -> member.notice("stopped by " + written.sender()));
+        });
+    }
+
+    private static void stoppedByHolder(RobotHold own) {
+        if (own.isKept()) {
+            own.stopped();
+        } else {
+            own.end();
+        }
+    }
+
+    private static StopMessage readStop(BrokerMessage message) {
+        try {
+            return StopMessage.parse(message.payload());
+        } catch (UnusableMessageException e) {
+            return new StopMessage(new Sender("a message that cannot be read", "", "-"), 0, "");
+        }
+    }
+
+    private void heartbeat(BrokerMessage message) {
+        if (!heartbeatLimit.allows()) {
+            reportFlood(heartbeatLimit, message.topic());
+            return;
+        }
+        RobotHold now = hold();
+        try {
+            HoldMessage beat = HoldMessage.parse(message.payload());
+            if (now != null && now.isOf(beat.sender()) && desk.clock().isValid(beat.validUntil())) {
+                now.beat();
+            }
+        } catch (UnusableMessageException e) {
+            complain(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private void speed(BrokerMessage message) {
+        try {
+            SpeedMessage speed = SpeedMessage.parse(message.payload());
+            desk.clock().check(speed.validUntil());
+            if (seen.isVoid(speed.sender().session(), speed.number())) {
+                return;
+            }
+            bot().checkDrive(speed.mmPerSec(), speed.degPerSec(), 1);
+            RobotHold before = hold();
+            RobotHold now = claim(speed.sender(), true);
+            if (now != before) {
+                member.notice("driven by " + now.holder());
+            }
+            now.beat();
+            speeds.drive(now, speed, message, seen);
+        } catch (BotException e) {
+            desk.reply(message, RequestReply.of(Outcome.REFUSED, String.valueOf(e.getMessage())));
+        }
+    }
+
+    /**
+     * Returns the hold of a sender, which begins now if nobody holds the robot. Called on the worker only, so no two
+     * claims run at a time.
+     *
+     * @param continuous whether it is for one of a sequence of speeds
+     * @throws BotException if the robot is held by another sender, owned, busy, latched, or was just taken away
+     */
+    RobotHold claim(Sender sender, boolean continuous) {
+        RobotHold now = hold();
+        if (now != null && now.isOf(sender)) {
+            return now;
+        }
+        if (now != null) {
+            throw new BotException(member.number() + " is held by " + now.holder() + "; a stop of the robot ends that");
+        }
+        if (removed || !desk.connection().isConnected()) {
+            throw new BotException("robot " + member.number() + " is not shared any more");
+        }
+        pause.check(sender.session(), continuous);
+        RobotHold begun = new RobotHold(member, sender, desk.connection().time(), this::holdEnded);
+        begun.begin();
+        hold.set(begun);
+        desk.wake().run();
+        return begun;
+    }
+
+    private void holdEnded(RobotHold one, boolean isTaken) {
+        if (isTaken) {
+            pause.begin(one.holder().session());
+        }
+        publisher.changed();
+    }
+
+    /** Gives the robot back for its holder, or because the holder does not use it; halts it first if it is in use. */
+    void free(RobotHold one) {
+        if (member.isIdle() && !bot().state().moving()) {
+            one.end();
+        } else {
+            halt(List.of(one), desk);
+        }
+    }
+
+    /** Ends the hold without a stop, because the connection with the robot is lost and no stop can be sent. */
+    void linkLost() {
+        RobotHold now = hold();
+        if (now != null) {
+            now.taken();
+        }
+        publisher.changed();
+    }
+
+    /** Answers nothing and accepts no claim from now on. */
+    void remove() {
+        removed = true;
+        RobotHold now = hold();
+        if (now != null) {
+            now.end();
+        }
+    }
+
+    /** Ends the hold if it is due, and tells why; null while it goes on. */
+    Optional<String> reasonToHalt() {
+        RobotHold now = hold();
+        return now != null && now.heartbeatLeftS() < 0
+                ? Optional.of("no sign of life of " + now.holder() + " for 1 s")
+                : Optional.empty();
+    }
+
+    /** Ends a hold that began with a motion and is not used. */
+    void freeUnused() {
+        RobotHold now = hold();
+        if (now != null && now.isUnused()) {
+            now.end();
+        }
+    }
+
+    /**
+     * Halts the robots of some holds and ends these, because their holders are gone: revokes at once, then stops all
+     * robots on another thread. Returns at once.
+     */
+    static void halt(List<RobotHold> holds, DeskContext desk) {
+        holds.forEach(RobotHold::revoke);
+        if (holds.isEmpty()) {
+            return;
+        }
+        desk.connection().time().runAsync("halting robots that nobody holds", () -> {
+            desk.team().stop(holds.stream().map(RobotHold::member).toList(), null);
+            holds.forEach(RobotHold::taken);
+        });
+    }
+
+    /** Publishes a line about the robot. */
+    void publishLine(RobotMessage.Kind kind, String text) {
+        String topic = desk.topics().robot(desk.self().desk(), member.number(), Part.MESSAGES);
+        desk.publish(BrokerMessage.json(topic, new RobotMessage(kind, text).toJson(), Quality.AT_LEAST_ONCE));
+    }
+}
