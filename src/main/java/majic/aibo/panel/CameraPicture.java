@@ -69,7 +69,7 @@ public final class CameraPicture {
      */
     public static byte[] take(UrbiConnection from, RobotWait waiting) {
         UrbiValue picture = new Camera(waiting).next(from, () -> false);
-        return jpegFile(Objects.requireNonNull(picture, "the waiting ends only with a picture"));
+        return jpegFile(Objects.requireNonNull(picture));
     }
 
     private static BufferedImage jpeg(byte[] bytes) {
