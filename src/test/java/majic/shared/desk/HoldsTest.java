@@ -1,0 +1,294 @@
+package majic.shared.desk;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import majic.bot.FakeBot;
+import majic.driver.BotDriver;
+import majic.script.conditions.Selection;
+import majic.shared.message.HoldMessage;
+import majic.shared.message.RequestReply;
+import majic.shared.message.RequestReply.Outcome;
+import majic.shared.message.RequestedAction;
+import majic.shared.message.RobotState.Holder;
+import majic.shared.message.SiteTopics.Part;
+import majic.shared.broker.Quality;
+import majic.team.Member;
+import majic.team.Owner;
+import majic.team.QueuedCommand;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+
+/** Tests who may move a shared robot, and what ends that: every reason for which the desk halts it. */
+class HoldsTest {
+    @AutoClose
+    private final SharingRig rig = SharingRig.started();
+
+    private final FakeBot bot = (FakeBot) BotDriver.of(rig.team.member(1).bot());
+    private final Member member = rig.team.member(1);
+    private final RemoteUser anna = rig.user("desk1", "Anna").beat();
+
+    private long count(String sent) {
+        return bot.sent().stream().filter(sent::equals).count();
+    }
+
+    private void moving() {
+        anna.move(900);
+        rig.clock.until(() -> bot.state().moving());
+    }
+
+    /** Waits until the robot is halted and free; returns how long that takes, seconds. */
+    private double secondsUntilHalted() {
+        long begin = rig.clock.time().nanos();
+        rig.clock.until(() -> count("halt") > 0 && member.owner() == null);
+        return rig.clock.time().secondsSince(begin);
+    }
+
+    @Test
+    void aRobotWhoseHolderFallsSilentIsHaltedAfterOneSecond() {
+        moving();
+        anna.stopBeating();
+
+        assertThat(secondsUntilHalted()).isBetween(0.7, 1.1);
+        assertThat(anna.outcome(1).outcome()).isEqualTo(Outcome.STOPPED);
+        rig.clock.until(() -> rig.isSaid("no sign of life of Anna at desk1 for 1 s; the robot is stopped"));
+    }
+
+    @Test
+    void heartbeatsThatComeTooLateDoNotCount() {
+        moving();
+        anna.connection.holdBack();
+        rig.sleep(0.9);
+        anna.connection.deliver();
+
+        assertThat(secondsUntilHalted()).isLessThan(0.3);
+    }
+
+    @Test
+    void heartbeatsOfAnotherSessionDoNotCount() {
+        RemoteUser eve = rig.user("desk1", "Anna").beat();
+        moving();
+        anna.stopBeating();
+
+        assertThat(secondsUntilHalted()).isBetween(0.7, 1.1);
+        eve.stopBeating();
+    }
+
+    @Test
+    void nothingResumesWhenTheHolderIsBack() {
+        moving();
+        anna.stopBeating();
+        secondsUntilHalted();
+        long sent = bot.sent().size();
+        anna.beat();
+        rig.sleep(5);
+
+        assertThat(bot.sent()).hasSize((int) sent);
+        assertThat(member.owner()).isNull();
+    }
+
+    @Test
+    void aRobotIsHaltedWhenTheBrokerIsGone() {
+        moving();
+        rig.broker.stop();
+
+        assertThat(secondsUntilHalted()).isLessThan(0.1);
+        rig.clock.until(() -> rig.isSaid("the connection with the broker is lost"));
+    }
+
+    @Test
+    void aRobotIsHaltedWhenTheCableOfItsDeskIsCut() {
+        moving();
+        rig.connection().cut();
+
+        assertThat(secondsUntilHalted()).isLessThan(1.1);
+    }
+
+    @Test
+    void localStopAndLocalCommandsWorkWithTheBrokerDead() {
+        rig.broker.stop();
+        rig.clock.until(() -> !rig.connection().isConnected());
+        member.submit(new QueuedCommand("move 900", true, robot -> List.of(robot.move(900).toString())), null);
+        rig.clock.until(() -> bot.state().moving());
+        rig.team.stopAll();
+
+        rig.clock.until(() -> count("halt") > 0);
+        assertThat(rig.team.isLatched()).isTrue();
+    }
+
+    @Test
+    void aRobotIsHaltedWhenThePresenceOfItsHolderBreaks() {
+        moving();
+        rig.broker.publish(presenceOfAnna("broken"));
+
+        assertThat(secondsUntilHalted()).isLessThan(0.1);
+        rig.clock.until(() -> rig.isSaid("desk1 has no connection any more; the robot is stopped"));
+    }
+
+    @Test
+    void aRobotIsHaltedWhenTheDeskOfItsHolderEnds() {
+        moving();
+        rig.broker.publish(presenceOfAnna("offline"));
+
+        assertThat(secondsUntilHalted()).isLessThan(0.1);
+    }
+
+    private majic.shared.broker.BrokerMessage presenceOfAnna(String state) {
+        return majic.shared.broker.BrokerMessage.json(
+                "lab/majic/1/desks/desk1/presence",
+                "{\"state\":\"" + state + "\",\"session\":\"" + anna.sender.session() + "\",\"desk\":\"desk1\"}",
+                Quality.AT_LEAST_ONCE);
+    }
+
+    @Test
+    void theLossOfTheRobotsOwnConnectionEndsTheHold() {
+        moving();
+        bot.cut();
+
+        assertThat(anna.outcome(1).outcome()).isEqualTo(Outcome.LOST);
+        rig.clock.until(() -> member.owner() == null);
+        anna.until(state -> state.link().lostReason().contains("connection lost"));
+    }
+
+    @Test
+    void twoDesksThatClaimOneRobotGetItOneAtATime() {
+        RemoteUser carl = rig.user("desk3", "Carl").beat();
+        anna.outcome(anna.ask(new RequestedAction.Hold()));
+
+        RequestReply second = carl.outcome(carl.ask(new RequestedAction.Hold()));
+        RequestReply motion = carl.outcome(carl.ask(new RequestedAction.Move(100, "")));
+        RequestReply giving = carl.outcome(carl.ask(new RequestedAction.Free()));
+        anna.outcome(anna.ask(new RequestedAction.Free()));
+        RequestReply third = carl.outcome(carl.ask(new RequestedAction.Hold()));
+
+        assertThat(second.message()).isEqualTo("1 is held by Anna at desk1; a stop of the robot ends that");
+        assertThat(motion.outcome()).isEqualTo(Outcome.REFUSED);
+        assertThat(giving.message()).isEqualTo("the robot is held by Anna at desk1");
+        assertThat(third.outcome()).isEqualTo(Outcome.DONE);
+        assertThat(anna.state().holder()).extracting(Holder::desk).isEqualTo("desk3");
+    }
+
+    @Test
+    void aLocalMotionIsRefusedWithTheHolder() {
+        anna.outcome(anna.ask(new RequestedAction.Hold()));
+
+        assertThatThrownBy(() -> member.check(true, null))
+                .hasMessage("1 is held by Anna at desk1; \"1 stop\" ends it");
+    }
+
+    @Test
+    void aRobotThatRunsAnActIsRefusedWithTheAct() {
+        Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
+        member.claim(act);
+
+        RequestReply reply = anna.outcome(anna.ask(new RequestedAction.Move(100, "")));
+
+        assertThat(reply.message()).isEqualTo("1 is running WanderDog; \"1 stop\" ends it");
+        anna.until(state -> state.holder() != null);
+        assertThat(anna.state().holder().work()).isEqualTo("running WanderDog");
+        member.free(act);
+    }
+
+    @Test
+    void aLocalStopEndsTheHold() {
+        anna.outcome(anna.ask(new RequestedAction.Hold()));
+        rig.team.stop(List.of(member), null);
+
+        rig.clock.until(() -> member.owner() == null);
+        anna.until(state -> state.holder() == null);
+    }
+
+    @Test
+    void aStopByTheHolderEndsTheMotionAndKeepsAnExplicitHold() {
+        anna.outcome(anna.ask(new RequestedAction.Hold()));
+        moving();
+        anna.stop();
+
+        assertThat(anna.outcome(2).outcome()).isEqualTo(Outcome.STOPPED);
+        assertThat(anna.outcome("stop").outcome()).isEqualTo(Outcome.DONE);
+        assertThat(anna.state().holder()).hasToString("Anna at desk1");
+        assertThat(anna.outcome(anna.ask(new RequestedAction.Move(100, ""))).outcome())
+                .isEqualTo(Outcome.DONE);
+    }
+
+    @Test
+    void aStopByTheHolderEndsAHoldThatBeganWithAMotion() {
+        moving();
+        anna.stop();
+        anna.outcome("stop");
+
+        rig.clock.until(() -> member.owner() == null);
+        assertThat(anna.outcome(anna.ask(new RequestedAction.Move(100, ""))).outcome())
+                .isEqualTo(Outcome.DONE);
+    }
+
+    @Test
+    void aStopBySomebodyElseEndsTheHoldAndWhatItsHolderWasSending() {
+        RemoteUser carl = rig.user("desk3", "Carl");
+        anna.outcome(anna.ask(new RequestedAction.Hold()));
+        moving();
+        carl.stop();
+        carl.outcome("stop");
+        long late = anna.ask(new RequestedAction.Move(500, ""));
+
+        assertThat(anna.outcome(late).message()).startsWith("the robot was stopped; it can be claimed again in");
+        assertThat(count("move 500")).isZero();
+        rig.sleep(1);
+        assertThat(anna.outcome(anna.ask(new RequestedAction.Move(100, ""))).outcome())
+                .isEqualTo(Outcome.DONE);
+    }
+
+    @Test
+    void speedsThatGoOnAfterAStopDoNotClaimTheRobotAgain() {
+        RemoteUser carl = rig.user("desk3", "Carl");
+        for (int n = 0; n < 5; n++) {
+            anna.drive(200);
+            rig.sleep(0.1);
+        }
+        assertThat(count("drive 200 0")).isPositive();
+        carl.stop();
+        carl.outcome("stop");
+        long driven = count("drive 200 0");
+        for (int n = 0; n < 30; n++) {
+            anna.drive(200);
+            rig.sleep(0.1);
+        }
+
+        assertThat(count("drive 200 0")).isEqualTo(driven);
+        assertThat(member.owner()).isNull();
+        rig.sleep(1.1);
+        anna.drive(200);
+        rig.clock.until(() -> count("drive 200 0") > driven);
+    }
+
+    @Test
+    void aDriveLapsesWhenItIsNotRenewed() {
+        anna.drive(200);
+        rig.clock.until(() -> count("drive 200 0") == 1);
+        long begin = rig.clock.time().nanos();
+        rig.clock.until(() -> count("halt") == 1);
+
+        assertThat(rig.clock.time().secondsSince(begin)).isBetween(0.55, 0.65);
+    }
+
+    @Test
+    void aMalformedHeartbeatIsReportedAndDoesNotCount() {
+        moving();
+        anna.stopBeating();
+        anna.publish(Part.HOLD, "{\"session\":7}".getBytes(), Quality.AT_MOST_ONCE, "");
+        anna.publish(Part.HOLD, new HoldMessage(anna.sender, 1L << 60).toJson(), Quality.AT_MOST_ONCE, "");
+
+        assertThat(secondsUntilHalted()).isBetween(0.7, 1.1);
+        rig.clock.until(() -> rig.isSaid("\"session\" is 7; it is a text"));
+    }
+
+    @Test
+    void aConditionMayNameTheRobotsOfTheDesk() {
+        assertThat(new Selection(rig.team).names()).isEmpty();
+        bot.putObstacle(1000);
+        anna.outcome(anna.ask(new RequestedAction.Move(900, "1 distanceFront < 800mm")));
+
+        assertThat(anna.state().motion().pose().xMm()).isLessThan(300);
+    }
+}
