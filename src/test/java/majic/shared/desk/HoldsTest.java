@@ -7,13 +7,13 @@ import java.util.List;
 import majic.bot.FakeBot;
 import majic.driver.BotDriver;
 import majic.script.conditions.Selection;
+import majic.shared.broker.Quality;
 import majic.shared.message.HoldMessage;
 import majic.shared.message.RequestReply;
 import majic.shared.message.RequestReply.Outcome;
 import majic.shared.message.RequestedAction;
 import majic.shared.message.RobotState.Holder;
 import majic.shared.message.SiteTopics.Part;
-import majic.shared.broker.Quality;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.QueuedCommand;
@@ -109,7 +109,10 @@ class HoldsTest {
     void localStopAndLocalCommandsWorkWithTheBrokerDead() {
         rig.broker.stop();
         rig.clock.until(() -> !rig.connection().isConnected());
-        member.submit(new QueuedCommand("move 900", true, robot -> List.of(robot.move(900).toString())), null);
+        member.submit(
+                new QueuedCommand(
+                        "move 900", true, robot -> List.of(robot.move(900).toString())),
+                null);
         rig.clock.until(() -> bot.state().moving());
         rig.team.stopAll();
 
@@ -173,8 +176,7 @@ class HoldsTest {
     void aLocalMotionIsRefusedWithTheHolder() {
         anna.outcome(anna.ask(new RequestedAction.Hold()));
 
-        assertThatThrownBy(() -> member.check(true, null))
-                .hasMessage("1 is held by Anna at desk1; \"1 stop\" ends it");
+        assertThatThrownBy(() -> member.check(true, null)).hasMessage("1 is held by Anna at desk1; \"1 stop\" ends it");
     }
 
     @Test
