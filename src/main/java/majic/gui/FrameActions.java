@@ -26,6 +26,7 @@ final class FrameActions {
     final IconAction openRecording;
     final IconAction openTeam;
     final IconAction saveTeam;
+    final IconAction shareRobots;
     final IconAction tour;
     final IconAction killMajic;
 
@@ -51,6 +52,8 @@ final class FrameActions {
         openRecording = action("openRecording", Pictogram.LOG, "openRecording.tip", dialogs::openRecording);
         openTeam = action("openTeam", Pictogram.TEAM, "openTeam.tip", frame::openTeam);
         saveTeam = action("saveTeam", Pictogram.TEAM, "saveTeam.tip", dialogs::saveTeam);
+        shareRobots = action("shareRobots", Pictogram.TEAM, "shareRobots.tip", dialogs::shareRobots);
+        shareRobots.setEnabled(dialogs.canShareRobots());
         tour = action("tour", Pictogram.TOUR, "tour.tip", dialogs::tour);
         killMajic = action("killMajic", Pictogram.QUIT, "killMajic.tip", frame::quit)
                 .withKey(KeyEvent.VK_Q);

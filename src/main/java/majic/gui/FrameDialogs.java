@@ -13,6 +13,7 @@ import majic.gui.acts.LoadActDialog;
 import majic.gui.acts.MakeActDialog;
 import majic.gui.add.AddBotDialog;
 import majic.gui.bots.KillBotDialog;
+import majic.gui.bots.ShareDialog;
 import majic.gui.help.AboutDialog;
 import majic.gui.help.HelpDialog;
 import majic.gui.kit.BotStatus;
@@ -22,6 +23,7 @@ import majic.gui.kit.MajicDialog;
 import majic.gui.kit.PictureDialog;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
+import majic.gui.kit.RobotSharing;
 import majic.gui.replay.RecordingsDialog;
 import majic.gui.replay.ReplayServices;
 import majic.gui.start.Tour;
@@ -84,6 +86,18 @@ final class FrameDialogs {
     private KillBotDialog newKillBot(Optional<Member> chosen) {
         Consumer<Member> kill = member -> channel.submit("remove " + member.number());
         return new KillBotDialog(frame, session.team().members(), chosen, kill);
+    }
+
+    /** Returns whether the program can share robots. */
+    boolean canShareRobots() {
+        return services.sharing() != null;
+    }
+
+    void shareRobots() {
+        RobotSharing sharing = services.sharing();
+        if (sharing != null) {
+            open(ShareDialog.class, () -> new ShareDialog(frame, sharing));
+        }
     }
 
     void loadAct() {

@@ -82,7 +82,16 @@ final class FrameMenu extends JMenuBar {
     }
 
     private static void fillRobot(JMenu robots, MajicFrame frame, FrameActions actions) {
-        fill(robots, actions.addBot, actions.killBot, null, actions.openTeam, actions.saveTeam, null);
+        fill(
+                robots,
+                actions.addBot,
+                actions.killBot,
+                null,
+                actions.openTeam,
+                actions.saveTeam,
+                null,
+                actions.shareRobots,
+                null);
         JMenuItem reconnect = new JCheckBoxMenuItem(
                 TEXTS.get("reconnect"), frame.reconnecting().isEnabled());
         reconnect.addActionListener(event -> frame.reconnecting().enable(reconnect.isSelected()));

@@ -64,6 +64,7 @@ public final class TestWindow implements AutoCloseable {
     final Settings settings = Settings.inMemory();
     final BotFactory factory = new BotFactory(List.of(type), settings);
     final Team team = new Team(TimeSource.system(), 200);
+    final FakeSharing sharing = new FakeSharing();
     final AtomicInteger quits = new AtomicInteger();
     final Session session;
     final MajicParser parser;
@@ -149,7 +150,8 @@ public final class TestWindow implements AutoCloseable {
                 settings,
                 new RecordingFolder(Path.of("no recordings")),
                 null,
-                history);
+                history,
+                sharing);
         return new MajicFrame(session, parser, services);
     }
 

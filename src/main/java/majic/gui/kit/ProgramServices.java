@@ -20,6 +20,7 @@ import org.jspecify.annotations.Nullable;
  * @param recordings the recordings of this and earlier sessions
  * @param recorder what records this session; null if it is not recorded
  * @param history the file of the command line's earlier lines; null if they are not kept
+ * @param sharing shares the robots with other desks; null if that is not possible
  */
 public record ProgramServices(
         Supplier<List<SerialPortChoice>> serialPorts,
@@ -28,7 +29,20 @@ public record ProgramServices(
         Settings settings,
         RecordingFolder recordings,
         @Nullable Recorder recorder,
-        @Nullable Path history) {
+        @Nullable Path history,
+        @Nullable RobotSharing sharing) {
+
+    /** Creates services that share no robots. */
+    public ProgramServices(
+            Supplier<List<SerialPortChoice>> serialPorts,
+            @Nullable Runnable startLab,
+            Runnable quit,
+            Settings settings,
+            RecordingFolder recordings,
+            @Nullable Recorder recorder,
+            @Nullable Path history) {
+        this(serialPorts, startLab, quit, settings, recordings, recorder, history, null);
+    }
 
     /** Creates services without a recorder and a history, for tests. */
     public ProgramServices(

@@ -1,0 +1,35 @@
+package majic.gui.kit;
+
+import java.util.Optional;
+
+/** Sharing of the team's robots with other desks over a broker, as the program provides it to the window. Thread-safe. */
+public interface RobotSharing {
+    /**
+     * Where robots are shared, and under which names.
+     *
+     * @param broker the address of the broker with the site, such as {@code mqtt://broker/lab}
+     * @param desk the name of this desk
+     * @param person the name of the user that others see; may be empty
+     */
+    record Place(String broker, String desk, String person) {}
+
+    /** Returns where the robots were shared last; otherwise names made from this computer, and no broker. */
+    Place suggested();
+
+    /** Returns where the robots are shared; empty if they are not. */
+    Optional<Place> now();
+
+    /** Returns whether others can reach the robots; false while the broker is gone. */
+    boolean isConnected();
+
+    /**
+     * Begins to share all robots of the team. Blocks for at most 10 s.
+     *
+     * @throws majic.bot.BotException if the broker cannot be reached or another desk has the name, or the robots are shared
+     *     already; nothing is shared then
+     */
+    void start(Place place);
+
+    /** Ends the sharing; robots that others move are halted first. Blocks for about a second. No effect if there is none. */
+    void stop();
+}

@@ -1,0 +1,45 @@
+package majic.gui;
+
+import java.util.Optional;
+import majic.bot.BotException;
+import majic.gui.kit.RobotSharing;
+import org.jspecify.annotations.Nullable;
+
+/** Pretends to share robots at any broker, except at one that is called {@code nowhere}. */
+final class FakeSharing implements RobotSharing {
+    private volatile @Nullable Place place;
+    private volatile boolean connected = true;
+
+    @Override
+    public Place suggested() {
+        return new Place("", "desk1", "Anna");
+    }
+
+    @Override
+    public Optional<Place> now() {
+        return Optional.ofNullable(place);
+    }
+
+    @Override
+    public boolean isConnected() {
+        return connected;
+    }
+
+    @Override
+    public void start(Place wanted) {
+        if (wanted.broker().contains("nowhere")) {
+            throw new BotException("there is no computer of the name nowhere");
+        }
+        place = wanted;
+    }
+
+    @Override
+    public void stop() {
+        place = null;
+    }
+
+    /** Loses the connection with the broker. */
+    void lose() {
+        connected = false;
+    }
+}

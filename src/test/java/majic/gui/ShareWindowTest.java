@@ -1,0 +1,60 @@
+package majic.gui;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import javax.swing.JTextField;
+import majic.gui.kit.RobotSharing.Place;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+
+/** Tests the dialog that shares the robots with other desks. */
+class ShareWindowTest {
+    @AutoClose
+    private final TestWindow window = TestWindow.open();
+
+    private void share(String broker) {
+        window.run(() -> window.entry("Share the Robots…").doClick(0));
+        window.awaitDialog("Share the Robots");
+        window.run(() -> window.find("shareBroker", JTextField.class).setText(broker));
+        window.push("shareBegin");
+    }
+
+    @Test
+    void theRobotsAreSharedUnderTheSuggestedNames() {
+        share("mqtt://broker/lab");
+
+        window.await("the addresses", () -> window.text("shareState").contains("mqtt://broker/lab/desk1/1"));
+        assertThat(window.sharing.now()).contains(new Place("mqtt://broker/lab", "desk1", "Anna"));
+        assertThat(window.isEnabled("shareBegin")).isFalse();
+    }
+
+    @Test
+    void aBrokerThatCannotBeReachedIsNamedAndTheDialogStaysOpen() {
+        share("mqtt://nowhere/lab");
+
+        window.await("the reason", () -> window.text("shareState").equals("there is no computer of the name nowhere"));
+        window.await("another attempt to be possible", () -> window.isEnabled("shareBegin"));
+        assertThat(window.isEnabled("shareEnd")).isFalse();
+    }
+
+    @Test
+    void aLostConnectionIsShown() {
+        share("mqtt://broker/lab");
+        window.await("the end to be possible", () -> window.isEnabled("shareEnd"));
+
+        window.sharing.lose();
+
+        window.await("the loss", () -> window.text("shareState").contains("is lost; it is being made again"));
+    }
+
+    @Test
+    void endingTheSharingIsShown() {
+        share("mqtt://broker/lab");
+        window.await("the end to be possible", () -> window.isEnabled("shareEnd"));
+
+        window.push("shareEnd");
+
+        window.await("the end", () -> window.text("shareState").contains("not shared any more"));
+        assertThat(window.sharing.now()).isEmpty();
+    }
+}
