@@ -39,6 +39,11 @@ public final class LabRobot implements TestedRobot {
         rig.lab().simulators().besideRos(action);
     }
 
+    /** Makes a second driver of the robot, as another program has one; not connected, to be closed. */
+    public MajicBot another() {
+        return rig.session().factory().create("sim:" + type);
+    }
+
     @Override
     public MajicBot bot() {
         return bot;

@@ -83,7 +83,7 @@ final class RosSensing implements ObstructionSource {
             sensors = sensors.withSlidingJoints(session.slidingJoints());
         }
         servers = NavigationServers.of(client.topics(), actions(client), namespace);
-        navigation.cancelUnfinished(client, servers);
+        navigation.begin(client, servers);
         RosReadings opened = new RosReadings(client, sensors, waiting, events);
         readings = opened;
         parameters.describe(sensors, servers);

@@ -16,6 +16,7 @@ import java.util.concurrent.CompletionException;
 import majic.LabRobot;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
@@ -145,6 +146,31 @@ class RosSensorsInLabTest {
                     .cause()
                     .isInstanceOf(MotionStopped.class);
             assertThat(robot.bot().move(100).amount()).isNotNull();
+        }
+    }
+
+    @ParameterizedTest(name = "ROS {0}")
+    @ValueSource(strings = {"1", "2", "2+unblocked"})
+    void aStopCancelsTheGoalOfAnotherProgram(String model) {
+        try (LabRobot robot = connected(model, 1000);
+                MajicBot other = robot.another()) {
+            other.connect();
+            Pose start = robot.truePose();
+            List<Value> place = List.of(Value.of(3000, Unit.NONE), Value.of(0, Unit.NONE));
+            CompletableFuture<String> drive = new CompletableFuture<>();
+            other.time()
+                    .thread("other", () -> drive.completeAsync(() -> other.run("goto", place), Runnable::run))
+                    .start();
+            while (robot.truePose().distanceMm(start) < 200) {
+                pass(robot, 0.05);
+            }
+
+            robot.bot().stop();
+
+            Pose stopped = robot.truePose();
+            pass(robot, 3);
+            assertThat(robot.truePose().distanceMm(stopped)).isLessThan(5);
+            assertThatThrownBy(drive::join).hasMessageContaining("the goal was cancelled on the robot");
         }
     }
 

@@ -2,6 +2,8 @@ package majic.ros.navigation;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
@@ -20,6 +22,8 @@ import org.jspecify.annotations.Nullable;
  * cancelled the robot's own navigation sends velocities as well. Thread-safe.
  */
 public final class Navigation {
+    private static final Logger LOG = System.getLogger(Navigation.class.getName());
+
     /** Servers answer at once; one that rejects a goal never does. */
     private static final double ANSWER_S = 5;
 
@@ -31,6 +35,19 @@ public final class Navigation {
     private final Signal changes;
     private volatile @Nullable Goal running;
     private volatile boolean unfinished;
+    private volatile @Nullable Connected connected;
+
+    /** The robot of the newest connection. */
+    private record Connected(RosClient connection, NavigationServers servers) {
+        /** Cancels the goals of all programs; waits for nothing. */
+        void cancelAll() {
+            servers.moveBase().ifPresent(server -> MoveBaseGoal.cancelAll(connection, server));
+            Stream.of(servers.navigateToPose(), servers.dock(), servers.undock())
+                    .flatMap(Optional::stream)
+                    .forEach(action ->
+                            connection.request(action + "/_action/cancel_goal", JsonNodeFactory.instance.objectNode()));
+        }
+    }
 
     /**
      * Creates an idle navigation.
@@ -146,11 +163,21 @@ public final class Navigation {
         }
     }
 
-    /** Cancels the goal that is being pursued, if there is one; waits for nothing and throws nothing. */
+    /**
+     * Cancels all goals that the robot pursues, those of other programs too: they would move it on after the stop. Waits for
+     * nothing and throws nothing.
+     */
     public void cancel() {
         Goal goal = running;
+        Connected robot = connected;
         if (goal != null) {
             attemptCancel(goal);
+        } else if (robot != null) {
+            try {
+                robot.cancelAll();
+            } catch (LinkLost e) {
+                LOG.log(Level.DEBUG, "the goals of other programs could not be cancelled", e);
+            }
         }
     }
 
@@ -159,28 +186,24 @@ public final class Navigation {
             goal.cancel();
         } catch (LinkLost e) {
             unfinished = true;
-            System.getLogger(Navigation.class.getName())
-                    .log(System.Logger.Level.DEBUG, "the goal could not be cancelled", e);
+            LOG.log(Level.DEBUG, "the goal could not be cancelled", e);
         }
     }
 
     /**
-     * Cancels what the robot may still pursue since the last connection was lost: the loss cancels no goal (rosbridge sheet
-     * 6). Called for each new connection; sends nothing after one that ended without a goal.
+     * Uses a new connection from now on, and cancels what the robot may still pursue since the last one was lost: the loss
+     * cancels no goal (rosbridge sheet 6). Sends nothing after a connection that ended without a goal.
      *
      * @param servers of the robot
      * @throws LinkLost if the connection has ended
      */
-    public void cancelUnfinished(RosClient connection, NavigationServers servers) {
-        if (!unfinished) {
-            return;
+    public void begin(RosClient connection, NavigationServers servers) {
+        Connected robot = new Connected(connection, servers);
+        connected = robot;
+        if (unfinished) {
+            robot.cancelAll();
+            unfinished = false;
         }
-        servers.moveBase().ifPresent(server -> MoveBaseGoal.cancelAll(connection, server));
-        Stream.of(servers.navigateToPose(), servers.dock(), servers.undock())
-                .flatMap(Optional::stream)
-                .forEach(action ->
-                        connection.request(action + "/_action/cancel_goal", JsonNodeFactory.instance.objectNode()));
-        unfinished = false;
     }
 
     /**
