@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import majicsim.ros.message.MessageInput;
 import majicsim.ros.message.MessageMismatch;
+import org.jspecify.annotations.Nullable;
 
 /** advertise, unadvertise and publish of one client (sheet 3). */
 final class PublishOperations {
@@ -62,8 +63,7 @@ final class PublishOperations {
         Set.copyOf(advertised.keySet()).forEach(this::release);
     }
 
-    private void register(String topic, @org.jspecify.annotations.Nullable String type, String id)
-            throws MessageMismatch {
+    private void register(String topic, @Nullable String type, String id) throws MessageMismatch {
         Set<String> ids = advertised.get(topic);
         if (ids == null) {
             publishers.register(topic, type);

@@ -10,6 +10,7 @@ import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.Base64;
 import java.util.Map;
 import java.util.function.LongSupplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Checks received objects against their types (sheet 3 and 4). The result has the received fields alone; a missing one means zero.
@@ -61,7 +62,7 @@ public final class MessageInput {
     }
 
     /** By ROS 1 a stamp with the names of ROS 2 counts as none. */
-    private boolean isWithoutTime(@org.jspecify.annotations.Nullable JsonNode stamp) {
+    private boolean isWithoutTime(@Nullable JsonNode stamp) {
         return stamp == null || (stamp.isObject() && !hasTime(stamp, types.version()) && !hasOtherTime(stamp));
     }
 

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
@@ -33,7 +34,7 @@ class RosDrawingTest {
         drawing.show(Scenes.of(Scenes.circle(1000, SECOND)), Pose.START);
         int[] all = painted();
         double[] none = new double[360];
-        java.util.Arrays.fill(none, Double.NaN);
+        Arrays.fill(none, Double.NaN);
         drawing.show(Scenes.of(ScanEchoes.of(none, none, SECOND)), Pose.START);
         int[] nothing = painted();
 
