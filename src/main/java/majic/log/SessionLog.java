@@ -7,8 +7,6 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.LocalDateTime;
-import java.time.format.DateTimeFormatter;
-import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
@@ -16,7 +14,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import majic.text.VisibleText;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,8 +25,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class SessionLog implements AutoCloseable {
     private static final Logger LOG = System.getLogger(SessionLog.class.getName());
-    private static final DateTimeFormatter LINE_TIME =
-            DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS", Locale.ROOT);
     private static final int MOST_UNWRITTEN = 10_000;
     private static final long CLOSE_BOUND_MS = 1000;
     private static final long RETRY_MS = 1000;
@@ -37,8 +33,9 @@ public final class SessionLog implements AutoCloseable {
     /** Takes the place of a line when it is time to try again. */
     private static final String NOTHING_NEW = "\n";
 
-    private final Clock clock;
-    private final @Nullable SessionLogFiles files;
+    private final Supplier<Clock> clock;
+    private volatile boolean keeps = true;
+    private @Nullable SessionLogFiles files;
     private volatile @Nullable Path file;
     private @Nullable LineFile lines;
     private final AtomicLong missing = new AtomicLong();
@@ -47,20 +44,29 @@ public final class SessionLog implements AutoCloseable {
     private final BlockingQueue<String> unwritten = new LinkedBlockingQueue<>(MOST_UNWRITTEN);
     private final Thread writer = new Thread(this::writeAll, "session log");
 
-    private SessionLog(Clock clock, @Nullable SessionLogFiles files, @Nullable Path file, @Nullable LineFile lines) {
+    private SessionLog(Supplier<Clock> clock) {
         this.clock = clock;
-        this.files = files;
-        this.file = file;
-        this.lines = lines;
     }
 
     /** Creates a log that writes to a channel. */
     static SessionLog to(SeekableByteChannel channel, Path file, Clock clock) {
-        return new SessionLog(clock, null, file, new LineFile(channel)).start();
+        SessionLog log = new SessionLog(() -> clock);
+        log.start(null, file, new LineFile(channel));
+        return log;
     }
 
     /**
-     * Starts a log in a directory, which is created if it is missing. Its files and those of earlier sessions may have
+     * Creates a log of which {@link #open} makes the file. Lines that are written before are written to the file then.
+     * The time of day is that of the computer's time zone, which is read when it is needed: it would delay the window.
+     *
+     * @return the log, without a file
+     */
+    public static SessionLog unopened() {
+        return new SessionLog(Clock::systemDefaultZone);
+    }
+
+    /**
+     * Starts a log in a directory as {@link #open} does. Its files and those of earlier sessions may have
      * 200 MB; the oldest are deleted.
      *
      * @param directory the directory of the session logs
@@ -69,18 +75,44 @@ public final class SessionLog implements AutoCloseable {
      * @throws IOException if the file cannot be made
      */
     public static SessionLog in(Path directory, Clock clock) throws IOException {
-        return in(SessionLogFiles.of(directory, LocalDateTime.now(clock)), clock);
+        SessionLog log = new SessionLog(() -> clock);
+        log.open(directory);
+        return log;
     }
 
     static SessionLog in(SessionLogFiles files, Clock clock) throws IOException {
-        Path file = files.next();
-        return new SessionLog(clock, files, file, SessionLogFiles.open(file)).start();
+        SessionLog log = new SessionLog(() -> clock);
+        log.open(files);
+        return log;
     }
 
-    private SessionLog start() {
+    /**
+     * Makes the file of an unopened log in a directory, which is created if it is missing. To be called once.
+     *
+     * @param directory the directory of the session logs
+     * @throws IOException if the file cannot be made; the log keeps nothing then
+     */
+    public void open(Path directory) throws IOException {
+        open(SessionLogFiles.of(directory, LocalDateTime.now(clock.get())));
+    }
+
+    private void open(SessionLogFiles wanted) throws IOException {
+        try {
+            Path made = wanted.next();
+            start(wanted, made, SessionLogFiles.open(made));
+        } catch (IOException e) {
+            keeps = false;
+            unwritten.clear();
+            throw e;
+        }
+    }
+
+    private void start(@Nullable SessionLogFiles all, Path first, LineFile open) {
+        files = all;
+        file = first;
+        lines = open;
         writer.setDaemon(true);
         writer.start();
-        return this;
     }
 
     /**
@@ -89,7 +121,9 @@ public final class SessionLog implements AutoCloseable {
      * @return the log
      */
     public static SessionLog none() {
-        return new SessionLog(Clock.systemDefaultZone(), null, null, null);
+        SessionLog log = unopened();
+        log.keeps = false;
+        return log;
     }
 
     /**
@@ -100,7 +134,7 @@ public final class SessionLog implements AutoCloseable {
      * @param text the line; line ends and control characters in it are made visible
      */
     public void write(String kind, String text) {
-        if (file == null) {
+        if (!keeps) {
             return;
         }
         if (!unwritten.offer(stamped(kind, text))) {
@@ -121,7 +155,7 @@ public final class SessionLog implements AutoCloseable {
     /**
      * Returns the file of the log that is written now.
      *
-     * @return its file; empty if nothing is kept
+     * @return its file; empty if nothing is kept, or before the log is opened
      */
     public Optional<Path> file() {
         return Optional.ofNullable(file);
@@ -174,12 +208,13 @@ public final class SessionLog implements AutoCloseable {
 
     /** Goes on in another file, or if none can be made, in this one. */
     private void continueIfFull() {
-        if (files == null || lines().size() < files.mostBytesPerFile()) {
+        SessionLogFiles all = files;
+        if (all == null || lines().size() < all.mostBytesPerFile()) {
             return;
         }
         makeRoom();
         try (LineFile full = lines()) {
-            Path next = files.next();
+            Path next = all.next();
             LineFile fresh = SessionLogFiles.open(next);
             fresh.append(stamped(
                     "notice", "continued from " + Objects.requireNonNull(file).getFileName()));
@@ -236,7 +271,6 @@ public final class SessionLog implements AutoCloseable {
     }
 
     private String stamped(String kind, String text) {
-        String time = LINE_TIME.format(LocalDateTime.now(clock));
-        return String.format(Locale.ROOT, "%s %-7s %s%n", time, kind, VisibleText.of(text));
+        return StampedLine.of(LocalDateTime.now(clock.get()), kind, text);
     }
 }

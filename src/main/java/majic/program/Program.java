@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
-import java.time.Clock;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -64,8 +63,7 @@ public final class Program implements AutoCloseable {
     private final CountDownLatch closed = new CountDownLatch(1);
 
     /**
-     * Builds everything; starts nothing except the session log. If that cannot be written, as in a read-only folder, there
-     * is none, and {@link #announce} reports it.
+     * Builds everything; starts nothing. The file of the session log is made by {@link #announce}.
      *
      * @param folder the user's folder
      * @param lab a running lab; null for none
@@ -95,7 +93,7 @@ public final class Program implements AutoCloseable {
             factory.useLab(lab);
         }
         team = new Team(time, maxRobots);
-        log = openLog(folder.file("sessions"));
+        log = SessionLog.unopened();
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
         recorder = records ? record() : null;
@@ -104,14 +102,13 @@ public final class Program implements AutoCloseable {
         }
     }
 
-    private SessionLog openLog(Path sessions) {
+    private void openLog(Path sessions) {
         try {
-            return SessionLog.in(sessions, Clock.systemDefaultZone());
+            log.open(sessions);
         } catch (IOException e) {
             LOG.log(Level.WARNING, "there is no session log", e);
             problems.add("no session log can be written in " + sessions + ": " + IoReason.of(e)
                     + "; MAJIC goes on without one");
-            return SessionLog.none();
         }
     }
 
@@ -140,11 +137,11 @@ public final class Program implements AutoCloseable {
     }
 
     /**
-     * Starts a lab in a program that has none, at the pace of the wall clock.
+     * Starts the usual lab in a program that has none, at the pace of the wall clock. May block.
      *
      * @throws BotException if there is one already or it cannot open its ports
      */
-    synchronized void startLab() {
+    public synchronized void startLab() {
         if (lab != null) {
             throw new BotException("a lab runs already");
         }
@@ -241,8 +238,13 @@ public final class Program implements AutoCloseable {
         return succeeded;
     }
 
-    /** Reports the errors that occurred before, those of plug-ins included, now that the session has a listener. */
+    /**
+     * Begins the session, now that it has a listener: makes the file of the session log, and reports the errors that
+     * occurred before, those of plug-ins included. If the log cannot be written, as in a read-only folder, that is reported,
+     * and there is none. To be called once; may block.
+     */
     public void announce() {
+        openLog(folder.file("sessions"));
         problems.forEach(session::alarm);
         settings.onTrouble(session::alarm);
     }

@@ -1,6 +1,7 @@
 package majic.log;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIOException;
 
 import java.io.IOException;
 import java.nio.ByteBuffer;
@@ -36,6 +37,35 @@ class SessionLogTest {
         assertThat(Files.readAllLines(log.file().orElseThrow()))
                 .containsExactly(
                         "2007-09-01 12:00:00.250 command 1 move 500", "2007-09-01 12:00:00.250 answer  two\\nlines");
+    }
+
+    @Test
+    void linesBeforeTheLogIsOpenedAreWrittenToItsFile() throws IOException {
+        SessionLog log = SessionLog.unopened();
+        log.write("notice", "early");
+        assertThat(log.file()).isEmpty();
+
+        log.open(folder);
+        log.write("notice", "late");
+        log.close();
+
+        assertThat(Files.readAllLines(log.file().orElseThrow()))
+                .satisfiesExactly(
+                        first -> assertThat(first).endsWith(" notice  early"),
+                        second -> assertThat(second).endsWith(" notice  late"));
+    }
+
+    @Test
+    void aLogThatCannotBeOpenedKeepsNothing() throws IOException {
+        Path file = Files.writeString(folder.resolve("sessions"), "not a folder");
+        SessionLog log = SessionLog.unopened();
+        log.write("notice", "early");
+
+        assertThatIOException().isThrownBy(() -> log.open(file));
+
+        log.write("notice", "late");
+        log.close();
+        assertThat(log.file()).isEmpty();
     }
 
     @Test

@@ -83,8 +83,10 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     }
 
     void showTimes(boolean shown) {
-        withTimes = shown;
-        showKept();
+        if (shown != withTimes) {
+            withTimes = shown;
+            showKept();
+        }
     }
 
     /** Removes all messages. */

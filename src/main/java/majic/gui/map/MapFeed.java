@@ -35,6 +35,9 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     /** Distance at which robots are drawn from each other when their positions are unknown. */
     private static final double GUESSED_APART_MM = 1000;
 
+    /** The time until the window is visible, which the first update would delay. */
+    private static final int FIRST_UPDATE_MS = 300;
+
     private final Team team;
     private final BotFactory factory;
     private final Consumer<MapScene> show;
@@ -76,8 +79,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
 
     public void start() {
         team.addListener(this);
-        clock.scheduleWithFixedDelay(
-                this::update, RefreshTicks.PERIOD_MS, RefreshTicks.PERIOD_MS, TimeUnit.MILLISECONDS);
+        clock.scheduleWithFixedDelay(this::update, FIRST_UPDATE_MS, RefreshTicks.PERIOD_MS, TimeUnit.MILLISECONDS);
     }
 
     /** Records where the robot is when it is added, before it moves. */
