@@ -77,14 +77,14 @@ public final class MajicCommand implements Callable<Integer> {
         if (!console && !windowless) {
             Window.preload();
         }
-        try (Program program = start.program(folder)) {
+        try (Program program = start.program(folder, !console && !windowless)) {
             if (console || windowless) {
                 if (reconnect) {
                     program.reconnectLost();
                 }
                 return Console.standard(program).run(start.firstLines(program), List.of());
             }
-            return new Window(program).run(start.firstLines(program));
+            return new Window(program).run(() -> start.firstLines(program));
         }
     }
 }

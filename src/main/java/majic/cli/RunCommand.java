@@ -37,7 +37,7 @@ public final class RunCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         StartOptions start = Objects.requireNonNull(majic).start();
-        try (Program program = start.program(folder)) {
+        try (Program program = start.program(folder, false)) {
             return Console.silent(program).run(start.firstLines(program), List.of("run \"" + file + "\""));
         }
     }

@@ -4,7 +4,9 @@ import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.stream.IntStream;
+import majic.bot.BotException;
 import majic.program.Program;
 import majic.program.UsageException;
 import majic.program.UserFolder;
@@ -92,12 +94,14 @@ final class StartOptions {
      * Builds the program that these options request.
      *
      * @param folder the user's folder
+     * @param windowFirst whether {@link #firstLines} starts the usual lab, so that the window is visible before; a lab with
+     *     options of its own is started at once, so that its faults end the program
      * @return the program, its robots not yet added
      * @throws UsageException if they do not go together
      * @throws IOException if the lab or the socket cannot open its ports, the world is none, or a file cannot be
      *     written
      */
-    Program program(UserFolder folder) throws IOException {
+    Program program(UserFolder folder, boolean windowFirst) throws IOException {
         if (open && listen == null) {
             throw new UsageException("--listen-open goes with --listen, as in --listen 127.0.0.1:7777 --listen-open");
         }
@@ -109,7 +113,8 @@ final class StartOptions {
         }
         name(VendorLibrary.ARIA, ariaHome);
         name(VendorLibrary.LIBURBI, liburbiHome);
-        SimulatedLab simulated = lab ? SimulatedLab.scaled(choice.options(), choice.speed()) : null;
+        boolean atOnce = lab && !(windowFirst && !choice.isGiven());
+        SimulatedLab simulated = atOnce ? SimulatedLab.scaled(choice.options(), choice.speed()) : null;
         if (simulated != null) {
             choice.tellTakenPorts(simulated.simulators().addresses());
         }
@@ -119,6 +124,11 @@ final class StartOptions {
             tell(program, listen(program, address(listen)));
         }
         return program;
+    }
+
+    private void startLab(Program program) {
+        program.startLab();
+        choice.tellTakenPorts(Objects.requireNonNull(program.lab()).simulators().addresses());
     }
 
     private static void name(VendorLibrary library, @Nullable String home) {
@@ -163,12 +173,16 @@ final class StartOptions {
     }
 
     /**
-     * Returns the lines that add the requested robots.
+     * Returns the lines that add the requested robots, once the requested lab runs. May block.
      *
      * @param program the built program
      * @return MAJIC Script
+     * @throws BotException if the lab cannot be started now
      */
     List<String> firstLines(Program program) {
+        if (lab && program.lab() == null) {
+            startLab(program);
+        }
         List<String> lines = new ArrayList<>();
         SimulatedLab simulated = program.lab();
         if (simulated != null) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
+import majic.bot.BotException;
 import majic.gui.MajicFrame;
 import majic.gui.WindowPreloader;
 import majic.gui.kit.ProgramServices;
@@ -38,12 +39,13 @@ public final class Window {
     /**
      * Shows the window and blocks until the end of the program.
      *
-     * @param firstLines lines that add robots; submitted once the window is shown
+     * @param firstLines returns lines that add robots; called once the window is painted, and may block then
      * @return the exit status
      * @throws UsageException if the display cannot be used
      */
-    public int run(List<String> firstLines) {
+    public int run(Supplier<List<String>> firstLines) {
         MajicFrame frame = open(this::show);
+        awaitPainted();
         program.announce();
         Thread adding = new Thread(() -> add(firstLines), "adding robots");
         adding.setDaemon(true);
@@ -58,11 +60,25 @@ public final class Window {
         return 0;
     }
 
-    private void add(List<String> firstLines) {
+    /** Waits for the events of the opening, the first painting among them: what begins now does not delay it. */
+    private static void awaitPainted() {
+        onEventThread(() -> {});
+    }
+
+    private void add(Supplier<List<String>> firstLines) {
         try {
-            program.addFirst(firstLines);
+            program.addFirst(linesOrNone(firstLines));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        }
+    }
+
+    private List<String> linesOrNone(Supplier<List<String>> firstLines) {
+        try {
+            return firstLines.get();
+        } catch (BotException e) {
+            program.session().alarm(String.valueOf(e.getMessage()));
+            return List.of();
         }
     }
 

@@ -40,7 +40,7 @@ class VendorHomeOptionsTest {
         Path home = folder.resolve("none");
         new CommandLine(command).parseArgs(library.option(), home.toString());
 
-        try (Program program = command.start().program(new UserFolder(folder))) {
+        try (Program program = command.start().program(new UserFolder(folder), false)) {
             assertThatThrownBy(() -> program.session().factory().create(ROBOTS.get(library)))
                     .isInstanceOf(BotException.class)
                     .hasMessageEndingWith(library.label() + " is not found: there is no folder " + home + " (from "
@@ -55,7 +55,7 @@ class VendorHomeOptionsTest {
         new CommandLine(command)
                 .addSubcommand(new RunCommand(new UserFolder(folder)))
                 .parseArgs("run", library.option(), "installed", "square.majic");
-        command.start().program(new UserFolder(folder)).close();
+        command.start().program(new UserFolder(folder), false).close();
 
         assertThat(System.getProperty(library.property())).isEqualTo("installed");
     }
@@ -66,7 +66,7 @@ class VendorHomeOptionsTest {
         System.clearProperty(library.property());
         MajicCommand command = new MajicCommand(new UserFolder(folder));
         new CommandLine(command).parseArgs();
-        command.start().program(new UserFolder(folder)).close();
+        command.start().program(new UserFolder(folder), false).close();
 
         assertThat(System.getProperty(library.property())).isNull();
     }

@@ -127,7 +127,7 @@ final class StopTimes {
             team.member(count + 1).bot().addListener(gate.blocked(BotListener.class));
         }
         background(() -> new Console(program, new Typed(typed)).run(List.of(), List.of()));
-        background(() -> new Window(program).run(List.of()));
+        background(() -> new Window(program).run(List::of));
         background(() -> client.getInputStream().transferTo(OutputStream.nullOutputStream()));
         send("bots");
         MeasuredWindow.awaitWindow();
