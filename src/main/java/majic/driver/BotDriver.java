@@ -73,7 +73,7 @@ public abstract class BotDriver extends MajicBot {
         this.name = "the " + type.label();
         this.atShutdown = new ShutdownHook.Closing(this::name, time, this::revokeForGood, this::close);
         SharedParameters.describe(
-                parameters, new SharedParameters.Source(this::state, this::profile, time), this::place);
+                parameters, new SharedParameters.Source(this::state, this::profile, time), this::setPose);
         limits.describe(parameters);
     }
 
@@ -545,6 +545,15 @@ public abstract class BotDriver extends MajicBot {
      */
     protected final void type(BotType found) {
         type = Objects.requireNonNull(found, "found");
+    }
+
+    /**
+     * Sets the parameter {@code pose}: places the robot, unless overridden for one whose pose others see as well.
+     *
+     * @param pose finite
+     */
+    protected void setPose(Pose pose) {
+        place(pose);
     }
 
     /**

@@ -2,6 +2,7 @@ package majic.driver;
 
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
+import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
@@ -117,11 +118,11 @@ public final class Motion {
      * Hands the guard over to a program next to the robot, which ends the motion when it becomes true. This motion does not
      * evaluate it any more.
      *
-     * @return the condition in MAJIC Script; empty if there is no guard, or it cannot be handed over: this motion then goes
-     *     on to evaluate it
+     * @param accepted whether that program can evaluate a condition in MAJIC Script
+     * @return the condition; empty if there is no guard, or it cannot be handed over: this motion then goes on to evaluate it
      */
-    public Optional<String> handOverGuard() {
-        Optional<String> text = guard.text();
+    public Optional<String> handOverGuard(Predicate<String> accepted) {
+        Optional<String> text = guard.text().filter(accepted);
         guardHandedOver = text.isPresent();
         return text;
     }

@@ -29,8 +29,8 @@ import org.jspecify.annotations.Nullable;
 public final class BotFactory {
     private static final System.Logger LOG = System.getLogger(BotFactory.class.getName());
 
-    /** The types in the order of the thesis, then the one of today's robots; others follow by name. */
-    private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros");
+    /** The types in the order of the thesis, then the one of today's robots, those of other desks; others follow by name. */
+    private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros", "mqtt");
 
     private final List<BotType> types;
     private final Settings settings;

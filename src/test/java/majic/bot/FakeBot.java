@@ -197,7 +197,7 @@ public final class FakeBot extends BotDriver {
     @Override
     protected Value moveBy(double mm, Motion motion) {
         if (handsGuardsOver) {
-            motion.handOverGuard().ifPresent(until -> sent.add("until " + until));
+            motion.handOverGuard(until -> true).ifPresent(until -> sent.add("until " + until));
         }
         double goal = Math.min(Math.abs(mm), stallAfterMm);
         double speed = Math.copySign(cruiseMmPerSec(), mm);

@@ -22,7 +22,7 @@ class PluginsTest {
     void withoutPluginsThereAreTheRobotsOfTheThesisAndThoseThatSpeakRos() {
         assertThat(Plugins.in(folder.resolve("none")).types())
                 .extracting(BotType::name)
-                .containsExactly("aibo", "pioneer", "hemisson", "ros");
+                .containsExactly("aibo", "pioneer", "hemisson", "ros", "mqtt");
     }
 
     @Test

@@ -1,0 +1,62 @@
+package majic.shared;
+
+import java.util.List;
+import majic.bot.BotType;
+import majic.bot.MajicBot;
+import majic.environment.BotEnvironment;
+import majic.shared.message.Description;
+
+/**
+ * The type of a shared robot that has been connected: that of the robot at its desk, so that acts, scripts and users treat
+ * it as a robot of this type.
+ *
+ * @param shared the type by whose addresses it is reached
+ * @param kind the type that the desk has published
+ * @param desk the desk that has the robot
+ */
+record DescribedType(SharedType shared, Description.Kind kind, String desk) implements BotType {
+    @Override
+    public String name() {
+        return kind.type();
+    }
+
+    @Override
+    public String label() {
+        return kind.label() + " at " + desk;
+    }
+
+    @Override
+    public String make() {
+        return kind.make() + " at " + desk;
+    }
+
+    @Override
+    public List<Reach> reaches() {
+        return shared.reaches();
+    }
+
+    @Override
+    public int defaultPort() {
+        return shared.defaultPort();
+    }
+
+    @Override
+    public MajicBot create(String address, BotEnvironment environment) {
+        return shared.create(address, environment);
+    }
+
+    @Override
+    public String replayedBy() {
+        return shared.name();
+    }
+
+    @Override
+    public ReplayDisplay replay(MajicBot recorded) {
+        return shared.replay(recorded);
+    }
+
+    @Override
+    public String advice() {
+        return shared.advice();
+    }
+}

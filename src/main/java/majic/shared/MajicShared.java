@@ -1,0 +1,453 @@
+package majic.shared;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.NumericNode;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Pattern;
+import javax.swing.JComponent;
+import majic.bot.BotAddress;
+import majic.bot.BotCommand;
+import majic.bot.BotException;
+import majic.bot.BotProfile;
+import majic.bot.BotState;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
+import majic.bot.LinkLost;
+import majic.bot.Parameter;
+import majic.bot.Pose;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.driver.BotDriver;
+import majic.driver.DriverCommand;
+import majic.driver.Motion;
+import majic.driver.RobotWait;
+import majic.environment.BotEnvironment;
+import majic.shared.message.Description;
+import majic.shared.message.RequestReply;
+import majic.shared.message.RequestedAction;
+import majic.shared.message.RobotMessage;
+import majic.shared.message.RobotState;
+import majic.shared.panel.SharedPanel;
+import majic.shared.panel.SharedReplay;
+import majic.shared.panel.SharedScene;
+import majic.time.WaitPolicy;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot that another desk shares through a broker. It has the parameters, the commands and the type that its desk
+ * describes; motions are performed and guarded there. While this program holds the robot, it publishes a heartbeat; its desk
+ * stops the robot when the heartbeat is missing for a second.
+ *
+ * <p>The connection is given up when the broker, the desk or the desk's connection to the robot is lost, and when no state
+ * has arrived for 3 s.
+ */
+public final class MajicShared extends BotDriver {
+    private static final BotProfile UNKNOWN =
+            new BotProfile(200, new Range(-1000, 1000), new Range(-180, 180), 100, 45, 300, false);
+
+    private static final double FIRST_STATE_S = 3;
+    private static final double SILENCE_S = 3;
+    private static final double TICK_S = 0.25;
+
+    /** Parameters that the desk does not have, or that have other values there. */
+    private static final Pattern ONLY_HERE = Pattern.compile("(?i)\\b(desk|holder|delay|age)\\b");
+
+    private static final Pattern PLACE = Pattern.compile("(?i)\\b(x|y|heading|pose)\\b");
+
+    private final SharedAddress address;
+    private final SharedType shared;
+    private final BotEnvironment environment;
+    private final RobotWait waiting;
+    private final RemoteStop stop;
+    private final RemoteMotions motions;
+    private final DescribedParameters described;
+    private final DelayMeter delay = new DelayMeter(this::toDesk);
+    private final Set<String> commandNames = new HashSet<>();
+    private volatile @Nullable RobotFeed feed;
+    private volatile @Nullable RobotCommands commands;
+    private volatile @Nullable Description description;
+
+    /** The pose of the desk that this driver has placed the robot at last; null if the user has placed it. */
+    private volatile @Nullable Pose placedAsAtDesk;
+
+    /**
+     * Creates the driver of a robot.
+     *
+     * @param address with the scheme {@code mqtt} or {@code mqtts}
+     * @param shared has the connections to brokers
+     * @param environment the clock and settings to use
+     * @throws BotException if it is no such address; the message shows a right one
+     */
+    public MajicShared(BotAddress address, SharedType shared, BotEnvironment environment) {
+        super(shared, UNKNOWN, environment);
+        this.address = SharedAddress.parse(address);
+        this.shared = shared;
+        this.environment = environment;
+        this.waiting = new RobotWait(time(), changes());
+        this.stop = new RemoteStop(this::toDesk, waiting, this.address.title());
+        this.motions = new RemoteMotions(this::toDesk, waiting, stop, new AtDesk());
+        this.described = new DescribedParameters(motions, this::values);
+        describe();
+        every("shared robot", TICK_S, this::tick);
+    }
+
+    private void describe() {
+        table().add(Parameter.text("desk", "which desk shares it"), () -> Value.text(address.desk()));
+        table().add(Parameter.text("holder", "who may move it now"), () -> Value.text(holderText()));
+        table().add(Parameter.number("delay", Unit.MS, "from a request to the answer of its desk"), delay::delay);
+        add(new DriverCommand(
+                "hold", List.of(), false, "keeps others from moving it until free", (none, motion) -> hold()));
+        add(new DriverCommand("free", List.of(), false, "lets others move it", (none, motion) -> free()));
+    }
+
+    private String hold() {
+        motions.ask(new RequestedAction.Hold());
+        return "held until free";
+    }
+
+    private String free() {
+        motions.ask(new RequestedAction.Free());
+        return "";
+    }
+
+    @Override
+    protected void open() {
+        try {
+            PooledBroker broker = shared.brokers().acquire(address.broker(), this, environment);
+            closeFeed();
+            RobotFeed opening = new RobotFeed(broker, address, time(), new Events());
+            feed = opening;
+            commands = new RobotCommands(broker, address, opening, waiting);
+            motions.reset();
+            delay.begin();
+            opening.open();
+            awaitRobot(opening);
+        } catch (RuntimeException e) {
+            release();
+            throw e;
+        }
+    }
+
+    /** Returns when everything has arrived that a connected robot has. */
+    private void awaitRobot(RobotFeed opening) {
+        waiting.awaitConnecting(
+                () -> opening.isOver() || opening.description() != null && opening.state() != null, FIRST_STATE_S);
+        Description found = opening.description();
+        RobotFeed.Received first = opening.state();
+        if (found == null || first == null || opening.isOver()) {
+            throw new ConnectFailed(Reason.NO_ANSWER, Absence.of(address, opening));
+        }
+        RobotState.Link link = first.state().link();
+        if (link.connection() != Connection.CONNECTED) {
+            throw new ConnectFailed(
+                    Reason.NO_ANSWER,
+                    address.desk() + " is not connected to its robot " + address.robot() + " at the moment"
+                            + (link.lostReason().isEmpty() ? "" : ": " + link.lostReason())
+                            + "; did it lose it? It must be connected there first");
+        }
+        adopt(found);
+        report(first);
+        if (first.state().motion().placed() && isPlacedAsAtDesk()) {
+            placeAsAtDesk(first.state().motion().pose());
+        }
+    }
+
+    /** Takes the type, the parameters and the commands of the robot. */
+    private void adopt(Description found) {
+        Description before = description;
+        if (before != null && !before.kind().type().equals(found.kind().type())) {
+            throw new ConnectFailed(
+                    Reason.WRONG_DEVICE,
+                    address.desk() + " has another robot under this number now, a "
+                            + found.kind().make() + "; remove this one and add it again");
+        }
+        description = found;
+        type(new DescribedType(shared, found.kind(), address.desk()));
+        profile(found.profile());
+        described.describe(table(), found);
+        commandNames.forEach(this::removeCommand);
+        commandNames.clear();
+        for (BotCommand command : found.commands()) {
+            commandNames.add(command.name());
+            add(described.command(command));
+        }
+    }
+
+    @Override
+    public String introduction() {
+        Description known = description;
+        return known == null ? super.introduction() : known.introduction() + " at " + address.desk();
+    }
+
+    @Override
+    public List<String> calibration() {
+        Description known = description;
+        return known == null ? List.of() : known.calibration();
+    }
+
+    @Override
+    protected void shut() {
+        RobotFeed open = feed;
+        RobotCommands to = commands;
+        if (open != null && to != null && !open.isOver() && isHeldHere()) {
+            to.forget(to.request(new RequestedAction.Free()));
+        }
+        release();
+    }
+
+    private void release() {
+        closeFeed();
+        shared.brokers().release(address.broker(), this);
+    }
+
+    private void closeFeed() {
+        RobotFeed open = feed;
+        if (open != null) {
+            open.close();
+        }
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        Pose start = state().pose();
+        RequestReply end = motions.perform(motion, until -> new RequestedAction.Move(mm, until));
+        return covered(end).orElseGet(() -> Value.of(Math.copySign(start.distanceMm(state().pose()), mm), Unit.MM));
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        Pose start = state().pose();
+        RequestReply end = motions.perform(motion, until -> new RequestedAction.Turn(degrees, until));
+        return covered(end)
+                .orElseGet(() -> Value.of(Pose.normalised(state().pose().headingDeg() - start.headingDeg()), Unit.DEG));
+    }
+
+    @Override
+    protected @Nullable Value driveFor(double mmPerSec, double degPerSec, double seconds, Motion motion) {
+        return covered(motions.perform(motion, until -> new RequestedAction.Drive(mmPerSec, degPerSec, seconds, until)))
+                .orElse(null);
+    }
+
+    private static Optional<Value> covered(@Nullable RequestReply end) {
+        return Optional.ofNullable(end).map(RequestReply::report).map(report -> report.amount());
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        RobotState.Holder holder = holder();
+        if (holder != null && !holder.session().equals(toDesk().session())) {
+            throw new BotException(name() + " is held by " + holderText());
+        }
+        motions.drive(mmPerSec, degPerSec);
+    }
+
+    @Override
+    protected void halt() {
+        motions.halt();
+    }
+
+    /** A robot that is closed is stopped only if this program may have moved it: others may be using it. */
+    @Override
+    protected void haltAhead() {
+        if (connection() != Connection.CLOSED || motions.isActive()) {
+            stop.sendAhead();
+        }
+    }
+
+    @Override
+    public void confirmHalt() {
+        if (WaitPolicy.isAllowed()) {
+            stop.confirm();
+        }
+    }
+
+    /** Places the robot for all desks. */
+    @Override
+    protected void setPose(Pose pose) {
+        motions.ask(new RequestedAction.Set(
+                "pose",
+                List.of(
+                        Value.of(pose.xMm(), Unit.MM),
+                        Value.of(pose.yMm(), Unit.MM),
+                        Value.of(pose.headingDeg(), Unit.DEG))));
+        placeAsAtDesk(pose);
+    }
+
+    /** Takes over the frame of the desk, so that the pose is the same at all desks. */
+    private void placeAsAtDesk(Pose there) {
+        placedAsAtDesk = there;
+        place(there);
+    }
+
+    /** Returns whether the pose is that of the desk: the user of this program has not placed the robot elsewhere. */
+    private boolean isPlacedAsAtDesk() {
+        return placedAt().equals(Optional.ofNullable(placedAsAtDesk));
+    }
+
+    private RobotCommands toDesk() {
+        RobotCommands there = commands;
+        if (there == null) {
+            throw new BotException(name() + " is not connected");
+        }
+        return there;
+    }
+
+    private Map<String, JsonNode> values() {
+        RobotFeed open = feed;
+        RobotFeed.Received last = open == null ? null : open.state();
+        return last == null ? Map.of() : last.state().values();
+    }
+
+    /** Returns the holder that the desk reported last; null for nobody. */
+    private RobotState.@Nullable Holder holder() {
+        RobotFeed open = feed;
+        RobotFeed.Received last = open == null ? null : open.state();
+        return last == null ? null : last.state().holder();
+    }
+
+    private boolean isHeldHere() {
+        RobotState.Holder holder = holder();
+        return holder != null && holder.session().equals(toDesk().session());
+    }
+
+    private String holderText() {
+        RobotState.Holder holder = holder();
+        if (holder == null) {
+            return "nobody";
+        }
+        String who = isHeldHere() ? "this program" : holder.toString();
+        return holder.work().isEmpty() ? who : who + " (" + holder.work() + ")";
+    }
+
+    /** Publishes what the desk has reported. */
+    private void report(RobotFeed.Received received) {
+        RobotState.Movement motion = received.state().motion();
+        if (received.state().values().get("maxMove") instanceof NumericNode most && most.doubleValue() > 0) {
+            maxMove(most.doubleValue());
+        }
+        publish(new BotState(
+                motion.pose(),
+                motion.mmPerSec(),
+                motion.degPerSec(),
+                motion.moving(),
+                received.nanos() - TimeUnit.MILLISECONDS.toNanos(Math.max(0, motion.ageMs()))));
+        if (motion.placed() && placedAt().isEmpty()) {
+            placeAsAtDesk(motion.pose());
+        }
+    }
+
+    /** Runs a few times a second: notices silence, keeps the hold, measures the delay, takes over a new description. */
+    private void tick() {
+        RobotFeed open = feed;
+        if (open == null || !isConnected()) {
+            return;
+        }
+        if (open.silenceS() > SILENCE_S) {
+            loseBecause("nothing has arrived from " + address.desk() + " for " + Math.round(SILENCE_S) + " s");
+            return;
+        }
+        if (isHeldHere() || motions.isActive()) {
+            toDesk().heartbeat();
+        }
+        Description newest = open.description();
+        if (newest != null && newest != description) {
+            readopt(newest);
+        }
+        String warning = delay.tick();
+        if (warning != null) {
+            notice(warning);
+        }
+    }
+
+    private void readopt(Description newest) {
+        try {
+            adopt(newest);
+            news();
+        } catch (ConnectFailed e) {
+            loseBecause(String.valueOf(e.getMessage()));
+        }
+    }
+
+    private void loseBecause(String reason) {
+        lost(new LinkLost(reason));
+        changes().raise();
+    }
+
+    @Override
+    public JComponent display() {
+        return SharedPanel.create(this, this::scene, this::requestPicture);
+    }
+
+    @Override
+    public Map<String, String> displayState() {
+        return SharedReplay.texts(scene());
+    }
+
+    private SharedScene scene() {
+        Description known = description;
+        return new SharedScene(
+                address.toString(), holderText(), delay.delay().toString(), known != null && known.camera());
+    }
+
+    /** Asks for a picture of the camera, and publishes it when it arrives. Blocks; not for the event thread. */
+    private byte[] requestPicture() {
+        byte[] jpeg = motions.picture();
+        publishPicture(() -> jpeg);
+        return jpeg;
+    }
+
+    /** The robot as its motions see it. */
+    private final class AtDesk implements RemoteMotions.Remote {
+        @Override
+        public String desk() {
+            return address.desk();
+        }
+
+        @Override
+        public boolean canGuard(String until) {
+            return !ONLY_HERE.matcher(until).find()
+                    && (isPlacedAsAtDesk() || !PLACE.matcher(until).find());
+        }
+
+        @Override
+        public boolean isMoving() {
+            return state().moving();
+        }
+    }
+
+    /** Handles what arrives, on the thread of the broker's connection. */
+    private final class Events implements RobotFeed.Listener {
+        @Override
+        public void described(Description found) {
+            changes().raise();
+        }
+
+        @Override
+        public void reported(RobotFeed.Received received) {
+            report(received);
+            RobotState.Link link = received.state().link();
+            if (isConnected() && link.connection() != Connection.CONNECTED) {
+                loseBecause(address.desk() + " has lost its connection to the robot"
+                        + (link.lostReason().isEmpty() ? "" : ": " + link.lostReason()));
+            }
+        }
+
+        @Override
+        public void message(RobotMessage message) {
+            if (isConnected() && message.kind() != RobotMessage.Kind.ANSWER) {
+                notice(message.text());
+            }
+        }
+
+        @Override
+        public void gone(String reason) {
+            loseBecause(reason);
+        }
+    }
+}

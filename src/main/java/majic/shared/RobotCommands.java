@@ -1,0 +1,126 @@
+package majic.shared;
+
+import java.util.OptionalLong;
+import majic.bot.BotException;
+import majic.driver.RobotWait;
+import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.Quality;
+import majic.shared.message.HoldMessage;
+import majic.shared.message.Request;
+import majic.shared.message.RequestedAction;
+import majic.shared.message.SiteTopics;
+import majic.shared.message.SiteTopics.Part;
+import majic.shared.message.SpeedMessage;
+import majic.shared.message.StopMessage;
+
+/**
+ * Publishes what moves, stops and asks one shared robot. Everything that may move it is valid for a short time on the clock
+ * of the desk that has it, so that nothing moves a robot that arrives late. No method blocks; all throw a
+ * {@link BotException} while there is no connection to the broker. Thread-safe.
+ */
+final class RobotCommands {
+    private static final long REQUEST_MS = 1000;
+    private static final long SPEED_MS = 500;
+    private static final long HEARTBEAT_MS = 700;
+    private static final int REQUEST_EXPIRY_S = 2;
+
+    private final PooledBroker broker;
+    private final SharedAddress address;
+    private final SiteTopics topics;
+    private final RobotFeed feed;
+    private final RobotWait waiting;
+
+    /**
+     * Publishes to one robot.
+     *
+     * @param feed tells the clock of the desk
+     * @param waiting is woken by each answer
+     */
+    RobotCommands(PooledBroker broker, SharedAddress address, RobotFeed feed, RobotWait waiting) {
+        this.broker = broker;
+        this.address = address;
+        this.topics = new SiteTopics(address.broker().site());
+        this.feed = feed;
+        this.waiting = waiting;
+    }
+
+    /** Publishes a request, whose answers are collected until {@link #forget}. */
+    PendingReply request(RequestedAction action) {
+        long number = broker.nextNumber();
+        Request request = new Request(broker.sender(), number, OptionalLong.of(feed.deskClockIn(REQUEST_MS)), action);
+        BrokerMessage message = BrokerMessage.json(topic(Part.REQUEST), request.toJson(), Quality.AT_LEAST_ONCE)
+                .expiringAfter(REQUEST_EXPIRY_S);
+        return ask(message, String.valueOf(number));
+    }
+
+    /** Expects no further answer to a request. */
+    void forget(PendingReply reply) {
+        broker.forget(reply);
+    }
+
+    /** Expects the refusals of one drive, until {@link #forget}. */
+    PendingReply expectDrive() {
+        return broker.expect("drive-" + broker.nextNumber(), waiting);
+    }
+
+    /**
+     * Publishes the speeds for the next 600 ms.
+     *
+     * @param drive takes the answer if they are refused
+     */
+    void drive(double mmPerSec, double degPerSec, PendingReply drive) {
+        SpeedMessage speed =
+                new SpeedMessage(broker.sender(), broker.nextNumber(), mmPerSec, degPerSec, feed.deskClockIn(SPEED_MS));
+        broker.publish(BrokerMessage.json(topic(Part.SPEED), speed.toJson(), Quality.AT_MOST_ONCE), topics, drive);
+    }
+
+    /** Publishes the heartbeat of the holder. */
+    void heartbeat() {
+        HoldMessage hold = new HoldMessage(broker.sender(), feed.deskClockIn(HEARTBEAT_MS));
+        publish(Part.HOLD, hold.toJson());
+    }
+
+    /** Publishes a stop by the fastest way, without an answer. */
+    void stopAhead(String id) {
+        publish(Part.STOP, stop(id));
+    }
+
+    /** Publishes a stop that is delivered for certain and answered. */
+    PendingReply stopConfirmed(String id) {
+        BrokerMessage message = BrokerMessage.json(topic(Part.STOP), stop(id), Quality.AT_LEAST_ONCE);
+        return ask(message, "stop-" + id);
+    }
+
+    private PendingReply ask(BrokerMessage message, String correlation) {
+        PendingReply reply = broker.expect(correlation, waiting);
+        try {
+            broker.publish(message, topics, reply);
+            return reply;
+        } catch (RuntimeException e) {
+            broker.forget(reply);
+            throw e;
+        }
+    }
+
+    private byte[] stop(String id) {
+        return new StopMessage(broker.sender(), broker.lastNumber(), id).toJson();
+    }
+
+    private void publish(Part part, byte[] json) {
+        broker.connection().publish(BrokerMessage.json(topic(part), json, Quality.AT_MOST_ONCE));
+    }
+
+    private String topic(Part part) {
+        return topics.robot(address.desk(), address.robot(), part);
+    }
+
+    /** Returns whether the robot cannot be used any more. */
+    boolean isOver() {
+        return feed.isOver();
+    }
+
+    /** Returns the session that holds the robots that are moved by this. */
+    String session() {
+        return broker.sender().session();
+    }
+}

@@ -1,0 +1,205 @@
+package majic.shared;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import majic.bot.BotException;
+import majic.shared.broker.BrokerConnection;
+import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.Quality;
+import majic.shared.message.Description;
+import majic.shared.message.Presence;
+import majic.shared.message.RobotMessage;
+import majic.shared.message.RobotState;
+import majic.shared.message.SiteTopics;
+import majic.shared.message.SiteTopics.Part;
+import majic.shared.message.UnusableMessageException;
+import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What arrives from one shared robot and its desk, from one connection of the driver to the next. Thread-safe; calls its
+ * listener on the thread of the broker's connection.
+ */
+final class RobotFeed {
+    private static final Logger LOG = System.getLogger(RobotFeed.class.getName());
+
+    private final PooledBroker broker;
+    private final SharedAddress address;
+    private final SiteTopics topics;
+    private final TimeSource time;
+    private final Listener listener;
+    private final List<Runnable> subscribed = new ArrayList<>();
+    private volatile @Nullable Description description;
+    private volatile @Nullable Received state;
+    private volatile @Nullable Presence presence;
+    private volatile boolean over;
+
+    /** Is called with what arrives, and must not wait. */
+    interface Listener {
+        /** The description was published, for the first time or again. */
+        void described(Description description);
+
+        /** A state arrived that was published after the subscription. */
+        void reported(Received received);
+
+        /** A message for users arrived. */
+        void message(RobotMessage message);
+
+        /** The robot cannot be used any more; nothing else follows. */
+        void gone(String reason);
+    }
+
+    /**
+     * A state, and when it arrived.
+     *
+     * @param state the state
+     * @param nanos on the clock of the driver
+     */
+    record Received(RobotState state, long nanos) {}
+
+    RobotFeed(PooledBroker broker, SharedAddress address, TimeSource time, Listener listener) {
+        this.broker = broker;
+        this.address = address;
+        this.topics = new SiteTopics(address.broker().site());
+        this.time = time;
+        this.listener = listener;
+    }
+
+    /**
+     * Subscribes to everything of the robot.
+     *
+     * @throws BotException if the broker refuses
+     */
+    void open() {
+        Consumer<String> whenLost = reason -> end("the connection to the broker was lost: " + reason);
+        broker.addLossListener(whenLost);
+        subscribed.add(() -> broker.removeLossListener(whenLost));
+        broker.expectReplies(topics);
+        subscribe(topics.presence(address.desk()), Quality.AT_LEAST_ONCE, this::receivePresence);
+        subscribe(topic(Part.DESCRIPTION), Quality.AT_LEAST_ONCE, this::receiveDescription);
+        subscribe(topic(Part.STATE), Quality.AT_MOST_ONCE, this::receiveState);
+        subscribe(topic(Part.MESSAGES), Quality.AT_LEAST_ONCE, this::receiveMessage);
+    }
+
+    private void subscribe(String filter, Quality quality, Consumer<BrokerMessage> receive) {
+        BrokerConnection.Handler handler = message -> {
+            try {
+                if (!over) {
+                    receive.accept(message);
+                }
+            } catch (UnusableMessageException e) {
+                LOG.log(Level.DEBUG, "a message on " + message.topic() + " cannot be used", e);
+            }
+        };
+        broker.subscribe(filter, quality, handler);
+        subscribed.add(() -> broker.unsubscribe(filter, handler));
+    }
+
+    private String topic(Part part) {
+        return topics.robot(address.desk(), address.robot(), part);
+    }
+
+    /** Ends all subscriptions. Nothing is passed on any more. */
+    void close() {
+        over = true;
+        subscribed.forEach(Runnable::run);
+        subscribed.clear();
+    }
+
+    private void receivePresence(BrokerMessage message) {
+        if (message.payload().length == 0) {
+            return;
+        }
+        Presence now = Presence.parse(message.payload());
+        presence = now;
+        Description known = description;
+        if (known == null || state == null) {
+            return;
+        }
+        switch (now.state()) {
+            case BROKEN -> end(address.desk() + " has lost its connection to the broker");
+            case OFFLINE -> end(address.desk() + " does not share its robots any more");
+            case ONLINE -> {
+                if (!now.sender().session().equals(known.session())) {
+                    end(address.desk() + " was started again");
+                }
+            }
+        }
+    }
+
+    private void receiveDescription(BrokerMessage message) {
+        if (message.payload().length > 0) {
+            Description now = Description.parse(message.payload());
+            description = now;
+            listener.described(now);
+        } else if (description != null) {
+            end(address.desk() + " has removed its robot " + address.robot());
+        }
+    }
+
+    /** A state that the broker has kept is older than it looks, so the clock of the desk cannot be taken from it. */
+    private void receiveState(BrokerMessage message) {
+        if (message.payload().length > 0 && !message.retained()) {
+            Received now = new Received(RobotState.parse(message.payload()), time.nanos());
+            state = now;
+            listener.reported(now);
+        }
+    }
+
+    private void receiveMessage(BrokerMessage message) {
+        listener.message(RobotMessage.parse(message.payload()));
+    }
+
+    private void end(String reason) {
+        if (!over) {
+            over = true;
+            listener.gone(reason);
+        }
+    }
+
+    /** Returns whether the robot cannot be used any more. */
+    boolean isOver() {
+        return over;
+    }
+
+    /** Returns the newest description; null before the first one. */
+    @Nullable
+    Description description() {
+        return description;
+    }
+
+    /** Returns the newest state; null before the first one. */
+    @Nullable
+    Received state() {
+        return state;
+    }
+
+    /** Returns the newest presence of the desk; null before the first one. */
+    @Nullable
+    Presence presence() {
+        return presence;
+    }
+
+    /** Returns the time since the newest state arrived, s; infinite before the first one. */
+    double silenceS() {
+        Received last = state;
+        return last == null ? Double.POSITIVE_INFINITY : time.secondsSince(last.nanos());
+    }
+
+    /**
+     * Returns a moment on the clock of the desk, which is known from its newest state.
+     *
+     * @param ms how far from now
+     * @throws BotException before the first state
+     */
+    long deskClockIn(long ms) {
+        Received last = state;
+        if (last == null) {
+            throw new BotException(address.title() + " has not reported yet");
+        }
+        return last.state().clock() + Math.round(time.secondsSince(last.nanos()) * 1000) + ms;
+    }
+}

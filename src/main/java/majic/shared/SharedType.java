@@ -1,0 +1,126 @@
+package majic.shared;
+
+import java.util.List;
+import java.util.concurrent.atomic.AtomicReference;
+import majic.bot.BotAddress;
+import majic.bot.BotType;
+import majic.bot.MajicBot;
+import majic.environment.BotEnvironment;
+import majic.shared.broker.BrokerAddress;
+import majic.shared.broker.BrokerConnections;
+import majic.shared.message.DeskName;
+import majic.shared.message.Sender;
+import majic.shared.panel.SharedReplay;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Robots that another desk shares, among the types of robots. All robots that are made by one object of this class use one
+ * connection for each broker.
+ */
+public final class SharedType implements BotType {
+    private final BrokerPool brokers;
+    private final AtomicReference<@Nullable Sender> sender = new AtomicReference<>();
+
+    /** Used by the service loader. */
+    public SharedType() {
+        this(BrokerConnections::open);
+    }
+
+    /**
+     * A type with connections of another kind.
+     *
+     * @param opener makes the connections to brokers
+     */
+    public SharedType(BrokerOpener opener) {
+        this.brokers = new BrokerPool(opener, this::sender);
+    }
+
+    /**
+     * Sets who commands the robots. To be called before the first robot is connected; otherwise it is the user of this
+     * computer, at a desk with the computer's name.
+     *
+     * @param newSender the desk, its person and the session of this run
+     */
+    public void sendAs(Sender newSender) {
+        sender.set(newSender);
+    }
+
+    private Sender sender() {
+        Sender known = sender.get();
+        if (known != null) {
+            return known;
+        }
+        sender.compareAndSet(null, Sender.ofThisRun(DeskName.ofThisComputer(), System.getProperty("user.name", "")));
+        return sender();
+    }
+
+    /**
+     * Sets what is done at each site of which a robot is used.
+     *
+     * @param observer called for the first robot of each site from now on
+     */
+    public void observeSites(SiteObserver observer) {
+        brokers.observe(observer);
+    }
+
+    @Override
+    public String name() {
+        return BrokerAddress.SCHEME;
+    }
+
+    @Override
+    public List<String> otherSchemes() {
+        return List.of(BrokerAddress.SECURE_SCHEME);
+    }
+
+    @Override
+    public boolean isOneOfSeveral() {
+        return true;
+    }
+
+    @Override
+    public String label() {
+        return "Shared robot";
+    }
+
+    @Override
+    public String make() {
+        return "Robot of another desk";
+    }
+
+    @Override
+    public List<Reach> reaches() {
+        return List.of(Reach.TCP);
+    }
+
+    @Override
+    public int defaultPort() {
+        return BrokerAddress.PORT;
+    }
+
+    @Override
+    public MajicBot create(String address, BotEnvironment environment) {
+        return create(new BotAddress(name(), address), environment);
+    }
+
+    @Override
+    public MajicBot create(BotAddress address, BotEnvironment environment) {
+        address.libraryAmong(libraries());
+        return new MajicShared(address, this, environment);
+    }
+
+    BrokerPool brokers() {
+        return brokers;
+    }
+
+    @Override
+    public ReplayDisplay replay(MajicBot recorded) {
+        return new SharedReplay(recorded);
+    }
+
+    @Override
+    public String advice() {
+        return "Does the broker run, and does the robot's desk share it (./majic --share mqtt://BROKER/SITE --desk NAME)?"
+                + " add mqtt://BROKER/SITE/ with a slash at the end lists what is there.";
+    }
+}

@@ -1,0 +1,37 @@
+package majic.shared.panel;
+
+import java.util.List;
+import majic.bot.MajicBot;
+import majic.panel.ReadingText;
+import majic.panel.StatusLight;
+import majic.panel.StatusLight.Kind;
+import majic.panel.StatusLightsPanel;
+import majic.text.Texts;
+
+/** Who holds a shared robot, and its connection, each shown as a word and a shape. For the event dispatch thread. */
+final class SharedLights {
+    private static final Texts TEXTS = Texts.of(SharedLights.class);
+    private static final double OLD_S = 1.5;
+
+    private final StatusLight holder = new StatusLight("holder", TEXTS.get("holder.tip"));
+    private final StatusLight link = new StatusLight("link", TEXTS.get("link.tip"));
+    private final StatusLightsPanel panel = new StatusLightsPanel(TEXTS.get("holder.longest"), List.of(holder, link));
+
+    StatusLightsPanel panel() {
+        return panel;
+    }
+
+    void show(MajicBot bot, SharedScene scene) {
+        panel.setCurrent(bot.isConnected());
+        boolean free = scene.holder().isEmpty() || scene.holder().equals("nobody");
+        holder.show(free ? Kind.QUIET : Kind.GOOD, free ? TEXTS.get("holder.none") : scene.holder());
+        double ageS = bot.time().secondsSince(bot.state().atNanos());
+        if (!bot.isConnected()) {
+            link.show(Kind.ALARM, TEXTS.get("link.lost"));
+        } else if (ageS > OLD_S) {
+            link.show(Kind.WARNING, TEXTS.get("link.old", ReadingText.age(ageS)));
+        } else {
+            link.show(Kind.GOOD, TEXTS.get("link.good", scene.delay()));
+        }
+    }
+}
