@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.shared.broker.BrokerConnection;
@@ -176,7 +177,7 @@ public final class DeskSharing implements AutoCloseable {
     }
 
     /** Halts the held robots that are meant, and reports why. */
-    private void halt(java.util.function.Predicate<SharedRobot> meant, String why) {
+    private void halt(Predicate<SharedRobot> meant, String why) {
         List<RobotHold> ended = new ArrayList<>();
         robots.values().stream().filter(robot -> robot.hold() != null).forEach(robot -> {
             RobotHold hold = robot.hold();

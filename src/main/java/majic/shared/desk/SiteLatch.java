@@ -1,6 +1,7 @@
 package majic.shared.desk;
 
 import java.util.Collection;
+import java.util.Set;
 import majic.bot.BotException;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerMessage;
@@ -96,7 +97,7 @@ public final class SiteLatch implements AutoCloseable {
             read = LatchMessage.parse(message.payload());
         } catch (UnusableMessageException e) {
             String id = "unreadable-" + Integer.toHexString(message.text().hashCode());
-            read = new LatchMessage(true, id, java.util.Set.of(), "a message that cannot be read", "");
+            read = new LatchMessage(true, id, Set.of(), "a message that cannot be read", "");
         }
         latch.received(this, read);
     }

@@ -7,6 +7,7 @@ import java.util.List;
 import majic.bot.FakeBot;
 import majic.driver.BotDriver;
 import majic.script.conditions.Selection;
+import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.Quality;
 import majic.shared.message.HoldMessage;
 import majic.shared.message.RequestReply;
@@ -137,8 +138,8 @@ class HoldsTest {
         assertThat(secondsUntilHalted()).isLessThan(0.1);
     }
 
-    private majic.shared.broker.BrokerMessage presenceOfAnna(String state) {
-        return majic.shared.broker.BrokerMessage.json(
+    private BrokerMessage presenceOfAnna(String state) {
+        return BrokerMessage.json(
                 "lab/majic/1/desks/desk1/presence",
                 "{\"state\":\"" + state + "\",\"session\":\"" + anna.sender.session() + "\",\"desk\":\"desk1\"}",
                 Quality.AT_LEAST_ONCE);

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.OptionalLong;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Predicate;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.shared.broker.BrokerMessage;
@@ -161,7 +162,7 @@ final class RemoteUser {
     }
 
     /** Waits until the newest state fulfils a condition. */
-    void until(java.util.function.Predicate<RobotState> condition) {
+    void until(Predicate<RobotState> condition) {
         rig.clock.until(() -> condition.test(state()));
     }
 }

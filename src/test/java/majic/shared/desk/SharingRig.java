@@ -55,7 +55,7 @@ final class SharingRig implements AutoCloseable {
         return new DeskSharing(of, new DeskOptions(SITE, desk, "Bob", "MAJIC test", Set.of(), false), this::open);
     }
 
-    private FakeConnection open(String clientId, BrokerMessage will) {
+    FakeConnection open(String clientId, BrokerMessage will) {
         FakeConnection connection =
                 broker.open(ConnectOptions.of(clientId, new BotEnvironment(clock.time(), Settings.inMemory()))
                         .withWill(will));

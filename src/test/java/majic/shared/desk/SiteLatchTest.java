@@ -1,0 +1,260 @@
+package majic.shared.desk;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Set;
+import majic.bot.FakeBot;
+import majic.environment.BotEnvironment;
+import majic.environment.Settings;
+import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.ConnectOptions;
+import majic.shared.broker.FakeConnection;
+import majic.shared.broker.Quality;
+import majic.shared.message.LatchMessage;
+import majic.shared.message.Sender;
+import majic.team.Team;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** Tests the STOP of all desks of a site: two desks that share robots, and a third that only uses them. */
+class SiteLatchTest {
+    private static final String TOPIC = "lab/majic/1/stop";
+
+    @AutoClose
+    private final SharingRig rig = SharingRig.started();
+
+    @AutoClose
+    private final Team other = new Team(rig.clock.time());
+
+    private final FakeBot bot = FakeBot.on(rig.clock.time());
+
+    @AutoClose
+    private final DeskSharing sharing = rig.sharing("desk3", other);
+
+    private FakeConnection connection;
+
+    @BeforeEach
+    void shareTheOtherTeam() {
+        bot.connect();
+        other.add(bot, OptionalInt.empty());
+        sharing.start();
+        connection = rig.connections.get(1);
+    }
+
+    private void bothLatched(boolean latched) {
+        rig.clock.until(() -> rig.team.isLatched() == latched && other.isLatched() == latched);
+    }
+
+    private LatchMessage kept() {
+        return LatchMessage.parse(rig.broker.retained(TOPIC).orElseThrow().payload());
+    }
+
+    @Test
+    void stopAtOneDeskStopsAllRobotsOfTheOther() {
+        rig.team.stopAll();
+
+        bothLatched(true);
+        rig.clock.until(() -> bot.sent().contains("halt"));
+        assertThat(kept().latched()).isTrue();
+    }
+
+    @Test
+    void whoPressedAndWhoReleasedIsTold() {
+        other.stopAll();
+        bothLatched(true);
+        rig.clock.until(() -> rig.isSaid("STOP by Bob at desk3"));
+
+        other.release();
+
+        bothLatched(false);
+        rig.clock.until(() -> rig.isSaid("released by Bob at desk3"));
+        assertThat(kept().latched()).isFalse();
+    }
+
+    @Test
+    void anyDeskReleasesTheStopOfAnother() {
+        rig.team.stopAll();
+        bothLatched(true);
+        other.release();
+
+        bothLatched(false);
+        rig.sleep(5);
+        assertThat(rig.team.isLatched()).isFalse();
+    }
+
+    @Test
+    void aDeskThatJoinsLaterObeysTheStop() {
+        rig.team.stopAll();
+        bothLatched(true);
+        Team late = new Team(rig.clock.time());
+        FakeConnection using = open("late");
+        using.connect();
+
+        try (SiteLatch latch = new SiteLatch(late, using, "lab", Sender.ofThisRun("late", "Zoe"))) {
+            rig.clock.until(late::isLatched);
+            late.release();
+            bothLatched(false);
+        }
+        rig.clock.until(() -> rig.isSaid("released by Zoe at late"));
+        late.close();
+    }
+
+    private FakeConnection open(String clientId) {
+        return rig.broker.open(ConnectOptions.of(clientId, new BotEnvironment(rig.clock.time(), Settings.inMemory())));
+    }
+
+    @Test
+    void aStopWhileTheBrokerIsAwayIsPublishedWhenItIsBack() {
+        rig.broker.stop();
+        rig.clock.until(() -> !rig.sharing.isConnected() && !sharing.isConnected());
+        rig.team.stopAll();
+        rig.sleep(2);
+        assertThat(other.isLatched()).isFalse();
+        rig.broker.start();
+
+        bothLatched(true);
+    }
+
+    @Test
+    void aReleaseThatCameWhileADeskWasAwayReleasesItToo() {
+        rig.team.stopAll();
+        bothLatched(true);
+        connection.cut();
+        rig.clock.until(() -> !sharing.isConnected());
+        rig.team.release();
+        rig.sleep(2);
+        assertThat(other.isLatched()).isTrue();
+        connection.restore();
+
+        bothLatched(false);
+    }
+
+    @Test
+    void aBrokerThatForgetsIsToldOfTheStopAgain() {
+        rig.team.stopAll();
+        bothLatched(true);
+        rig.broker.stop();
+        rig.broker.forget();
+        rig.clock.until(() -> !rig.sharing.isConnected() && !sharing.isConnected());
+        rig.broker.start();
+
+        rig.clock.until(() -> rig.broker.retained(TOPIC).isPresent());
+        assertThat(kept().latched()).isTrue();
+        assertThat(rig.team.isLatched() && other.isLatched()).isTrue();
+    }
+
+    @Test
+    void aLateReleaseOfAnOldStopDoesNotEndANewerOne() {
+        rig.team.stopAll();
+        bothLatched(true);
+        BrokerMessage release = release(kept().id());
+        rig.team.release();
+        bothLatched(false);
+        other.stopAll();
+        bothLatched(true);
+        rig.broker.publish(release);
+        rig.sleep(3);
+
+        assertThat(rig.team.isLatched() && other.isLatched()).isTrue();
+        assertThat(kept().latched()).isTrue();
+    }
+
+    private static BrokerMessage release(String... ids) {
+        LatchMessage message = LatchMessage.release(Set.of(ids), new Sender("desk9", "Eve", "s"));
+        return BrokerMessage.json(TOPIC, message.toJson(), Quality.AT_LEAST_ONCE)
+                .retain();
+    }
+
+    @Test
+    void stopsOfTwoDesksAtATimeAreReleasedTogether() {
+        rig.team.stopAll();
+        other.stopAll();
+        bothLatched(true);
+        rig.sleep(1);
+        rig.team.release();
+
+        bothLatched(false);
+        rig.sleep(3);
+        assertThat(rig.team.isLatched() || other.isLatched()).isFalse();
+    }
+
+    @Test
+    void aReleaseOfOneOfTwoStopsLeavesTheOtherInForce() {
+        rig.team.stopAll();
+        bothLatched(true);
+        String first = kept().id();
+        other.stopAll();
+        rig.clock.until(() -> !kept().id().equals(first));
+        rig.sleep(1);
+        rig.broker.publish(release(first));
+        rig.sleep(3);
+
+        assertThat(rig.team.isLatched() && other.isLatched()).isTrue();
+        assertThat(kept().latched()).isTrue();
+    }
+
+    @Test
+    void everythingDeliveredTwiceStopsAndReleasesOnce() {
+        rig.broker.repeat();
+        rig.team.stopAll();
+        bothLatched(true);
+        other.release();
+        bothLatched(false);
+        rig.sleep(3);
+
+        assertThat(rig.team.isLatched() || other.isLatched()).isFalse();
+    }
+
+    @Test
+    void aStopThatCannotBeReadIsAStop() {
+        rig.broker.publish(BrokerMessage.json(TOPIC, "STOP!!!", Quality.AT_LEAST_ONCE));
+
+        bothLatched(true);
+        rig.team.release();
+        bothLatched(false);
+    }
+
+    @Test
+    void removingTheKeptStopChangesNothing() {
+        rig.broker.publish(BrokerMessage.removing(TOPIC));
+        rig.sleep(1);
+
+        assertThat(rig.team.isLatched()).isFalse();
+    }
+
+    @Test
+    void stopOfTheTeamBeforeItIsSharedIsThatOfTheSite() {
+        Team late = new Team(rig.clock.time());
+        late.stopAll();
+        try (DeskSharing third = rig.sharing("desk4", late)) {
+            third.start();
+            bothLatched(true);
+        }
+        late.close();
+    }
+
+    @Test
+    void aTeamOnOneSiteOverTwoConnectionsIsStoppedAndReleasedOnce() {
+        FakeConnection using = open("using");
+        using.connect();
+        try (SiteLatch second = new SiteLatch(rig.team, using, "lab", rig.sharing.self())) {
+            other.stopAll();
+            bothLatched(true);
+            rig.sleep(1);
+            rig.team.release();
+            bothLatched(false);
+            rig.sleep(2);
+            rig.team.stopAll();
+            bothLatched(true);
+            other.release();
+            bothLatched(false);
+            rig.sleep(2);
+            assertThat(rig.team.isLatched() || other.isLatched()).isFalse();
+            assertThat(rig.said.stream().filter("STOP by Bob at desk3"::equals)).hasSize(1);
+        }
+        assertThat(List.of(using.isConnected())).containsExactly(true);
+    }
+}
