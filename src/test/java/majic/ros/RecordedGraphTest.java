@@ -41,8 +41,9 @@ class RecordedGraphTest {
                 + arguments.path("name").asText(arguments.path("topic").asText());
     }
 
+    /** The robot had no description; what a parameter is answered that is not there was recorded for another name. */
     private String answer(JsonNode call) {
-        String recorded = answers.get(question(call));
+        String recorded = answers.get(question(call).replace("/robot_description", "/not_there"));
         assertThat(recorded).as("the recorded answer to %s", call).isNotNull();
         ObjectNode answer = (ObjectNode) ScriptedRos.parse(recorded);
         answer.set("id", call.path("id"));
