@@ -123,17 +123,6 @@ public final class RosApi {
                 .map(nodes -> nodes.stream().filter(node -> !isBridge(node)).toList());
     }
 
-    /**
-     * Returns the nodes that send a topic.
-     *
-     * @param topic its absolute name
-     * @return without the rosbridge server; empty if the robot does not tell
-     */
-    public Optional<List<String>> publishers(String topic) {
-        return names("/rosapi/publishers", empty().put("topic", topic), "publishers")
-                .map(nodes -> nodes.stream().filter(node -> !isBridge(node)).toList());
-    }
-
     private static boolean isBridge(String node) {
         return node.contains("rosbridge");
     }

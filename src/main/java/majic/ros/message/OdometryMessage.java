@@ -10,13 +10,11 @@ import majic.bot.Pose;
  *
  * @param pose in the frame {@code frame}
  * @param speedMmPerSec in the robot's own axes, ahead positive
- * @param sidewaysMmPerSec in the robot's own axes, left positive; zero for bases that cannot
  * @param turnRateDegPerSec counterclockwise positive
  * @param frame the frame of the pose, usually {@code odom}; empty if the message names none
  * @param base the frame of the robot, usually {@code base_link} or {@code base_footprint}; empty if the message names none
  */
-public record OdometryMessage(
-        Pose pose, double speedMmPerSec, double sidewaysMmPerSec, double turnRateDegPerSec, String frame, String base) {
+public record OdometryMessage(Pose pose, double speedMmPerSec, double turnRateDegPerSec, String frame, String base) {
 
     /**
      * Reads a message.
@@ -33,7 +31,6 @@ public record OdometryMessage(
         return new OdometryMessage(
                 pose,
                 RosUnits.mm(Fields.number(message, "twist.twist.linear.x")),
-                RosUnits.mm(Fields.number(message, "twist.twist.linear.y")),
                 Math.toDegrees(Fields.number(message, "twist.twist.angular.z")),
                 Fields.frame(message, "header.frame_id"),
                 Fields.frame(message, "child_frame_id"));

@@ -8,9 +8,8 @@ import java.util.OptionalDouble;
  *
  * @param frame of the sensor, which looks along its x axis; empty if the message names none
  * @param rangeMm from the sensor; empty outside its limits, where nothing is known
- * @param coneDeg how wide it looks, full angle; 0 if the message does not tell
  */
-public record RangeMessage(String frame, OptionalDouble rangeMm, double coneDeg) {
+public record RangeMessage(String frame, OptionalDouble rangeMm) {
     /**
      * Reads a message.
      *
@@ -28,7 +27,6 @@ public record RangeMessage(String frame, OptionalDouble rangeMm, double coneDeg)
         boolean known = range.isPresent() && range.getAsDouble() >= least && range.getAsDouble() <= most;
         return new RangeMessage(
                 Fields.frame(message, "header.frame_id"),
-                known ? OptionalDouble.of(RosUnits.mm(range.getAsDouble())) : OptionalDouble.empty(),
-                Math.toDegrees(Fields.optional(message, "field_of_view").orElse(0)));
+                known ? OptionalDouble.of(RosUnits.mm(range.getAsDouble())) : OptionalDouble.empty());
     }
 }

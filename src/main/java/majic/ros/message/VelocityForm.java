@@ -42,7 +42,7 @@ public enum VelocityForm {
      */
     public static Optional<VelocityForm> ofType(String type) {
         return Arrays.stream(values())
-                .filter(form -> type.equals(form.ros1Type()) || type.equals(form.ros2Type()))
+                .filter(form -> type.matches("geometry_msgs/(msg/)?" + form.shortName))
                 .findFirst();
     }
 
@@ -55,24 +55,6 @@ public enum VelocityForm {
      * @throws IllegalArgumentException if a number is not finite: the bridge would pass it on to the motors
      */
     public abstract ObjectNode message(double mmPerSec, double degPerSec);
-
-    /**
-     * Returns the name of the type on ROS 1.
-     *
-     * @return two parts
-     */
-    public String ros1Type() {
-        return "geometry_msgs/" + shortName;
-    }
-
-    /**
-     * Returns the name of the type on ROS 2.
-     *
-     * @return three parts
-     */
-    public String ros2Type() {
-        return "geometry_msgs/msg/" + shortName;
-    }
 
     private static ObjectNode twist(double mmPerSec, double degPerSec) {
         if (!Double.isFinite(mmPerSec) || !Double.isFinite(degPerSec)) {

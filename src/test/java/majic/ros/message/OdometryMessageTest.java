@@ -16,7 +16,7 @@ class OdometryMessageTest {
     void aRecordedMessageIsRead() {
         OdometryMessage read = OdometryMessage.from(Recorded.message("/odom"));
 
-        assertThat(read).isEqualTo(new OdometryMessage(Pose.START, 0, 0, 0, "odom", "base_footprint"));
+        assertThat(read).isEqualTo(new OdometryMessage(Pose.START, 0, 0, "odom", "base_footprint"));
     }
 
     @Test
@@ -29,7 +29,6 @@ class OdometryMessageTest {
         assertThat(read.pose().yMm()).isCloseTo(-250, within(1e-9));
         assertThat(read.pose().headingDeg()).isCloseTo(90, within(1e-9));
         assertThat(read.speedMmPerSec()).isCloseTo(200, within(1e-9));
-        assertThat(read.sidewaysMmPerSec()).isCloseTo(-10, within(1e-9));
         assertThat(read.turnRateDegPerSec()).isCloseTo(-180, within(1e-9));
     }
 

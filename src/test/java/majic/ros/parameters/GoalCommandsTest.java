@@ -33,7 +33,7 @@ class GoalCommandsTest {
 
     private static FakeRosRobot ros1() {
         FakeRosRobot robot = new FakeRosRobot(new FakeRosClient(false, MOVE_BASE));
-        robot.odometry(new OdometryMessage(new Pose(5000, 0, 90), 0, 0, 0, "odom", "base_link"));
+        robot.odometry(new OdometryMessage(new Pose(5000, 0, 90), 0, 0, "odom", "base_link"));
         robot.at(new Pose(0, 0, 0));
         return robot;
     }
@@ -41,7 +41,7 @@ class GoalCommandsTest {
     private static FakeRosRobot ros2() {
         FakeRosRobot robot = new FakeRosRobot(new FakeRosClient(true, CREATE_3));
         robot.actions("/navigate_to_pose", "/dock", "/undock");
-        robot.odometry(new OdometryMessage(new Pose(0, 0, 0), 0, 0, 0, "odom", "base_link"));
+        robot.odometry(new OdometryMessage(new Pose(0, 0, 0), 0, 0, "odom", "base_link"));
         robot.at(new Pose(0, 0, 0));
         return robot;
     }

@@ -133,8 +133,8 @@ class HullDistancesTest {
 
     @Test
     void singleBeamsMeasureTheSidesToWhichTheyLook() {
-        Beam behind = new Beam(new RangeMessage("sonar", OptionalDouble.of(300), 20), BEHIND_BACKWARDS);
-        Beam silent = new Beam(new RangeMessage("tof", OptionalDouble.empty(), 20), CENTRE);
+        Beam behind = new Beam(new RangeMessage("sonar", OptionalDouble.of(300)), BEHIND_BACKWARDS);
+        Beam silent = new Beam(new RangeMessage("tof", OptionalDouble.empty()), CENTRE);
 
         assertThat(HULL.distance(HullSide.BACK, Optional.empty(), List.of(behind, silent)))
                 .isEqualTo(mm(250));
