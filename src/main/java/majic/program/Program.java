@@ -96,6 +96,7 @@ public final class Program implements AutoCloseable {
         log = SessionLog.unopened();
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
+        UsedSites.join(team, factory.types(), settings);
         recorder = records ? record() : null;
         if (lab != null) {
             lab.onTooSlow(session::alarm);

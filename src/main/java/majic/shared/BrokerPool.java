@@ -28,7 +28,7 @@ final class BrokerPool {
     private final Supplier<Sender> sender;
     private final Map<String, Entry> entries = new HashMap<>();
     private final AtomicLong requests = new AtomicLong();
-    private volatile SiteObserver observer = (connection, address) -> () -> {};
+    private volatile SiteObserver observer = (connection, address, by) -> () -> {};
 
     /** A connection and who uses it. */
     private static final class Entry {
@@ -90,7 +90,7 @@ final class BrokerPool {
     }
 
     private void observe(Entry entry, BrokerAddress address) {
-        AutoCloseable begun = observer.begin(entry.broker.connection(), address);
+        AutoCloseable begun = observer.begin(entry.broker.connection(), address, entry.broker.sender());
         AutoCloseable before;
         synchronized (this) {
             boolean used = entry.sitesOfUsers.containsValue(address.site());

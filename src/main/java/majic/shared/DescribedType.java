@@ -20,6 +20,12 @@ record DescribedType(SharedType shared, Description.Kind kind, String desk) impl
         return kind.type();
     }
 
+    /** Also by the scheme of its address: it is a shared robot as well. */
+    @Override
+    public boolean isMeantBy(String scheme) {
+        return BotType.super.isMeantBy(scheme) || shared.isMeantBy(scheme);
+    }
+
     @Override
     public String label() {
         return kind.label() + " at " + desk;

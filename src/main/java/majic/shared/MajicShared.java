@@ -2,6 +2,8 @@ package majic.shared;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.NumericNode;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -48,6 +50,7 @@ import org.jspecify.annotations.Nullable;
  * has arrived for 3 s.
  */
 public final class MajicShared extends BotDriver {
+    private static final Logger LOG = System.getLogger(MajicShared.class.getName());
     private static final BotProfile UNKNOWN =
             new BotProfile(200, new Range(-1000, 1000), new Range(-180, 180), 100, 45, 300, false);
 
@@ -191,14 +194,20 @@ public final class MajicShared extends BotDriver {
         return known == null ? List.of() : known.calibration();
     }
 
+    /** Gives the robot back, so that others need not wait until the heartbeat is missed. */
     @Override
     protected void shut() {
-        RobotFeed open = feed;
-        RobotCommands to = commands;
-        if (open != null && to != null && !open.isOver() && isHeldHere()) {
-            to.forget(to.request(new RequestedAction.Free()));
+        try {
+            RobotFeed open = feed;
+            if (open != null && !open.isOver() && isHeldHere()) {
+                RobotCommands to = toDesk();
+                to.forget(to.request(new RequestedAction.Free()));
+            }
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, "could not give back " + name(), e);
+        } finally {
+            release();
         }
-        release();
     }
 
     private void release() {

@@ -2,6 +2,7 @@ package majic.shared;
 
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import majic.bot.BotAddress;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
@@ -20,6 +21,7 @@ import org.jspecify.annotations.Nullable;
 public final class SharedType implements BotType {
     private final BrokerPool brokers;
     private final AtomicReference<@Nullable Sender> sender = new AtomicReference<>();
+    private volatile Supplier<Sender> senders = SharedType::ofThisComputer;
 
     /** Used by the service loader. */
     public SharedType() {
@@ -36,13 +38,12 @@ public final class SharedType implements BotType {
     }
 
     /**
-     * Sets who commands the robots. To be called before the first robot is connected; otherwise it is the user of this
-     * computer, at a desk with the computer's name.
+     * Sets who commands the robots; otherwise it is the user of this computer, at a desk with the computer's name.
      *
-     * @param newSender the desk, its person and the session of this run
+     * @param newSender gives the desk, its person and the session of this run; called once, with the first robot
      */
-    public void sendAs(Sender newSender) {
-        sender.set(newSender);
+    public void sendAs(Supplier<Sender> newSender) {
+        senders = newSender;
     }
 
     private Sender sender() {
@@ -50,8 +51,12 @@ public final class SharedType implements BotType {
         if (known != null) {
             return known;
         }
-        sender.compareAndSet(null, Sender.ofThisRun(DeskName.ofThisComputer(), System.getProperty("user.name", "")));
+        sender.compareAndSet(null, senders.get());
         return sender();
+    }
+
+    private static Sender ofThisComputer() {
+        return Sender.ofThisRun(DeskName.ofThisComputer(), System.getProperty("user.name", ""));
     }
 
     /**

@@ -2,6 +2,7 @@ package majic.shared;
 
 import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
+import majic.shared.message.Sender;
 
 /** What a program does at each site of which it uses a robot, such as obeying the STOP of the whole team. */
 @FunctionalInterface
@@ -11,7 +12,8 @@ public interface SiteObserver {
      *
      * @param connection an open connection, which the observer must not close
      * @param address the broker and the site
+     * @param sender who uses the robots
      * @return closed when no robot of the site is used any more, before the connection is
      */
-    AutoCloseable begin(BrokerConnection connection, BrokerAddress address);
+    AutoCloseable begin(BrokerConnection connection, BrokerAddress address, Sender sender);
 }

@@ -1,0 +1,36 @@
+package majic.program;
+
+import java.util.List;
+import majic.bot.BotType;
+import majic.environment.Settings;
+import majic.shared.SharedType;
+import majic.shared.desk.SiteLatch;
+import majic.shared.message.DeskName;
+import majic.shared.message.Sender;
+import majic.team.Team;
+
+/** The sites of which a program uses robots of other desks: its team obeys the STOP of each of them. */
+final class UsedSites {
+    private UsedSites() {}
+
+    /**
+     * Joins a team to the STOP of each site as soon as a robot of the site is used.
+     *
+     * @param types the types of robots, among them perhaps that of shared robots
+     * @param settings contain the names under which this program has shared robots
+     */
+    static void join(Team team, List<BotType> types, Settings settings) {
+        for (BotType type : types) {
+            if (type instanceof SharedType shared) {
+                shared.sendAs(() -> sender(settings));
+                shared.observeSites((connection, address, by) -> new SiteLatch(team, connection, address.site(), by));
+            }
+        }
+    }
+
+    private static Sender sender(Settings settings) {
+        return Sender.ofThisRun(
+                settings.get("sharing.desk").orElseGet(DeskName::ofThisComputer),
+                settings.get("sharing.person").orElseGet(() -> System.getProperty("user.name", "")));
+    }
+}
