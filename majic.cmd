@@ -37,8 +37,17 @@ popd
 
 :built
 if /i "%~1"=="package" goto package
+if exist "%HERE%target\broker" goto start
+for %%A in (%*) do if /i "%%~A"=="--broker" goto broker
+
+:start
 java "@%HERE%config\java.options" -jar "%JAR%" %*
 exit /b %ERRORLEVEL%
+
+:broker
+echo majic: fetching the embedded broker (100 MB) into target\broker, once 1>&2
+call mvn -q -B -f "%HERE%src\build\broker\pom.xml" package <nul >nul
+goto start
 
 :package
 rem The dot keeps the backslash in front of it from quoting the quote.

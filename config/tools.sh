@@ -86,6 +86,26 @@ need_packaging_tools() {
     done
 }
 
+# fetch_broker HERE: copies the libraries of the embedded broker to target/broker, which are not part of MAJIC.
+fetch_broker() {
+    [ ! -d "$1/target/broker" ] || return 0
+    say "fetching the embedded broker (100 MB) into target/broker, once"
+    if ! (cd "$1" && mvn -q -B -f src/build/broker/pom.xml package </dev/null >target/broker.log 2>&1); then
+        rm -rf "$1/target/broker"
+        say "fetching failed; all of it stands in $1/target/broker.log"
+        return 1
+    fi
+}
+
+# fetch_wanted_broker HERE ARGUMENT...: the same if an argument is --broker.
+fetch_wanted_broker() {
+    folder=$1
+    shift
+    for argument; do
+        case $argument in --broker | --broker=*) fetch_broker "$folder" || true ;; esac
+    done
+}
+
 # exec_packaging HERE: makes an image and an installer of MAJIC, in place of this process.
 exec_packaging() {
     say "making an image and an installer in target/package; this takes a minute"

@@ -74,6 +74,9 @@ final class StartOptions {
             description = "With --listen: obey any program on this machine, without a token.")
     private boolean open;
 
+    @Mixin
+    private SharingChoice sharing = new SharingChoice();
+
     @Option(names = "--no-recording", scope = ScopeType.INHERIT, description = "Do not record what the robots report.")
     private boolean unrecorded;
 
@@ -83,9 +86,9 @@ final class StartOptions {
 
     /** Returns the options of the lab, where nothing else is to be started. */
     LabChoice labAlone() {
-        if (lab || listen != null || !robots.isEmpty() || maxRobots != Team.MAX_BOTS) {
+        if (lab || listen != null || !robots.isEmpty() || maxRobots != Team.MAX_BOTS || sharing.isGiven()) {
             throw new UsageException(
-                    "lab runs the simulators alone; --lab, --add, --listen and --max-robots do not go with it");
+                    "lab runs the simulators alone; --lab, --add, --listen, --max-robots and --share do not go with it");
         }
         return choice;
     }
@@ -111,6 +114,7 @@ final class StartOptions {
         if (maxRobots < 1 || maxRobots > Team.MOST_BOTS) {
             throw new UsageException("--max-robots " + maxRobots + ": outside 1 … " + Team.MOST_BOTS);
         }
+        sharing.check();
         name(VendorLibrary.ARIA, ariaHome);
         name(VendorLibrary.LIBURBI, liburbiHome);
         boolean atOnce = lab && !(windowFirst && !choice.isGiven());
@@ -121,14 +125,24 @@ final class StartOptions {
         Program program = new Program(folder, simulated, !unrecorded, maxRobots);
         program.closeWhenProgramEnds();
         if (listen != null) {
-            tell(program, listen(program, address(listen)));
+            tell(program, listen(program, address("--listen", listen, "127.0.0.1:7777")));
         }
+        startSharing(program);
         return program;
     }
 
     private void startLab(Program program) {
         program.startLab();
         choice.tellTakenPorts(Objects.requireNonNull(program.lab()).simulators().addresses());
+    }
+
+    private void startSharing(Program program) throws IOException {
+        try {
+            sharing.start(program);
+        } catch (IOException | RuntimeException e) {
+            program.close();
+            throw e;
+        }
     }
 
     private static void name(VendorLibrary library, @Nullable String home) {
@@ -199,11 +213,12 @@ final class StartOptions {
                 .toList();
     }
 
-    private static InetSocketAddress address(String text) {
+    /** Reads the address of a port of this computer. */
+    static InetSocketAddress address(String option, String text, String example) {
         int colon = text.lastIndexOf(':');
         String port = text.substring(colon + 1);
         if (colon <= 0 || !port.matches("\\d{1,5}") || Integer.parseInt(port) > 65_535) {
-            throw new UsageException("--listen " + text + ": not an address; it looks like 127.0.0.1:7777");
+            throw new UsageException(option + " " + text + ": not an address; it looks like " + example);
         }
         return new InetSocketAddress(text.substring(0, colon), Integer.parseInt(port));
     }

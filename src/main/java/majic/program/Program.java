@@ -57,7 +57,9 @@ public final class Program implements AutoCloseable {
     private final Session session;
     private final SessionLog log;
     private final @Nullable Recorder recorder;
+    private final ProgramSharing sharing;
     private volatile @Nullable LineServer server;
+    private volatile @Nullable OwnBroker broker;
     private final CountDownLatch quit = new CountDownLatch(1);
     private final AtomicBoolean closing = new AtomicBoolean();
     private final CountDownLatch closed = new CountDownLatch(1);
@@ -97,6 +99,7 @@ public final class Program implements AutoCloseable {
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
         UsedSites.join(team, factory.types(), settings);
+        sharing = new ProgramSharing(team, settings);
         recorder = records ? record() : null;
         if (lab != null) {
             lab.onTooSlow(session::alarm);
@@ -203,6 +206,22 @@ public final class Program implements AutoCloseable {
         return opened;
     }
 
+    /** Returns what shares the robots with other desks; nothing is shared until it is started. */
+    public ProgramSharing sharing() {
+        return sharing;
+    }
+
+    /**
+     * Starts a broker inside this program, which ends with it. Blocks for some seconds.
+     *
+     * @param address where it listens; at an address that other computers reach, clients need TLS and a password
+     * @throws BotException if it is not installed or the port is taken, or the password is missing
+     * @throws IOException if there is no key for TLS
+     */
+    public void startBroker(InetSocketAddress address) throws IOException {
+        broker = OwnBroker.start(address, folder);
+    }
+
     /**
      * Adds the robots that were requested at the start, and then accepts the clients' lines. Blocks until every robot
      * is added or refused. Robots of a large team whose lines contain their numbers connect several at a time, before the others.
@@ -303,17 +322,32 @@ public final class Program implements AutoCloseable {
         if (listening != null) {
             listening.close();
         }
-        Thread robots = new Thread(team::close, "closing all robots");
-        robots.setDaemon(true);
-        robots.start();
+        Thread unshared = started("ending the sharing", sharing::stop);
+        Thread robots = started("closing all robots", team::close);
         try {
             robots.join(CLOSE_BOUND_MS);
+            unshared.join(CLOSE_BOUND_MS);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+        closeBroker();
         recorder().ifPresent(Recorder::close);
         log.close();
         SimulatedLab running = lab;
+        if (running != null) {
+            running.close();
+        }
+    }
+
+    private static Thread started(String name, Runnable task) {
+        Thread thread = new Thread(task, name);
+        thread.setDaemon(true);
+        thread.start();
+        return thread;
+    }
+
+    private void closeBroker() {
+        OwnBroker running = broker;
         if (running != null) {
             running.close();
         }

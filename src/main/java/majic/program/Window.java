@@ -132,7 +132,8 @@ public final class Window {
                 program.settings(),
                 program.recordings(),
                 program.recorder().orElse(null),
-                program.folder().file("command-history"));
+                program.folder().file("command-history"),
+                program.sharing());
         return new MajicFrame(program.session(), parser, services);
     }
 

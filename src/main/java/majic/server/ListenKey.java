@@ -41,7 +41,7 @@ public record ListenKey(Path file, X509Certificate certificate, SSLContext conte
     public static final String CERTIFICATE = "listen.pem";
 
     /** The format requires a password; what protects the key is that only its user can read the file. */
-    private static final String PASSWORD = "majic-listen";
+    public static final String PASSWORD = "majic-listen";
 
     private static final String PASSWORD_VARIABLE = "MAJIC_KEY_STORE_PASSWORD";
     private static final String ALIAS = "majic";

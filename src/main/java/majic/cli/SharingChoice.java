@@ -1,0 +1,102 @@
+package majic.cli;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import majic.gui.kit.RobotSharing.Place;
+import majic.program.Program;
+import majic.program.UsageException;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ScopeType;
+
+/** The options that share the robots with other desks over a broker. */
+final class SharingChoice {
+    private static final String OWN_BROKER = "127.0.0.1:1883";
+
+    @Option(
+            names = "--share",
+            paramLabel = "URL",
+            scope = ScopeType.INHERIT,
+            description = "Share the robots with other desks over an MQTT 5 broker, such as mqtt://broker/lab.")
+    private @Nullable String share;
+
+    @Option(
+            names = "--desk",
+            paramLabel = "NAME",
+            scope = ScopeType.INHERIT,
+            description = "With --share: the name of this desk (that of the computer).")
+    private @Nullable String desk;
+
+    @Option(
+            names = "--person",
+            paramLabel = "NAME",
+            scope = ScopeType.INHERIT,
+            description = "With --share: your name, as other desks show it (the login name).")
+    private @Nullable String person;
+
+    @Option(
+            names = "--share-only",
+            paramLabel = "N",
+            split = ",",
+            scope = ScopeType.INHERIT,
+            description = "With --share: share only the robots with these numbers, such as 1,3.")
+    private List<Integer> only = List.of();
+
+    @Option(
+            names = "--vda5050",
+            scope = ScopeType.INHERIT,
+            description = "With --share: publish the robots as vehicles of VDA 5050, too.")
+    private boolean vda5050;
+
+    @Option(
+            names = "--broker",
+            paramLabel = "HOST:PORT",
+            arity = "0..1",
+            fallbackValue = OWN_BROKER,
+            scope = ScopeType.INHERIT,
+            description = "Start a broker (" + OWN_BROKER + "). At another address: with TLS, and with"
+                    + " MAJIC_MQTT_USER and MAJIC_MQTT_PASSWORD.")
+    private @Nullable String broker;
+
+    /** Returns whether one of the options is given. */
+    boolean isGiven() {
+        return share != null || broker != null || isNamed();
+    }
+
+    private boolean isNamed() {
+        return desk != null || person != null || !only.isEmpty() || vda5050;
+    }
+
+    /** Refuses options that do not go together. */
+    void check() {
+        if (share == null && isNamed()) {
+            throw new UsageException("--desk, --person, --share-only and --vda5050 go with --share, as in --share"
+                    + " mqtt://broker/lab --desk desk2");
+        }
+    }
+
+    /**
+     * Starts the broker and begins to share the robots, as far as that is requested. Blocks until both is done.
+     *
+     * @throws majic.bot.BotException if the broker cannot be started or reached, or the name is taken
+     * @throws IOException if there is no key for TLS
+     */
+    void start(Program program) throws IOException {
+        if (broker != null) {
+            InetSocketAddress address = StartOptions.address("--broker", broker, OWN_BROKER);
+            program.startBroker(address);
+            System.err.println("majic: the broker runs at port " + address.getPort());
+        }
+        if (share != null) {
+            Place suggested = program.sharing().suggested();
+            Place place = new Place(
+                    share, desk == null ? suggested.desk() : desk, person == null ? suggested.person() : person);
+            Set<Integer> numbers = new TreeSet<>(only);
+            program.sharing().start(place, numbers, vda5050);
+            System.err.println("majic: sharing robots as " + place.desk() + " at " + place.broker());
+        }
+    }
+}
