@@ -230,13 +230,28 @@ class SharedRobotInLabTest {
 
     @Test
     void aRobotThatIsNotThereIsExplained() {
-        assertThatThrownBy(() -> anna.type
-                        .create(BotAddress.parse("mqtt://broker/lab/desk2/7"), desks.environment)
-                        .connect())
+        assertThatThrownBy(() -> robotAt("mqtt://broker/lab/desk2/7").connect())
                 .hasMessageContaining("desk2 shares no robot 7 (it shares 1)");
-        assertThatThrownBy(() -> anna.type
-                        .create(BotAddress.parse("mqtt://broker/lab/desk9/1"), desks.environment)
-                        .connect())
+        assertThatThrownBy(() -> robotAt("mqtt://broker/lab/desk9/1").connect())
                 .hasMessageContaining("no desk desk9 shares robots at mqtt://broker/lab");
+    }
+
+    @Test
+    void anAddressWithASlashAtTheEndListsTheRobotsOfASiteOrADesk() throws InterruptedException {
+        desks.desk2.add("aibo");
+        desks.pass(1);
+
+        assertThatThrownBy(robotAt("mqtt://broker/lab/")::connect)
+                .hasMessage("which robot is it: mqtt://broker/lab/desk2/1 (MobileRobots Pioneer),"
+                        + " mqtt://broker/lab/desk2/2 (Sony Aibo ERS-7)?");
+        assertThatThrownBy(robotAt("mqtt://broker/lab/desk2/")::connect)
+                .hasMessageStartingWith("which robot is it: mqtt://broker/lab/desk2/1 (MobileRobots Pioneer)");
+        assertThatThrownBy(robotAt("mqtt://broker/school/")::connect)
+                .hasMessageStartingWith("no desk shares a robot there")
+                .hasMessageContaining("--share mqtt://broker/school --desk NAME");
+    }
+
+    private MajicBot robotAt(String address) {
+        return anna.type.create(BotAddress.parse(address), desks.environment);
     }
 }

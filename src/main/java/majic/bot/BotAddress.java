@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
@@ -17,6 +18,9 @@ import java.util.stream.Collectors;
 public record BotAddress(String scheme, String rest) {
     /** The scheme of a robot in the simulated lab. */
     public static final String SIMULATED = "sim";
+
+    /** The schemes of robots of other desks, which may be of any type. */
+    private static final Set<String> OF_ANY_TYPE = Set.of("mqtt", "mqtts");
 
     /**
      * Takes an address apart.
@@ -42,6 +46,15 @@ public record BotAddress(String scheme, String rest) {
     public String type() {
         int plus = scheme.indexOf('+');
         return plus < 0 ? scheme : scheme.substring(0, plus);
+    }
+
+    /**
+     * Returns whether the scheme tells the type of the robot before it is connected.
+     *
+     * @return false for a robot of another desk
+     */
+    public boolean tellsType() {
+        return !OF_ANY_TYPE.contains(scheme);
     }
 
     /**

@@ -19,6 +19,7 @@ import org.jspecify.annotations.Nullable;
  * connection for each broker.
  */
 public final class SharedType implements BotType {
+    private final BrokerOpener opener;
     private final BrokerPool brokers;
     private final AtomicReference<@Nullable Sender> sender = new AtomicReference<>();
     private volatile Supplier<Sender> senders = SharedType::ofThisComputer;
@@ -34,6 +35,7 @@ public final class SharedType implements BotType {
      * @param opener makes the connections to brokers
      */
     public SharedType(BrokerOpener opener) {
+        this.opener = opener;
         this.brokers = new BrokerPool(opener, this::sender);
     }
 
@@ -111,7 +113,9 @@ public final class SharedType implements BotType {
     @Override
     public MajicBot create(BotAddress address, BotEnvironment environment) {
         address.libraryAmong(libraries());
-        return new MajicShared(address, this, environment);
+        return SharedAddress.isListing(address)
+                ? new ListedSite(this, BrokerAddress.parse(address.toString()), opener, environment)
+                : new MajicShared(address, this, environment);
     }
 
     BrokerPool brokers() {

@@ -41,4 +41,11 @@ class BotAddressTest {
         assertThat(type.create(BotAddress.parse("fake://a"), BotEnvironment.plain()))
                 .isNotNull();
     }
+
+    @Test
+    void onlyTheAddressOfARobotOfAnotherDeskDoesNotTellItsType() {
+        assertThat(BotAddress.parse("pioneer://10.0.0.5").tellsType()).isTrue();
+        assertThat(BotAddress.parse("mqtt://broker/lab/desk2/1").tellsType()).isFalse();
+        assertThat(BotAddress.parse("mqtts://broker/lab/desk2/1").tellsType()).isFalse();
+    }
 }

@@ -168,7 +168,9 @@ final class ScriptActInspection extends Inspection {
             throw new ScriptException(line.at(), "add: an act is given its robots; leave the line out");
         }
         BotAddress address = BotAddress.parse(add.address().unquoted());
-        types.put(add.number().getAsInt(), type(address));
+        if (address.tellsType()) {
+            types.put(add.number().getAsInt(), type(address));
+        }
     }
 
     /** Several robots of one type in a lab have numbers: {@code sim:pioneer2}. */
