@@ -121,7 +121,7 @@ public record RobotState(
         Map<String, JsonNode> values = new LinkedHashMap<>();
         JsonNode all = json.node("values");
         if (all != null) {
-            all.fields().forEachRemaining(field -> values.put(field.getKey(), field.getValue()));
+            all.properties().forEach(field -> values.put(field.getKey(), field.getValue()));
         }
         return new RobotState(
                 json.whole("clock"),
