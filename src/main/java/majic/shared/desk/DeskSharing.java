@@ -40,6 +40,7 @@ public final class DeskSharing implements AutoCloseable {
     private final DeskPresence presence;
     private final Map<Integer, SharedRobot> robots = new ConcurrentSkipListMap<>();
     private final SharedTeam shared;
+    private final @Nullable DeskFleet fleet;
     private final MessageLimit strays;
     private final AtomicBoolean closed = new AtomicBoolean();
     private volatile @Nullable SiteLatch latch;
@@ -77,7 +78,8 @@ public final class DeskSharing implements AutoCloseable {
         this.desk =
                 new DeskContext(team, self, topics, connection, new DeskClock(connection.time()), worker, timer::wake);
         this.presence = new DeskPresence(desk, options.program(), this::robots, this::withdraw);
-        this.shared = new SharedTeam(desk, options.robots(), robots, presence);
+        this.fleet = options.vda5050() ? new DeskFleet(desk, options.site(), opener) : null;
+        this.shared = new SharedTeam(desk, options.robots(), robots, presence, fleet);
         this.strays = new MessageLimit(connection.time(), STRAYS_PER_S);
     }
 
@@ -206,6 +208,9 @@ public final class DeskSharing implements AutoCloseable {
         }
         SharedRobot.halt(silent, desk);
         presence.publishChange();
+        if (fleet != null) {
+            fleet.tick();
+        }
         return nextS;
     }
 

@@ -3,6 +3,7 @@ package majic.shared.desk;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.shared.broker.BrokerMessage;
@@ -16,11 +17,12 @@ import majic.shared.message.SiteTopics.Part;
 import majic.shared.message.SpeedMessage;
 import majic.shared.message.StopMessage;
 import majic.shared.message.UnusableMessageException;
+import majic.shared.vda5050.StoppableRobot;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /** One robot that this desk shares: who holds it, and what arrives for it. Thread-safe. */
-final class SharedRobot {
+final class SharedRobot implements StoppableRobot {
     /** More of each kind in a second are a mistake or an attack. Stops are never left out. */
     private static final int REQUESTS_PER_S = 200;
 
@@ -54,7 +56,8 @@ final class SharedRobot {
         this.heartbeatLimit = new MessageLimit(desk.connection().time(), HEARTBEATS_PER_S);
     }
 
-    Member member() {
+    @Override
+    public Member member() {
         return member;
     }
 
@@ -113,12 +116,23 @@ final class SharedRobot {
         seen.stopped(stop);
         RobotHold now = hold();
         RobotHold own = now != null && now.isOf(stop.sender()) ? now : null;
-        stops.stop(stop, message, own == null ? null : own.owner(), written -> {
+        stops.stop(stop, reply -> desk.reply(message, reply), own == null ? null : own.owner(), written -> {
             if (own != null) {
                 stoppedByHolder(own);
             }
             desk.worker().submit(() -> member.notice("stopped by " + written.sender()));
         });
+    }
+
+    @Override
+    public void stop(String by, Consumer<Optional<String>> result) {
+        StopMessage stop = new StopMessage(new Sender(by, "", "-"), 0, "");
+        stops.stop(
+                stop,
+                reply -> result.accept(
+                        reply.outcome() == Outcome.DONE ? Optional.empty() : Optional.of(reply.message())),
+                null,
+                written -> complain("stopped by " + by));
     }
 
     private static void stoppedByHolder(RobotHold own) {
@@ -224,21 +238,17 @@ final class SharedRobot {
         publisher.changed();
     }
 
-    /** Answers nothing and accepts no claim from now on. */
+    boolean isRemoved() {
+        return removed;
+    }
+
+    /** Accepts no claim from now on. */
     void remove() {
         removed = true;
         RobotHold now = hold();
         if (now != null) {
             now.end();
         }
-    }
-
-    /** Ends the hold if it is due, and tells why; null while it goes on. */
-    Optional<String> reasonToHalt() {
-        RobotHold now = hold();
-        return now != null && now.heartbeatLeftS() < 0
-                ? Optional.of("no sign of life of " + now.holder() + " for 1 s")
-                : Optional.empty();
     }
 
     /** Ends a hold that began with a motion and is not used. */

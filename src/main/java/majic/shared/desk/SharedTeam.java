@@ -13,6 +13,7 @@ import majic.team.Answer;
 import majic.team.Member;
 import majic.team.StopStatus;
 import majic.team.TeamListener;
+import org.jspecify.annotations.Nullable;
 
 /** Keeps the shared robots up to date with the team: robots that come and go, their answers, messages and owners. */
 final class SharedTeam implements TeamListener {
@@ -20,16 +21,24 @@ final class SharedTeam implements TeamListener {
     private final Set<Integer> chosen;
     private final Map<Integer, SharedRobot> robots;
     private final DeskPresence presence;
+    private final @Nullable DeskFleet fleet;
 
     /**
      * @param chosen the numbers to share; empty for all
      * @param robots is filled and emptied here
+     * @param fleet publishes the robots as vehicles, too; null if that is not wanted
      */
-    SharedTeam(DeskContext desk, Set<Integer> chosen, Map<Integer, SharedRobot> robots, DeskPresence presence) {
+    SharedTeam(
+            DeskContext desk,
+            Set<Integer> chosen,
+            Map<Integer, SharedRobot> robots,
+            DeskPresence presence,
+            @Nullable DeskFleet fleet) {
         this.desk = desk;
         this.chosen = chosen;
         this.robots = robots;
         this.presence = presence;
+        this.fleet = fleet;
     }
 
     void begin() {
@@ -45,8 +54,15 @@ final class SharedTeam implements TeamListener {
         robots.clear();
     }
 
+    private void removeVehicle(SharedRobot robot) {
+        if (fleet != null) {
+            fleet.remove(robot);
+        }
+    }
+
     private void end(SharedRobot robot) {
         robot.remove();
+        removeVehicle(robot);
         if (presence.isActive()) {
             robot.publisher().end();
         }
@@ -67,6 +83,10 @@ final class SharedTeam implements TeamListener {
         SharedRobot before = robots.put(member.number(), robot);
         if (before != null && before.member() != member) {
             before.remove();
+            removeVehicle(before);
+        }
+        if (fleet != null) {
+            fleet.add(robot);
         }
         member.bot().addListener(new Reports(robot));
         robot.publisher().changed();

@@ -6,7 +6,6 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import majic.shared.broker.BrokerMessage;
 import majic.shared.message.RequestReply;
 import majic.shared.message.RequestReply.Outcome;
 import majic.shared.message.StopMessage;
@@ -40,7 +39,7 @@ final class StopRequests {
         final StopMessage message;
         final @Nullable Owner by;
         final Consumer<StopMessage> whenWritten;
-        final List<BrokerMessage> copies = new ArrayList<>();
+        final List<Consumer<RequestReply>> receivers = new ArrayList<>();
 
         @Nullable
         RequestReply reply;
@@ -64,17 +63,22 @@ final class StopRequests {
     /**
      * Stops the robot; returns at once.
      *
+     * @param receiver receives the answer, when the robot has confirmed the stop or failed to; must not wait
      * @param by the owner that is not ended by it; null to end the owner, whoever it is
      * @param whenWritten called when the stop was written, before it is confirmed
      */
-    void stop(StopMessage message, BrokerMessage copy, @Nullable Owner by, Consumer<StopMessage> whenWritten) {
+    void stop(
+            StopMessage message,
+            Consumer<RequestReply> receiver,
+            @Nullable Owner by,
+            Consumer<StopMessage> whenWritten) {
         Optional<Stop> before;
         synchronized (this) {
             before = find(message);
-            before.ifPresent(stop -> stop.copies.add(copy));
+            before.ifPresent(stop -> stop.receivers.add(receiver));
             if (before.isEmpty()) {
                 Stop stop = new Stop(message, by, whenWritten);
-                stop.copies.add(copy);
+                stop.receivers.add(receiver);
                 keep(stop);
                 waiting.add(stop);
                 if (writing >= MOST_AT_ONCE) {
@@ -86,7 +90,7 @@ final class StopRequests {
         if (before.isEmpty()) {
             desk.connection().time().runAsync("stop of robot " + member.number() + " from the broker", this::run);
         } else if (before.get().reply != null) {
-            desk.reply(copy, before.get().reply);
+            receiver.accept(before.get().reply);
         }
     }
 
@@ -177,11 +181,11 @@ final class StopRequests {
     }
 
     private void answer(Stop stop, RequestReply reply) {
-        List<BrokerMessage> copies;
+        List<Consumer<RequestReply>> receivers;
         synchronized (this) {
             stop.reply = reply;
-            copies = List.copyOf(stop.copies);
+            receivers = List.copyOf(stop.receivers);
         }
-        copies.forEach(copy -> desk.reply(copy, reply));
+        receivers.forEach(receiver -> receiver.accept(reply));
     }
 }
