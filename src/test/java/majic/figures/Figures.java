@@ -1,18 +1,21 @@
 package majic.figures;
 
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import majic.shared.broker.Mosquitto;
 
 /**
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
  * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}, {@code load},
- * {@code crash}, {@code ros}; without arguments all are measured. The address of a robot behind a rosbridge server, such as
+ * {@code crash}, {@code shared}, {@code ros}; without arguments all are measured. The address of a robot behind a rosbridge server, such as
  * {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to 12 degrees.
  */
 public final class Figures {
@@ -25,11 +28,17 @@ public final class Figures {
     private static final int MIXED_LABS = 6;
     private static final int PIONEERS_OF_MIXED_LAB = 8;
 
+    /** Desks and robots of each row of {@code shared}. */
+    private static final int[][] SHARED = {{1, 10}, {10, 100}, {50, 200}, {50, 500}, {50, 1000}};
+
+    private static final int MOST_OF_A_LAB = 500;
+
     private static final int[] LABS = {1, 10, 45, 100, 500};
     private static final List<String> ALL = List.of(
-            "start", "idle", "events", "large", "line", "memory", "stop", "flood", "lab", "load", "crash", "ros");
+            "start", "idle", "events", "large", "line", "memory", "stop", "flood", "lab", "load", "crash", "shared",
+            "ros");
 
-    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash", "ros");
+    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash", "shared", "ros");
 
     private final ChildProgram programs;
 
@@ -55,6 +64,7 @@ public final class Figures {
                 case "lab" -> figures.lab();
                 case "load" -> figures.load();
                 case "crash" -> figures.crash();
+                case "shared" -> figures.shared();
                 case "ros" -> figures.ros();
                 default -> figures.ros(name);
             }
@@ -171,6 +181,41 @@ public final class Figures {
 
     private String teamLoad(List<String> addresses) throws IOException {
         return programs.lines(TeamLoad.class, addresses).get(0);
+    }
+
+    /** Measures desks that share robots over Mosquitto, with more desks and robots from row to row. */
+    private void shared() throws IOException, InterruptedException {
+        say("robots shared over Mosquitto; times in ms, processor time as a share of one core, bytes a robot");
+        say("(commands at most 2 times the bare messages of the same size, processor time and bytes a robot flat)");
+        if (Mosquitto.installed().isEmpty()) {
+            say("  Mosquitto is not installed");
+            return;
+        }
+        say(SharedTable.head());
+        Path folder = Files.createTempDirectory("majic-figures-broker");
+        for (int[] row : SHARED) {
+            List<ChildProgram.Lab> labs = new ArrayList<>();
+            try (Mosquitto broker = Mosquitto.start(
+                    folder, Mosquitto.freePort(), "allow_anonymous true", "sys_interval 1", "log_dest none")) {
+                for (int left = row[1]; left > 0; left -= MOST_OF_A_LAB) {
+                    labs.add(programs.usualLab(Math.min(left, MOST_OF_A_LAB)));
+                }
+                say(SharedTable.row(sharedLoad(broker, row[0], labs)));
+            } finally {
+                labs.forEach(ChildProgram.Lab::close);
+            }
+        }
+    }
+
+    private String sharedLoad(Mosquitto broker, int desks, List<ChildProgram.Lab> labs) throws IOException {
+        List<String> arguments =
+                new ArrayList<>(List.of("mqtt://127.0.0.1:" + broker.port() + "/lab", "" + broker.pid(), "" + desks));
+        labs.forEach(lab -> arguments.addAll(lab.pioneers()));
+        List<String> lines = programs.lines(SharedLoad.class, arguments);
+        if (lines.isEmpty()) {
+            throw new IOException("the desks have ended without figures");
+        }
+        return lines.get(0);
     }
 
     private void crash() throws IOException, InterruptedException {

@@ -7,16 +7,13 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import majic.bot.MajicBot;
 import majic.environment.Settings;
-import majic.team.Answer;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
-import majic.team.TeamListener;
 import majic.time.TimeSource;
 
 /**
@@ -122,17 +119,5 @@ final class TeamLoad {
         MajicBot bot = factory.create(address);
         bot.connect();
         return team.add(bot, OptionalInt.empty());
-    }
-
-    /** Prints why the first command failed that did. */
-    private static final class FirstFailure implements TeamListener {
-        private final AtomicBoolean printed = new AtomicBoolean();
-
-        @Override
-        public void answered(Answer answer) {
-            if (answer.outcome() != Answer.Outcome.DONE && !printed.getAndSet(true)) {
-                System.err.println(answer.text());
-            }
-        }
     }
 }

@@ -80,6 +80,11 @@ public final class Mosquitto implements AutoCloseable {
         return port;
     }
 
+    /** Returns the number of its process. */
+    public long pid() {
+        return process.pid();
+    }
+
     @Override
     public void close() {
         process.destroyForcibly().onExit().join();

@@ -1,0 +1,293 @@
+package majic.figures;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.OptionalLong;
+import java.util.function.BooleanSupplier;
+import java.util.stream.Collectors;
+import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
+import majic.RecordedLine;
+import majic.bot.BotControl;
+import majic.bot.BotType;
+import majic.bot.MajicBot;
+import majic.environment.Settings;
+import majic.shared.SharedType;
+import majic.shared.broker.BrokerAddress;
+import majic.shared.broker.Quality;
+import majic.shared.desk.SiteLatch;
+import majic.team.BotFactory;
+import majic.team.Member;
+import majic.team.QueuedCommand;
+import majic.team.Team;
+import majic.time.TimeSource;
+
+/**
+ * A program with many desks that share robots, and one that uses some of them over the broker. Measures what all desks use while
+ * nothing is commanded, the times from a command at the using desk to its bytes at the robot's end of the link, those of bare
+ * messages of the same size meanwhile, and the time from STOP until every desk has stopped all its robots.
+ */
+final class SharedLoad {
+    private static final int MOST_USED = 20;
+    private static final int SETTLING_MS = 5000;
+    private static final int MEASURED_MS = 10_000;
+    private static final int REQUESTS = 100;
+    private static final int DRIVES = 300;
+    /** The first part of the commands warms up; it is this many times shorter. */
+    private static final int WARMING_UP = 3;
+
+    private static final int STOPS = 20;
+    private static final int BETWEEN_MS = 20;
+    private static final int MOST_WAIT_MS = 10_000;
+
+    /** Sizes in bytes of a request for a motion and of a speed, with names of usual length. */
+    private static final int REQUEST_BYTES = 190;
+
+    private static final int SPEED_BYTES = 180;
+
+    /** An RVEL packet with a negative rate, without its amount. */
+    private static final String RIGHT = "\u00FA\u00FB\u0006\u0015\u001B";
+
+    private static final String LEFT = "\u00FA\u00FB\u0006\u0015\u003B\n";
+    private static final String STOP = "\u00FA\u00FB\u0003\u001D\0\u001D";
+    private static final double DRIVE_DEG_PER_SEC = 10;
+
+    private final BrokerAddress broker;
+    private final SharedDesks desks;
+    private final List<RecordedLine> lines;
+    private final Team team = new Team(TimeSource.system(), Team.MOST_BOTS);
+    private final BrokerBytes bytes;
+
+    private SharedLoad(BrokerAddress broker, SharedDesks desks, List<RecordedLine> lines) {
+        this.broker = broker;
+        this.desks = desks;
+        this.lines = lines;
+        this.bytes = new BrokerBytes(broker);
+    }
+
+    /**
+     * Measures, prints one line of figures and ends.
+     *
+     * @param arguments the broker's address, its process, the number of desks, the addresses of the robots
+     */
+    public static void main(String[] arguments) throws Exception {
+        BrokerAddress broker = BrokerAddress.parse(arguments[0]);
+        long brokerPid = Long.parseLong(arguments[1]);
+        int count = Integer.parseInt(arguments[2]);
+        List<String> robots = new ArrayList<>(List.of(arguments).subList(3, arguments.length));
+        List<RecordedLine> lines = record(robots, count);
+        try {
+            SharedLoad load = new SharedLoad(broker, SharedDesks.share(broker, count, robots), lines);
+            System.out.println(load.measure(count, robots.size(), brokerPid));
+        } catch (Throwable e) {
+            e.printStackTrace();
+        } finally {
+            System.out.flush();
+            Runtime.getRuntime().halt(0);
+        }
+    }
+
+    /** Puts a recorder in front of the robots that will be used, and of one robot of each desk. */
+    private static List<RecordedLine> record(List<String> robots, int desks) throws IOException {
+        List<RecordedLine> lines = new ArrayList<>();
+        for (int robot = 0; robot < Math.min(Math.max(MOST_USED, desks), robots.size()); robot++) {
+            RecordedLine line =
+                    RecordedLine.tcp(Integer.parseInt(robots.get(robot).replaceFirst(".*:", "")));
+            robots.set(robot, "pioneer:" + line.address());
+            lines.add(line);
+        }
+        return lines;
+    }
+
+    /** Returns the figures in the order of the columns of {@link SharedTable}. */
+    private String measure(int count, int robots, long brokerPid) throws Exception {
+        use();
+        Thread.sleep(SETTLING_MS);
+        double[] idle = idle(brokerPid, robots);
+        double[] requests = commands(Quality.AT_LEAST_ONCE, REQUESTS, this::requests);
+        double[] drives = commands(Quality.AT_MOST_ONCE, DRIVES, this::drives);
+        double[] stops = stops();
+        return DoubleStream.of(count, robots)
+                .boxed()
+                .collect(Collectors.collectingAndThen(
+                        Collectors.toList(), first -> joined(first, idle, requests, drives, stops)));
+    }
+
+    private static String joined(List<Double> first, double[]... rest) {
+        List<Double> all = new ArrayList<>(first);
+        Arrays.stream(rest).flatMapToDouble(Arrays::stream).forEach(all::add);
+        return all.stream().map(String::valueOf).collect(Collectors.joining(" "));
+    }
+
+    /** Adds shared robots to the team of the using desk. */
+    private void use() {
+        team.addListener(new FirstFailure());
+        List<BotType> types = BotFactory.types(SharedLoad.class.getClassLoader());
+        types.stream()
+                .filter(SharedType.class::isInstance)
+                .map(SharedType.class::cast)
+                .forEach(type -> type.observeSites(
+                        (connection, address, by) -> new SiteLatch(team, connection, address.site(), by)));
+        BotFactory factory = new BotFactory(types, Settings.inMemory());
+        for (int robot = 0; robot < Math.min(MOST_USED, lines.size()); robot++) {
+            MajicBot bot = factory.create(desks.address(robot));
+            bot.connect();
+            team.add(bot, OptionalInt.empty());
+        }
+    }
+
+    /** Returns the processor time of all desks and of the broker, and the bytes, of each robot and second. */
+    private double[] idle(long brokerPid, int robots) throws InterruptedException {
+        ProcessHandle process = ProcessHandle.of(brokerPid).orElseThrow();
+        long brokerBefore = process.info().totalCpuDuration().orElseThrow().toNanos();
+        long in = bytes.received();
+        long out = bytes.sent();
+        ProcessSample before = ProcessSample.now();
+        Thread.sleep(MEASURED_MS);
+        double percent = ProcessSample.now().percentSince(before);
+        double seconds = (System.nanoTime() - before.nanos()) / 1e9;
+        double brokerPercent =
+                (process.info().totalCpuDuration().orElseThrow().toNanos() - brokerBefore) / seconds / 1e7;
+        return new double[] {
+            percent, brokerPercent, (bytes.received() - in) / seconds / robots, (bytes.sent() - out) / seconds / robots
+        };
+    }
+
+    /** A command that was given. */
+    private record Sample(RecordedLine line, int before, String packet, long beganNanos) {
+        OptionalLong nanos() {
+            OptionalLong arrival = line.arrivalNanos(packet, before);
+            return arrival.isPresent() ? OptionalLong.of(arrival.getAsLong() - beganNanos) : OptionalLong.empty();
+        }
+    }
+
+    private interface Commands {
+        List<Sample> give(BareMessages bare, int count) throws InterruptedException;
+    }
+
+    /** Returns median and 99 of 100 of the commands, then of the bare messages beside them, and how many did not arrive. */
+    private double[] commands(Quality quality, int count, Commands commands) throws InterruptedException {
+        try (BareMessages bare = new BareMessages(broker, quality)) {
+            commands.give(bare, count / WARMING_UP);
+            bare.reset();
+            List<Sample> samples = commands.give(bare, count);
+            List<Double> times = samples.stream()
+                    .map(Sample::nanos)
+                    .filter(OptionalLong::isPresent)
+                    .map(nanos -> nanos.getAsLong() / 1e6)
+                    .toList();
+            return new double[] {
+                within(times, 0.5),
+                within(times, 0.99),
+                within(bare.times(), 0.5),
+                within(bare.times(), 0.99),
+                samples.size() - times.size()
+            };
+        }
+    }
+
+    private List<Sample> requests(BareMessages bare, int count) throws InterruptedException {
+        List<Sample> samples = new ArrayList<>();
+        while (samples.size() < count) {
+            for (int robot = 0; robot < used(); robot++) {
+                bare.send(REQUEST_BYTES);
+                Thread.sleep(BETWEEN_MS);
+                samples.add(give(robot, RIGHT, control -> control.turn(-2)));
+                Thread.sleep(BETWEEN_MS);
+            }
+            await(() -> team.members().stream().allMatch(Member::isIdle));
+        }
+        return samples;
+    }
+
+    private List<Sample> drives(BareMessages bare, int count) throws InterruptedException {
+        List<Sample> samples = new ArrayList<>();
+        for (int number = 0; number < count; number++) {
+            boolean left = number / used() % 2 == 0;
+            double rate = left ? DRIVE_DEG_PER_SEC : -DRIVE_DEG_PER_SEC;
+            bare.send(SPEED_BYTES);
+            Thread.sleep(BETWEEN_MS / 2);
+            samples.add(give(number % used(), left ? LEFT : RIGHT, control -> control.drive(0, rate)));
+            Thread.sleep(BETWEEN_MS / 2);
+        }
+        team.stop(team.members(), null);
+        await(() -> team.members().stream().noneMatch(Member::isStopping));
+        return samples;
+    }
+
+    /** Something that a robot is made to do. */
+    private interface Deed {
+        void run(BotControl control);
+    }
+
+    private Sample give(int robot, String packet, Deed deed) {
+        RecordedLine line = lines.get(robot);
+        Sample sample = new Sample(line, line.length(), packet, System.nanoTime());
+        team.members()
+                .get(robot)
+                .submit(
+                        new QueuedCommand("figure", true, control -> {
+                            deed.run(control);
+                            return List.of();
+                        }),
+                        null);
+        return sample;
+    }
+
+    /**
+     * Returns the times from STOP to its bytes at the used robots, then at one robot of each desk: median, 99 of 100; and how
+     * many did not arrive.
+     */
+    private double[] stops() throws InterruptedException {
+        List<Double> used = new ArrayList<>();
+        List<Double> all = new ArrayList<>();
+        for (int round = 0; round <= STOPS; round++) {
+            List<Integer> before = lines.stream().map(RecordedLine::length).toList();
+            long began = System.nanoTime();
+            team.stopAll();
+            await(() -> arrivals(before).stream().allMatch(OptionalLong::isPresent));
+            List<OptionalLong> arrivals = arrivals(before);
+            if (round > 0) {
+                arrivals.forEach(nanos -> nanos.ifPresent(at -> all.add((at - began) / 1e6)));
+                arrivals.subList(0, used()).forEach(nanos -> nanos.ifPresent(at -> used.add((at - began) / 1e6)));
+            }
+            await(() -> team.areStopsAnswered() && team.members().stream().noneMatch(Member::isStopping));
+            await(() -> desks.teams().stream().allMatch(Team::isLatched));
+            team.release();
+            await(() -> desks.teams().stream().noneMatch(Team::isLatched));
+        }
+        return new double[] {
+            within(used, 0.5),
+            within(used, 0.99),
+            within(all, 0.5),
+            within(all, 0.99),
+            STOPS * lines.size() - all.size()
+        };
+    }
+
+    /** Returns how many robots the using desk has: the first ones. */
+    private int used() {
+        return team.members().size();
+    }
+
+    private List<OptionalLong> arrivals(List<Integer> before) {
+        return IntStream.range(0, lines.size())
+                .mapToObj(robot -> lines.get(robot).arrivalNanos(STOP, before.get(robot)))
+                .toList();
+    }
+
+    private static void await(BooleanSupplier condition) throws InterruptedException {
+        long began = System.nanoTime();
+        while (!condition.getAsBoolean() && (System.nanoTime() - began) / 1e6 < MOST_WAIT_MS) {
+            Thread.sleep(1);
+        }
+    }
+
+    private static double within(List<Double> times, double share) {
+        List<Double> sorted = times.stream().sorted().toList();
+        return sorted.isEmpty() ? Double.NaN : sorted.get((int) Math.min(sorted.size() - 1, sorted.size() * share));
+    }
+}
