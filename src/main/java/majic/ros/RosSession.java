@@ -198,8 +198,14 @@ final class RosSession implements VelocityOutput {
         watches.forEach(ServerWatch::close);
     }
 
-    /** Subscribes again to topics that are silent. Called about once a second. */
+    /**
+     * Subscribes again to topics that are silent, and notices that the computer was suspended. Called about once a second: the
+     * two clocks that this compares drift apart by more within hours.
+     *
+     * @throws LinkLost if the connection has ended, or the computer was suspended
+     */
     void renewSubscriptions() {
+        refuseAfterSuspend();
         connections.all().forEach(RosBridge::renewSilentSubscriptions);
     }
 
