@@ -10,9 +10,9 @@ import majic.team.BotFactory;
  * roslibpy is {@code roslibpy_client.py}.
  */
 final class RosDriver {
-    static final int SETTLING_MS = 7_000;
-    static final int MEASURED_MS = 15_000;
-    static final int ROUNDS = 45;
+    static final int SETTLING_MS = 15_000;
+    static final int MEASURED_MS = 12_000;
+    static final int ROUNDS = 40;
     static final int DRIVING_MS = 400;
     static final int STANDING_MS = 600;
 
@@ -30,7 +30,7 @@ final class RosDriver {
             ProcessSample began = ProcessSample.now();
             Thread.sleep(MEASURED_MS);
             System.out.println("reporting " + ProcessSample.now().percentSince(began));
-            drive(bot, ROUNDS / 5);
+            drive(bot, ROUNDS / 8);
             ProcessSample driven = ProcessSample.now();
             drive(bot, ROUNDS);
             System.out.println("driven " + ProcessSample.now().percentSince(driven));
