@@ -7,6 +7,7 @@ import java.awt.Dimension;
 import java.awt.LayoutManager;
 import java.awt.Rectangle;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
@@ -17,6 +18,9 @@ import org.jspecify.annotations.Nullable;
 public final class Dashboard implements LayoutManager {
     /** Minimum size of a view in pixels; a smaller one is unreadable. */
     private static final int LEAST_VIEW = 110;
+
+    /** The same beside readings that stand two in a row, which are more important than the view. */
+    private static final int LEAST_VIEW_BESIDE_PAIRS = 96;
 
     /** Factor by which the view must get larger to justify a less readable arrangement of the rest. */
     private static final double WORTH_IT = 1.15;
@@ -106,17 +110,27 @@ public final class Dashboard implements LayoutManager {
      * row are the most important ones: for them the view is reduced as far as it is readable.
      */
     private int columnWidth(Rectangle room) {
-        int least = column.leastWidth();
-        int largest = shorterBeside(room, least);
-        return IntStream.of(column.goodWidth(), column.widthForReadings())
-                .filter(width -> WORTH_IT * shorterBeside(room, width) >= largest)
+        return worthIt(room)
+                .filter(width -> column.showsReadings(width, room.height))
                 .findFirst()
-                .orElseGet(() -> isWorthPairs(room) ? column.widthForPairs() : least);
+                .orElseGet(() -> widthForPairs(room)
+                        .orElseGet(() -> worthIt(room).findFirst().orElse(column.leastWidth())));
     }
 
-    private boolean isWorthPairs(Rectangle room) {
-        int width = column.widthForPairs();
-        return column.showsPairs(width, room.height) && shorterBeside(room, width) >= UIScale.scale(LEAST_VIEW);
+    /** Returns the readable widths of the column that do not reduce the view too much. */
+    private IntStream worthIt(Rectangle room) {
+        int largest = shorterBeside(room, column.leastWidth());
+        return IntStream.of(column.goodWidth(), column.widthForReadings())
+                .filter(width -> WORTH_IT * shorterBeside(room, width) >= largest);
+    }
+
+    /** Returns the least width with room for readings that stand two in a row: in a wider column, the side panes are lower. */
+    private OptionalInt widthForPairs(Rectangle room) {
+        int narrow = column.widthForPairs();
+        return IntStream.of(narrow, Math.max(narrow, column.goodWidth()))
+                .filter(width -> column.showsPairs(width, room.height)
+                        && shorterBeside(room, width) >= UIScale.scale(LEAST_VIEW_BESIDE_PAIRS))
+                .findFirst();
     }
 
     /** Returns the shorter side of a view with a column beside it; 0 if the column does not fit. */

@@ -121,6 +121,21 @@ class DashboardTest {
     }
 
     @Test
+    void forImportantReadingsTheLightsStandTwoInARow() {
+        ReadingsPanel<String> distances = new ReadingsPanel<>("8888 mm");
+        List.of("front", "back", "left", "right").forEach(name -> distances.with(name, value -> value));
+        distances.paired(4, "8888 mm");
+        arrange(new Dashboard(view, 0, List.of(SidePane.of(controls), SidePane.of(lights)), distances));
+        List.of(view, controls, lights, distances).forEach(parent::add);
+
+        layOut(410, 250);
+
+        assertThat(distances.isVisible()).isTrue();
+        assertThat(lights.getHeight()).isLessThan(lights.getPreferredSize().height);
+        assertThat(view.getWidth()).isGreaterThan(95);
+    }
+
+    @Test
     void inATallSpaceTheViewIsOnTop() {
         camera();
         layOut(500, 900);
