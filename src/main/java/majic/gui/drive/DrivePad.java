@@ -33,6 +33,9 @@ import net.miginfocom.swing.MigLayout;
 public final class DrivePad extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(DrivePad.class);
+    /** Pixels by which text may be wider on a screen of another scale than measured. */
+    private static final int TEXT_RESERVE = 4;
+
     private static final int FULL_SPEED_PERCENT = 100;
     private static final int LEAST_SPEED_PERCENT = 10;
     private static final int SPEED_STEP_PERCENT = 10;
@@ -87,6 +90,7 @@ public final class DrivePad extends JPanel {
         add(hint, "cell 3 0, wmin 0");
         JLabel label = new JLabel(TEXTS.get("speed"));
         label.setLabelFor(speed);
+        label.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, TEXT_RESERVE));
         add(label, "cell 3 1, split 2, grow 0");
         add(speed, "cell 3 1, growx, wmin 60, wmax 220");
     }

@@ -76,8 +76,10 @@ final class HemissonLights {
             mode.show(Kind.QUIET, TEXTS.get("mode.unknown"));
         } else if (view.areSwitchesMoved()) {
             mode.show(Kind.WARNING, TEXTS.get("mode.moved"));
+        } else if (view.isRemoteControlled()) {
+            mode.show(Kind.GOOD, TEXTS.get("mode.remoteControl"));
         } else {
-            mode.show(view.isRemoteControlled() ? Kind.GOOD : Kind.WARNING, view.mode());
+            mode.show(Kind.WARNING, view.mode());
         }
     }
 }
