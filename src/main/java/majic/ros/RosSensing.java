@@ -4,7 +4,9 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.function.DoubleSupplier;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -78,16 +80,27 @@ final class RosSensing implements ObstructionSource {
                 session.graph().isRos2(),
                 namespace,
                 session.graph().topics());
-        RosSensors sensors = sensors(RosSensors.of(client.topics(), namespace), session.camera());
+        Map<String, String> topics = ownTopics(session);
+        RosSensors sensors = sensors(RosSensors.of(topics, namespace), session.camera());
         if (sensors.joints().isPresent()) {
             sensors = sensors.withSlidingJoints(session.slidingJoints());
         }
-        servers = NavigationServers.of(client.topics(), actions(client), namespace);
+        List<String> actions = actions(client).stream()
+                .filter(action -> !session.others().have(action))
+                .toList();
+        servers = NavigationServers.of(topics, actions, namespace);
         navigation.begin(client, servers);
         RosReadings opened = new RosReadings(client, sensors, waiting, events);
         readings = opened;
         parameters.describe(sensors, servers);
         opened.begin();
+    }
+
+    /** The topics without those of other robots. */
+    private static Map<String, String> ownTopics(RosSession session) {
+        Map<String, String> own = new TreeMap<>(session.graph().topics());
+        own.keySet().removeIf(session.others()::have);
+        return own;
     }
 
     private static RosSensors sensors(RosSensors found, @Nullable String camera) {

@@ -20,6 +20,7 @@ import majic.ros.graph.BaseChoice;
 import majic.ros.graph.BaseFinder;
 import majic.ros.graph.KnownRobot;
 import majic.ros.graph.KnownRobots;
+import majic.ros.graph.OtherRobots;
 import majic.ros.graph.RobotDescription;
 import majic.ros.graph.RobotEvidence;
 import majic.ros.graph.RosApi;
@@ -65,6 +66,7 @@ final class RosSession implements VelocityOutput {
     private volatile @Nullable RosGraph graph;
     private volatile @Nullable Base base;
     private volatile @Nullable VelocityForm form;
+    private volatile OtherRobots others = new OtherRobots(List.of());
     private volatile KnownRobot robot = KnownRobots.UNKNOWN;
     private volatile boolean reporting;
     private volatile @Nullable String problem;
@@ -100,8 +102,9 @@ final class RosSession implements VelocityOutput {
     void find(KnownRobots known) {
         RosApi api = new RosApi(connections.open());
         RosGraph found = api.graph();
-        Base chosen = new BaseChoice(found, new BaseFinder(found, api::subscribers), address.server())
-                .choose(address.namespace(), address.base());
+        BaseChoice choice = new BaseChoice(found, new BaseFinder(found, api::subscribers), address.server());
+        Base chosen = choice.choose(address.namespace(), address.base());
+        others = choice.besides(chosen);
         robot = model(known, new RobotEvidence(found, chosen.namespace(), api::parameter));
         // What the address names is used even if the table prefers another topic.
         base = address.base() == null ? KnownRobots.withTopics(robot, chosen, found) : chosen;
@@ -262,6 +265,11 @@ final class RosSession implements VelocityOutput {
     /** The topics that drive the robot. */
     Base base() {
         return present(base);
+    }
+
+    /** The other robots behind the server. */
+    OtherRobots others() {
+        return others;
     }
 
     /** What is known about the robot. */

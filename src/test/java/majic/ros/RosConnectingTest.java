@@ -10,12 +10,14 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.BotAddress;
+import majic.bot.BotCommand;
 import majic.bot.BotException;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.MajicBot;
+import majic.bot.Parameter;
 import majic.drivertest.ScriptedPeer;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -250,6 +252,24 @@ class RosConnectingTest {
         }
         try (ScriptedRos robot = new ScriptedRos("?robot=roomba")) {
             assertFails(robot.bot()::connect, Reason.OTHER, "there is no robot roomba in the table", "e-puck2");
+        }
+    }
+
+    @Test
+    void aRobotWithoutANamespaceDoesNotGetTheSensorsOfAnotherOne() {
+        try (ScriptedRos robot = new ScriptedRos("?base=/cmd_vel")) {
+            robot.topics.put("/tb3_1/cmd_vel", "geometry_msgs/Twist");
+            robot.subscribers.put("/tb3_1/cmd_vel", List.of("/node"));
+            robot.topics.put("/tb3_1/scan", "sensor_msgs/LaserScan");
+            robot.topics.put("/tb3_1/move_base/goal", "move_base_msgs/MoveBaseActionGoal");
+            robot.topics.put("/sensors/imu", "sensor_msgs/Imu");
+            robot.bot().connect();
+
+            assertThat(robot.bot().parameters())
+                    .extracting(Parameter::name)
+                    .contains("gyro")
+                    .doesNotContain("scan", "goalLeft");
+            assertThat(robot.bot().commands()).extracting(BotCommand::name).doesNotContain("goto");
         }
     }
 

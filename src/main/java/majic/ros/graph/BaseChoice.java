@@ -55,6 +55,16 @@ public final class BaseChoice {
                 "there are " + others.size() + " robots behind " + server + "; is it " + addresses(others) + "?");
     }
 
+    /**
+     * Returns the robots that were not chosen.
+     *
+     * @param chosen by {@link #choose}
+     * @return the others behind the server
+     */
+    public OtherRobots besides(Base chosen) {
+        return OtherRobots.besides(chosen, finder.all());
+    }
+
     private String noBase() {
         List<String> unread = graph.topicsOf(Base.TWIST);
         String there = unread.isEmpty() ? "" : "; no node receives " + unread.get(0);

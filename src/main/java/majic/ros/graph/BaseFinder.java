@@ -12,7 +12,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Finds the robots that can be driven: topics of velocity commands, grouped by the namespace of the robot, each with the
- * odometry of that namespace. A command topic that no node receives belongs to no robot.
+ * odometry of that namespace. A command topic that no node receives belongs to no robot. Used by one thread.
  */
 public final class BaseFinder {
     /** So many command topics are checked for receivers; a system with more is searched by name alone. */
@@ -20,6 +20,7 @@ public final class BaseFinder {
 
     private final RosGraph graph;
     private final Function<String, Optional<List<String>>> subscribers;
+    private @Nullable List<Base> found;
 
     /**
      * Creates a search.
@@ -40,11 +41,20 @@ public final class BaseFinder {
     }
 
     /**
-     * Finds all robots.
+     * Finds all robots; asks for the receivers of topics the first time only.
      *
      * @return by namespace, in alphabetical order
      */
     public List<Base> all() {
+        List<Base> known = found;
+        if (known == null) {
+            known = search();
+            found = known;
+        }
+        return known;
+    }
+
+    private List<Base> search() {
         Map<String, List<Command>> byNamespace = new TreeMap<>();
         for (Command command : received(commands())) {
             byNamespace
