@@ -183,6 +183,12 @@ public final class ReadingsPanel<S> extends JPanel {
         return width < columnWidth() || height < least ? 0 : Math.min(height - height % rowHeight(), heightIn(width));
     }
 
+    /** Returns whether an area shows all readings that can stand two in a row; if none can, whether it shows any. */
+    boolean showsImportant(int width, int height) {
+        int rows = heightWithin(width, height) / rowHeight();
+        return rows > 0 && (pairsIn(width) > 0 || rows * columnsIn(width) >= paired);
+    }
+
     /** Sets its bounds; hides it if the height is 0. */
     void place(int x, int y, int width, int height) {
         setVisible(height > 0);

@@ -36,10 +36,10 @@ final class SidePaneColumn {
         return width >= widthForPairs() && widthForPairs() > 0 && numbers.heightWithin(width, rest) > 0;
     }
 
-    /** Returns whether the column has room for readings below the side panes. */
+    /** Returns whether the column has room for the important readings below the side panes. */
     boolean showsReadings(int width, int height) {
         int rest = height - sum(pane -> pane.goodHeight(width));
-        return numbers.heightWithin(width, rest - gap + spareOfPanes(width)) > 0;
+        return numbers.showsImportant(width, rest - gap + spareOfPanes(width));
     }
 
     /** Returns the width at which the column is lowest and wide enough for the readings. */
