@@ -10,11 +10,12 @@ import org.jspecify.annotations.Nullable;
 final class DelayMeter {
     private static final double PERIOD_S = 5;
     private static final double SLOW_S = 0.3;
+    private static final int SLOW_ANSWERS = 2;
 
     private final Supplier<RobotCommands> commands;
     private volatile @Nullable PendingReply probe;
     private volatile Value delay = Value.unknown("not measured yet");
-    private boolean warned;
+    private int slow;
 
     /** Measures with requests to one robot. */
     DelayMeter(Supplier<RobotCommands> commands) {
@@ -35,28 +36,31 @@ final class DelayMeter {
     @Nullable
     String tick() {
         PendingReply last = probe;
-        if (last == null) {
-            probe = commands.get().request(new RequestedAction.Get("moving"));
+        if (last != null && last.ageS() < PERIOD_S) {
+            take(last);
             return null;
         }
-        if (last.isAnswered()) {
-            delay = Value.of(Math.round(last.answerS() * 1000), Unit.MS);
+        probe = commands.get().request(new RequestedAction.Get("moving"));
+        if (last == null) {
+            return null;
         }
-        String warning = warning(last.answerS());
-        if (last.ageS() >= PERIOD_S) {
-            commands.get().forget(last);
-            probe = commands.get().request(new RequestedAction.Get("moving"));
-        }
-        return warning;
+        commands.get().forget(last);
+        return warning(last.answerS());
     }
 
-    private @Nullable String warning(double seconds) {
-        if (warned || seconds <= SLOW_S) {
-            return null;
+    private void take(PendingReply answer) {
+        if (answer.isAnswered()) {
+            delay = Value.of(Math.round(answer.answerS() * 1000), Unit.MS);
         }
-        warned = true;
-        return "the answers of its desk take more than " + Math.round(SLOW_S * 1000)
-                + " ms: it is commanded with this delay, and guards are evaluated at its desk";
+    }
+
+    /** The first answers of a program that has just been started are slow by themselves, so that one is not enough. */
+    private @Nullable String warning(double seconds) {
+        slow = seconds > SLOW_S ? slow + 1 : 0;
+        return slow == SLOW_ANSWERS
+                ? "the answers of its desk take more than " + Math.round(SLOW_S * 1000)
+                        + " ms: commands and stops take as long, and readings are as old"
+                : null;
     }
 
     /** Returns the delay in ms; unknown before the first answer. */

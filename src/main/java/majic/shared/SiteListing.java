@@ -21,11 +21,15 @@ import majic.shared.message.Description;
 import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
 import majic.shared.message.UnusableMessageException;
+import majic.time.Signal;
 
 /** Finds the robots that are shared at a site, or by one desk of it. */
 final class SiteListing {
-    /** How long the broker may take to deliver what it has kept, s. */
-    private static final double COLLECT_S = 1;
+    /** How long the broker may take to deliver the first of what it has kept, s. */
+    private static final double FIRST_S = 3;
+
+    /** How long it may take between two of them, s. */
+    private static final double NEXT_S = 0.5;
 
     private static final int CLIENT_ID_PART = 8;
 
@@ -33,6 +37,7 @@ final class SiteListing {
     private final BrokerAddress address;
     private final BotEnvironment environment;
     private final Map<String, String> found = new ConcurrentSkipListMap<>();
+    private final Signal arrived;
 
     /**
      * Lists a site.
@@ -44,6 +49,7 @@ final class SiteListing {
         this.opener = opener;
         this.address = address;
         this.environment = environment;
+        this.arrived = environment.time().signal();
     }
 
     /**
@@ -59,9 +65,19 @@ final class SiteListing {
             connection.connect();
             collect(connection, address, SiteTopics.ANY);
             desk().ifPresent(desk -> collect(connection, address.withSite(siteOfDesk()), desk));
-            new RobotWait(connection.time(), connection.time().signal()).awaitConnecting(() -> false, COLLECT_S);
+            await(new RobotWait(environment.time(), arrived));
         }
         return new TreeMap<>(found);
+    }
+
+    private void await(RobotWait waiting) {
+        waiting.awaitConnecting(() -> !found.isEmpty(), FIRST_S);
+        int known = 0;
+        while (known < found.size()) {
+            known = found.size();
+            int before = known;
+            waiting.awaitConnecting(() -> found.size() > before, NEXT_S);
+        }
     }
 
     /** The last level may be the name of a desk. */
@@ -97,6 +113,7 @@ final class SiteListing {
         } catch (UnusableMessageException e) {
             found.put(message.topic(), String.valueOf(e.getMessage()));
         }
+        arrived.raise();
     }
 
     /** Returns what was found as a question to users. */

@@ -69,6 +69,16 @@ final class SharedPioneer implements TestedRobot {
         ofDesk.get(0).holdBack();
     }
 
+    /** Keeps everything from and to the program that uses the robot on its way. */
+    void holdUserBack() {
+        ofUser.get(ofUser.size() - 1).holdBack();
+    }
+
+    /** Delivers it at once. */
+    void deliverToUser() {
+        ofUser.get(ofUser.size() - 1).deliver();
+    }
+
     @Override
     public void block() {
         local.block();
