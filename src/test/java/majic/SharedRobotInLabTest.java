@@ -142,13 +142,24 @@ class SharedRobotInLabTest {
 
     @Test
     void aScriptOfTheDeskThatUsesTheRobotEndsWhenItIsStoppedThere() throws InterruptedException {
-        anna.say("repeat 20\n  1 move 100\nend");
-        desks.pass(4);
+        anna.sayBlock("repeat 20", "1 move 100", "wait 8s", "end");
+        desks.pass(2.5);
+        assertThat(anna.said()).anySatisfy(line -> assertThat(line).contains("1 move 100: done"));
 
         desks.desk2.run("1 stop");
-        desks.pass(1);
 
-        assertThat(desks.movesWithin(5)).isLessThan(1);
+        assertThat(desks.movesWithin(20)).isLessThan(1);
+    }
+
+    @Test
+    void theHoldersOwnStopEndsNothingElse() throws InterruptedException {
+        anna.run("1 hold", "1 stop");
+        anna.bot.drive(100, 0);
+        desks.pass(2);
+
+        assertThat(anna.run("1 move 200", "1 get holder"))
+                .anySatisfy(line -> assertThat(line).contains("1 move 200: done"))
+                .contains("1 holder = this program");
     }
 
     @Test

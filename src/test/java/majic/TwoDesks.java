@@ -132,6 +132,15 @@ final class TwoDesks implements AutoCloseable {
             parser.parseText(line);
         }
 
+        /** Starts lines that belong together. */
+        void sayBlock(String... lines) {
+            session.flush();
+            said.clear();
+            for (String line : lines) {
+                parser.parseText(line);
+            }
+        }
+
         List<String> said() {
             session.flush();
             synchronized (said) {

@@ -15,4 +15,10 @@ public interface TeamMembership {
      * @param reason how the connection was lost, one sentence
      */
     void linkLost(String reason);
+
+    /**
+     * Ends everything that moves the robot, because another program has stopped it: revokes permits, empties the queue, ends
+     * scripts, acts and manual control. Sends the robot nothing. Must not wait.
+     */
+    default void stoppedElsewhere() {}
 }

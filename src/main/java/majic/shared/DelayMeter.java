@@ -16,6 +16,7 @@ final class DelayMeter {
     private volatile @Nullable PendingReply probe;
     private volatile Value delay = Value.unknown("not measured yet");
     private int slow;
+    private boolean warned;
 
     /** Measures with requests to one robot. */
     DelayMeter(Supplier<RobotCommands> commands) {
@@ -57,10 +58,12 @@ final class DelayMeter {
     /** The first answers of a program that has just been started are slow by themselves, so that one is not enough. */
     private @Nullable String warning(double seconds) {
         slow = seconds > SLOW_S ? slow + 1 : 0;
-        return slow == SLOW_ANSWERS
-                ? "the answers of its desk take more than " + Math.round(SLOW_S * 1000)
-                        + " ms: commands and stops take as long, and readings are as old"
-                : null;
+        if (warned || slow < SLOW_ANSWERS) {
+            return null;
+        }
+        warned = true;
+        return "the answers of its desk take more than " + Math.round(SLOW_S * 1000)
+                + " ms: commands and stops take as long, and readings are as old";
     }
 
     /** Returns the delay in ms; unknown before the first answer. */

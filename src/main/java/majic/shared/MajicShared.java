@@ -29,6 +29,7 @@ import majic.driver.BotDriver;
 import majic.driver.DriverCommand;
 import majic.driver.Motion;
 import majic.driver.RobotWait;
+import majic.driver.TeamMembership;
 import majic.environment.BotEnvironment;
 import majic.shared.message.Description;
 import majic.shared.message.RequestReply;
@@ -57,6 +58,7 @@ public final class MajicShared extends BotDriver {
     private static final double FIRST_STATE_S = 3;
     private static final double SILENCE_S = 3;
     private static final double TICK_S = 0.25;
+    private static final long NO_STOPS_KNOWN = -1;
 
     /** Parameters that the desk does not have, or that have other values there. */
     private static final Pattern ONLY_HERE = Pattern.compile("(?i)\\b(desk|holder|delay|age)\\b");
@@ -75,6 +77,9 @@ public final class MajicShared extends BotDriver {
     private volatile @Nullable RobotFeed feed;
     private volatile @Nullable RobotCommands commands;
     private volatile @Nullable Description description;
+
+    /** How often the robot was stopped, by the newest state; used by the thread of the connection. */
+    private volatile long stopsAtDesk = NO_STOPS_KNOWN;
 
     /** The pose of the desk that this driver has placed the robot at last; null if the user has placed it. */
     private volatile @Nullable Pose placedAsAtDesk;
@@ -128,6 +133,7 @@ public final class MajicShared extends BotDriver {
             feed = opening;
             commands = new RobotCommands(broker, address, opening, waiting);
             motions.reset();
+            stopsAtDesk = NO_STOPS_KNOWN;
             delay.begin();
             opening.open();
             awaitRobot(opening);
@@ -348,6 +354,17 @@ public final class MajicShared extends BotDriver {
                 received.nanos() - TimeUnit.MILLISECONDS.toNanos(Math.max(0, motion.ageMs()))));
         if (motion.placed() && placedAt().isEmpty()) {
             placeAsAtDesk(motion.pose());
+        }
+        noteStops(received.state().stops());
+    }
+
+    /** A stop by anybody else ends what this program does with the robot, so that it does not go on after the stop. */
+    private void noteStops(long now) {
+        long before = stopsAtDesk;
+        stopsAtDesk = now;
+        if (before != NO_STOPS_KNOWN && now > before && !stop.isPending()) {
+            membership().ifPresentOrElse(TeamMembership::stoppedElsewhere, this::revokeMotions);
+            changes().raise();
         }
     }
 

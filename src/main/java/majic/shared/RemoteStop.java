@@ -45,6 +45,12 @@ final class RemoteStop {
         commands.get().stopAhead(id);
     }
 
+    /** Returns whether a stop of this program is on its way, or was not answered yet. */
+    boolean isPending() {
+        Sent sent = last;
+        return isAhead() || sent != null && !sent.reply().isDone();
+    }
+
     /** Returns whether a first copy was published whose second one is missing. */
     boolean isAhead() {
         return ahead.get() != null;

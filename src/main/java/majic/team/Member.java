@@ -370,6 +370,19 @@ public final class Member implements TeamMembership {
         }
     }
 
+    /** As a stop by a user of this program, except that it has been sent already. */
+    @Override
+    public void stoppedElsewhere() {
+        Ownership.Stopped stopped = beginStop(null);
+        events.changes().raise();
+        bot.time().runAsync("ending what moved robot " + number, () -> {
+            stopped.ended().forEach(Owner::endLoggingErrors);
+            stopped.answer();
+            endStop();
+            endStop();
+        });
+    }
+
     void start() {
         ownership.queue().start("robot " + number + " worker");
     }

@@ -1,5 +1,6 @@
 package majic.shared.desk;
 
+import java.util.List;
 import java.util.Objects;
 import java.util.function.Supplier;
 import majic.shared.broker.BrokerMessage;
@@ -93,6 +94,7 @@ final class RobotPublisher {
                         desk.self(),
                         desk.clock().ms(),
                         desk.team().isLatched(),
+                        desk.team().stops().of(List.of(member.number())),
                         hold.get(),
                         desk.team().stopStatus().problem(member.number()))
                 .toJson();

@@ -42,6 +42,7 @@ final class RobotStates {
      *
      * @param clockMs the clock of the desk
      * @param latched whether STOP is latched
+     * @param stops how often the robot was stopped
      * @param hold who holds the robot from another desk; null for nobody
      */
     static RobotState state(
@@ -49,6 +50,7 @@ final class RobotStates {
             Sender desk,
             long clockMs,
             boolean latched,
+            long stops,
             @Nullable RobotHold hold,
             Optional<String> stopProblem) {
         MajicBot bot = member.bot();
@@ -57,6 +59,7 @@ final class RobotStates {
                 new RobotState.Link(bot.connection(), bot.lostReason().orElse("")),
                 movement(bot),
                 latched,
+                stops,
                 holder(member, desk, hold),
                 stopProblem.orElse(null),
                 values(bot));

@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  * @param link the connection of that desk with the robot
  * @param motion where the robot is and how it moves
  * @param latched whether STOP is latched at that desk
+ * @param stops how often anybody but its holder has stopped it since the program of its desk was started
  * @param holder who may move the robot; null for nobody
  * @param stopProblem why its newest stop is not confirmed; null if it is, or there was none
  * @param values of all readable parameters, as {@link ValueJson} writes them
@@ -26,6 +27,7 @@ public record RobotState(
         Link link,
         Movement motion,
         boolean latched,
+        long stops,
         @Nullable Holder holder,
         @Nullable String stopProblem,
         Map<String, JsonNode> values) {
@@ -91,7 +93,10 @@ public record RobotState(
                 .put("y", rounded(motion.pose.yMm()))
                 .put("heading", rounded(motion.pose.headingDeg()));
         json.put("placed", motion.placed).put("speed", rounded(motion.mmPerSec)).put("turn", rounded(motion.degPerSec));
-        json.put("moving", motion.moving).put("age", motion.ageMs).put("latched", latched);
+        json.put("moving", motion.moving)
+                .put("age", motion.ageMs)
+                .put("latched", latched)
+                .put("stops", stops);
         if (holder != null) {
             json.putObject("holder")
                     .put("desk", holder.desk)
@@ -128,6 +133,7 @@ public record RobotState(
                 new Link(connection(json.text("connection")), json.text("lostReason", "")),
                 movement(json),
                 json.flag("latched", false),
+                json.whole("stops", 0),
                 json.has("holder") ? holder(json.object("holder")) : null,
                 json.has("stop") ? json.text("stop") : null,
                 values);

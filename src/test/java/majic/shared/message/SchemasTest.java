@@ -88,6 +88,7 @@ class SchemasTest {
                         : new RobotState.Link(Connection.LOST, "cable pulled"),
                 new RobotState.Movement(new Pose(1, 2, 3), true, 4, 5, true, 6),
                 true,
+                3,
                 connected ? new RobotState.Holder("desk1", "Anna", "s-1", "WanderDog") : null,
                 connected ? null : "not confirmed within 0.8 s",
                 Map.of(

@@ -126,6 +126,7 @@ class SharedMessagesTest {
                 new RobotState.Link(Connection.LOST, "cable pulled"),
                 new RobotState.Movement(new Pose(1, 2, 3), true, 4, 5, true, 6),
                 true,
+                3,
                 new RobotState.Holder("desk1", "Anna", "s-1", "WanderDog"),
                 "not confirmed within 0.8 s",
                 Map.of("voltage", ValueJson.of(Value.of(12.6, Unit.V))));
