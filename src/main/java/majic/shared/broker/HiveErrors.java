@@ -1,10 +1,10 @@
 package majic.shared.broker;
 
 import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
-import com.hivemq.client.mqtt.exceptions.MqttDecodeException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5ConnAckException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
 import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAck;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeoutException;
 import javax.net.ssl.SSLException;
@@ -25,15 +25,15 @@ final class HiveErrors {
         if (cause(failure, SSLException.class).isPresent()) {
             return tls(address, failure);
         }
-        if (cause(failure, MqttDecodeException.class).isPresent()) {
+        if (isTimeout(failure)) {
+            return noAnswer(address, failure);
+        }
+        if (cause(failure, Mqtt5DisconnectException.class).isPresent()) {
             return new ConnectFailed(
                     Reason.WRONG_DEVICE,
                     address + ": what answers at this port is no broker that speaks MQTT 5; is the port right, and the"
                             + " broker new enough?",
                     failure);
-        }
-        if (cause(failure, TimeoutException.class).isPresent()) {
-            return noAnswer(address, failure);
         }
         return closed(address, failure);
     }
@@ -85,7 +85,7 @@ final class HiveErrors {
                                 + answer.getReasonCode()
                                         .toString()
                                         .replace('_', ' ')
-                                        .toLowerCase(java.util.Locale.ROOT) + said,
+                                        .toLowerCase(Locale.ROOT) + said,
                         failure);
         };
     }
@@ -109,17 +109,21 @@ final class HiveErrors {
     /** Says how a connection was lost, as half a sentence. */
     static String lost(Throwable failure) {
         Optional<Mqtt5DisconnectException> told = cause(failure, Mqtt5DisconnectException.class);
-        if (told.isPresent()) {
+        if (told.isPresent() && !isTimeout(failure)) {
             return "the broker ended the connection: "
                     + told.get()
                             .getMqttMessage()
                             .getReasonCode()
                             .toString()
                             .replace('_', ' ')
-                            .toLowerCase(java.util.Locale.ROOT);
+                            .toLowerCase(Locale.ROOT);
         }
-        String message = String.valueOf(failure.getMessage());
-        return message.startsWith("Timeout") ? "the broker does not answer" : "the broker closed the connection";
+        return isTimeout(failure) ? "the broker does not answer" : "the broker closed the connection";
+    }
+
+    private static boolean isTimeout(Throwable failure) {
+        return cause(failure, TimeoutException.class).isPresent()
+                || String.valueOf(failure.getMessage()).startsWith("Timeout");
     }
 
     /** Returns the innermost reason, as the system words it. */

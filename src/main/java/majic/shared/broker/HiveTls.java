@@ -10,11 +10,19 @@ import java.security.GeneralSecurityException;
 import java.security.KeyStore;
 import java.security.cert.Certificate;
 import java.security.cert.CertificateFactory;
+import java.security.cert.X509Certificate;
+import java.util.ArrayList;
+import java.util.List;
 import javax.net.ssl.KeyManagerFactory;
+import javax.net.ssl.SSLPeerUnverifiedException;
+import javax.net.ssl.SSLSession;
 import javax.net.ssl.TrustManagerFactory;
 import majic.bot.BotException;
 
-/** TLS as the client library takes it: the certificates that are trusted and shown. Names are checked as for HTTPS. */
+/**
+ * TLS as the client library takes it: the certificates that are trusted and shown. Names are checked as for HTTPS, unless
+ * the file names certificates of brokers themselves and not of authorities: then the broker has to show one of these.
+ */
 final class HiveTls {
     private HiveTls() {}
 
@@ -27,7 +35,12 @@ final class HiveTls {
         MqttClientSslConfigBuilder config = MqttClientSslConfig.builder();
         Path authority = credentials.authority();
         if (authority != null) {
-            config = config.trustManagerFactory(reading(authority, "a file with certificates (PEM)", in -> trust(in)));
+            List<X509Certificate> trusted =
+                    reading(authority, "a file with certificates (PEM)", in -> certificates(in));
+            config = config.trustManagerFactory(reading(authority, "trusted certificates", in -> trust(trusted)));
+            if (trusted.stream().allMatch(one -> one.getBasicConstraints() < 0)) {
+                config = config.hostnameVerifier((host, session) -> shows(session, trusted));
+            }
         }
         Path keyStore = credentials.keyStore();
         if (keyStore != null) {
@@ -54,18 +67,36 @@ final class HiveTls {
         }
     }
 
-    private static TrustManagerFactory trust(InputStream in) throws IOException, GeneralSecurityException {
+    private static List<X509Certificate> certificates(InputStream in) throws IOException, GeneralSecurityException {
+        List<X509Certificate> all = new ArrayList<>();
+        for (Certificate one : CertificateFactory.getInstance("X.509").generateCertificates(in)) {
+            all.add((X509Certificate) one);
+        }
+        if (all.isEmpty()) {
+            throw new IOException("there is no certificate in it");
+        }
+        return all;
+    }
+
+    private static TrustManagerFactory trust(List<X509Certificate> certificates)
+            throws IOException, GeneralSecurityException {
         KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
         trusted.load(null, null);
-        for (Certificate one : CertificateFactory.getInstance("X.509").generateCertificates(in)) {
+        for (X509Certificate one : certificates) {
             trusted.setCertificateEntry("trusted" + trusted.size(), one);
-        }
-        if (trusted.size() == 0) {
-            throw new IOException("there is no certificate in it");
         }
         TrustManagerFactory factory = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
         factory.init(trusted);
         return factory;
+    }
+
+    private static boolean shows(SSLSession session, List<X509Certificate> expected) {
+        try {
+            Certificate[] shown = session.getPeerCertificates();
+            return shown.length > 0 && expected.contains(shown[0]);
+        } catch (SSLPeerUnverifiedException e) {
+            return false;
+        }
     }
 
     private static KeyManagerFactory keys(InputStream in, char[] password)

@@ -40,7 +40,8 @@ public final class Mosquitto implements AutoCloseable {
 
     /** Starts it on a port with further lines of configuration, and waits until it accepts connections. */
     public static Mosquitto start(Path folder, int port, String... lines) {
-        List<String> configuration = new ArrayList<>(List.of("listener " + port + " 127.0.0.1", "persistence false"));
+        List<String> configuration = new ArrayList<>(List.of(
+                "listener " + port + " 127.0.0.1", "persistence false", "user " + System.getProperty("user.name")));
         configuration.addAll(List.of(lines));
         try {
             Path file = Files.createTempFile(folder, "mosquitto", ".conf");

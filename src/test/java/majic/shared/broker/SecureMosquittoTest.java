@@ -1,0 +1,77 @@
+package majic.shared.broker;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.Key;
+import java.security.KeyStore;
+import java.util.Base64;
+import majic.server.ListenKey;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.condition.EnabledIf;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Mosquitto with TLS and a password, where it is installed. */
+@EnabledIf("isInstalled")
+class SecureMosquittoTest extends SecureBrokerContract {
+    @TempDir
+    private static Path folder;
+
+    private static Mosquitto broker;
+
+    static boolean isInstalled() {
+        return Mosquitto.installed().isPresent();
+    }
+
+    @BeforeAll
+    static void start() throws Exception {
+        ListenKey.create(folder);
+        Path key = writeKey();
+        Path users = Files.writeString(folder.resolve("users"), USER + ":" + PASSWORD + "\n");
+        run("mosquitto_passwd", "-U", users.toString());
+        broker = Mosquitto.start(
+                folder,
+                Mosquitto.freePort(),
+                "certfile " + folder.resolve(ListenKey.CERTIFICATE),
+                "keyfile " + key,
+                "allow_anonymous false",
+                "password_file " + users);
+    }
+
+    private static Path writeKey() throws Exception {
+        KeyStore store = KeyStore.getInstance("PKCS12");
+        try (InputStream in = Files.newInputStream(folder.resolve(ListenKey.FILE))) {
+            store.load(in, ListenKey.PASSWORD.toCharArray());
+        }
+        Key key = store.getKey(store.aliases().nextElement(), ListenKey.PASSWORD.toCharArray());
+        String text = Base64.getMimeEncoder(64, new byte[] {'\n'}).encodeToString(key.getEncoded());
+        return Files.writeString(
+                folder.resolve("key.pem"), "-----BEGIN PRIVATE KEY-----\n" + text + "\n-----END PRIVATE KEY-----\n");
+    }
+
+    private static void run(String... command) throws IOException, InterruptedException {
+        int status = new ProcessBuilder(command).inheritIO().start().waitFor();
+        if (status != 0) {
+            throw new IllegalStateException(command[0] + " ended with " + status);
+        }
+    }
+
+    @AfterAll
+    static void stop() {
+        if (broker != null) {
+            broker.close();
+        }
+    }
+
+    @Override
+    int port() {
+        return broker.port();
+    }
+
+    @Override
+    Path certificate() {
+        return folder.resolve(ListenKey.CERTIFICATE);
+    }
+}
