@@ -5,9 +5,12 @@ import java.net.InetSocketAddress;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import majic.bot.BotException;
 import majic.gui.kit.RobotSharing.Place;
 import majic.program.Program;
 import majic.program.UsageException;
+import majic.shared.broker.BrokerAddress;
+import majic.shared.message.Sender;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
@@ -27,14 +30,14 @@ final class SharingChoice {
             names = "--desk",
             paramLabel = "NAME",
             scope = ScopeType.INHERIT,
-            description = "With --share: the name of this desk (that of the computer).")
+            description = "The name of this desk, as other desks show it (that of the computer).")
     private @Nullable String desk;
 
     @Option(
             names = "--person",
             paramLabel = "NAME",
             scope = ScopeType.INHERIT,
-            description = "With --share: your name, as other desks show it (the login name).")
+            description = "Your name, as other desks show it (the login name).")
     private @Nullable String person;
 
     @Option(
@@ -63,18 +66,28 @@ final class SharingChoice {
 
     /** Returns whether one of the options is given. */
     boolean isGiven() {
-        return share != null || broker != null || isNamed();
+        return share != null || broker != null || desk != null || person != null || isDetailed();
     }
 
-    private boolean isNamed() {
-        return desk != null || person != null || !only.isEmpty() || vda5050;
+    private boolean isDetailed() {
+        return !only.isEmpty() || vda5050;
     }
 
-    /** Refuses options that do not go together. */
+    /** Refuses options that do not go together, and names that cannot be one. */
     void check() {
-        if (share == null && isNamed()) {
-            throw new UsageException("--desk, --person, --share-only and --vda5050 go with --share, as in --share"
-                    + " mqtt://broker/lab --desk desk2");
+        if (share == null && isDetailed()) {
+            throw new UsageException(
+                    "--share-only and --vda5050 go with --share, as in --share mqtt://broker/lab --share-only 1,3");
+        }
+        try {
+            if (desk != null) {
+                Sender.checkDesk(desk);
+            }
+            if (share != null) {
+                BrokerAddress.parse(share);
+            }
+        } catch (BotException e) {
+            throw new UsageException(String.valueOf(e.getMessage()));
         }
     }
 
@@ -90,12 +103,12 @@ final class SharingChoice {
             program.startBroker(address);
             System.err.println("majic: the broker runs at port " + address.getPort());
         }
+        program.sharing().useNames(desk, person);
         if (share != null) {
             Place suggested = program.sharing().suggested();
-            Place place = new Place(
-                    share, desk == null ? suggested.desk() : desk, person == null ? suggested.person() : person);
+            Place place = new Place(share, suggested.desk(), suggested.person());
             Set<Integer> numbers = new TreeSet<>(only);
-            program.sharing().start(place, numbers, vda5050);
+            BrokerPrompt.connecting(share, () -> program.sharing().start(place, numbers, vda5050));
             System.err.println("majic: sharing robots as " + place.desk() + " at " + place.broker());
         }
     }

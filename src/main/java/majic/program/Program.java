@@ -98,8 +98,8 @@ public final class Program implements AutoCloseable {
         log = SessionLog.unopened();
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
-        UsedSites.join(team, factory.types(), settings);
         sharing = new ProgramSharing(team, settings);
+        UsedSites.join(team, factory.types(), sharing);
         recorder = records ? record() : null;
         if (lab != null) {
             lab.onTooSlow(session::alarm);

@@ -26,10 +26,23 @@ public final class ProgramSharing implements RobotSharing {
     private @Nullable DeskSharing sharing;
     private @Nullable Place place;
     private boolean starting;
+    private volatile @Nullable String chosenDesk;
+    private volatile @Nullable String chosenPerson;
 
     ProgramSharing(Team team, Settings settings) {
         this.team = team;
         this.environment = new BotEnvironment(team.time(), settings);
+    }
+
+    /**
+     * Chooses the names under which other desks see this program, until it ends.
+     *
+     * @param desk the name of this desk; null for that of last time, or of the computer
+     * @param person the name of the user; null for that of last time, or the login name
+     */
+    public void useNames(@Nullable String desk, @Nullable String person) {
+        chosenDesk = desk;
+        chosenPerson = person;
     }
 
     @Override
@@ -37,8 +50,10 @@ public final class ProgramSharing implements RobotSharing {
         Settings settings = environment.settings();
         return new Place(
                 settings.get(BROKER).orElse(""),
-                settings.get(DESK).orElseGet(DeskName::ofThisComputer),
-                settings.get(PERSON).orElseGet(() -> System.getProperty("user.name", "")));
+                Optional.ofNullable(chosenDesk).or(() -> settings.get(DESK)).orElseGet(DeskName::ofThisComputer),
+                Optional.ofNullable(chosenPerson)
+                        .or(() -> settings.get(PERSON))
+                        .orElseGet(() -> System.getProperty("user.name", "")));
     }
 
     @Override

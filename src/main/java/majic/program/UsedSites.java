@@ -2,10 +2,9 @@ package majic.program;
 
 import java.util.List;
 import majic.bot.BotType;
-import majic.environment.Settings;
+import majic.gui.kit.RobotSharing;
 import majic.shared.SharedType;
 import majic.shared.desk.SiteLatch;
-import majic.shared.message.DeskName;
 import majic.shared.message.Sender;
 import majic.team.Team;
 
@@ -17,20 +16,19 @@ final class UsedSites {
      * Joins a team to the STOP of each site as soon as a robot of the site is used.
      *
      * @param types the types of robots, among them perhaps that of shared robots
-     * @param settings contain the names under which this program has shared robots
+     * @param sharing has the names under which this program sends
      */
-    static void join(Team team, List<BotType> types, Settings settings) {
+    static void join(Team team, List<BotType> types, ProgramSharing sharing) {
         for (BotType type : types) {
             if (type instanceof SharedType shared) {
-                shared.sendAs(() -> sender(settings));
+                shared.sendAs(() -> sender(sharing));
                 shared.observeSites((connection, address, by) -> new SiteLatch(team, connection, address.site(), by));
             }
         }
     }
 
-    private static Sender sender(Settings settings) {
-        return Sender.ofThisRun(
-                settings.get("sharing.desk").orElseGet(DeskName::ofThisComputer),
-                settings.get("sharing.person").orElseGet(() -> System.getProperty("user.name", "")));
+    private static Sender sender(ProgramSharing sharing) {
+        RobotSharing.Place place = sharing.now().orElseGet(sharing::suggested);
+        return Sender.ofThisRun(place.desk(), place.person());
     }
 }

@@ -11,8 +11,8 @@ import majic.environment.Settings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a broker is shown, and what it has to show. The user name and the password come from the environment
- * ({@code MAJIC_MQTT_USER}, {@code MAJIC_MQTT_PASSWORD}), or else from {@code brokers.properties} in the user's folder,
+ * What a broker is shown, and what it has to show. The user name and the password are those that were typed, or else
+ * come from the environment ({@code MAJIC_MQTT_USER}, {@code MAJIC_MQTT_PASSWORD}), or else from {@code brokers.properties} in the user's folder,
  * which also names the certificates.
  *
  * @param user null for none
@@ -43,12 +43,13 @@ record BrokerCredentials(
         Optional<CredentialsFile> file = settings.folder().flatMap(CredentialsFile::find);
         Properties entries = file.map(CredentialsFile::entries).orElseGet(Properties::new);
         String prefix = "broker." + address.host() + ".";
+        Optional<BrokerLogins.Login> typed = BrokerLogins.find(address);
         String user = environment.getOrDefault(USER, entries.getProperty(prefix + "user"));
         String password =
                 environment.containsKey(USER) ? environment.get(PASSWORD) : entries.getProperty(prefix + "password");
         return new BrokerCredentials(
-                user,
-                password,
+                typed.map(BrokerLogins.Login::user).orElse(user),
+                typed.map(BrokerLogins.Login::password).orElse(password),
                 file.flatMap(one -> one.path(prefix + "ca")).orElse(null),
                 file.flatMap(one -> one.path(prefix + "key-store")).orElse(null),
                 entries.getProperty(prefix + "key-store-password", ""));

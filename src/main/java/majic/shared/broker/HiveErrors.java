@@ -93,7 +93,7 @@ final class HiveErrors {
     private static ConnectFailed tls(BrokerAddress address, Throwable failure) {
         if (cause(failure, SSLHandshakeException.class).isPresent()) {
             return new ConnectFailed(
-                    Reason.NOT_ALLOWED,
+                    Reason.OTHER,
                     address + ": no trusted TLS connection: " + innermost(failure)
                             + "; a certificate that this computer does not know is named in the file brokers.properties, as"
                             + " broker." + address.host() + ".ca=FILE.pem",

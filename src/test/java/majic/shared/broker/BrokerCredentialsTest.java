@@ -73,6 +73,16 @@ class BrokerCredentialsTest {
     }
 
     @Test
+    void whatTheUserTypesIsUsedForThisBrokerAlone() throws IOException {
+        write("rw-------", "broker.broker.user=anna", "broker.broker.password=secret");
+        BrokerAddress typed = BrokerAddress.parse("mqtts://broker:18883/lab");
+        BrokerLogins.use(typed, "dora", "typed");
+
+        assertThat(found(Map.of()).user()).isEqualTo("anna");
+        assertThat(BrokerCredentials.find(typed, settings(), Map.of()).user()).isEqualTo("dora");
+    }
+
+    @Test
     @DisabledOnOs(OS.WINDOWS)
     void aFileThatOthersCanReadIsRefused() throws IOException {
         write("rw-r-----", "broker.broker.user=anna");

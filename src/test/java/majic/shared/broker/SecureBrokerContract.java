@@ -77,7 +77,7 @@ abstract class SecureBrokerContract {
     void aBrokerThatThisComputerDoesNotKnowIsNotTrusted() throws IOException {
         ConnectFailed refusal = refusal(NAME, "broker.localhost.password=" + PASSWORD);
 
-        assertThat(refusal.reason()).isEqualTo(Reason.NOT_ALLOWED);
+        assertThat(refusal.reason()).isEqualTo(Reason.OTHER);
         assertThat(refusal)
                 .hasMessageContaining("no trusted TLS connection")
                 .hasMessageContaining("broker.localhost.ca=FILE.pem");

@@ -1,0 +1,137 @@
+package majic.program;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import majic.shared.broker.Mosquitto;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIf;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Whole programs that share robots, and one that does not. */
+class SharingProgramTest {
+    private static final List<String> OF_SHARING =
+            List.of(" com.hivemq.", " io.netty.", " io.reactivex.", " com.fasterxml.");
+
+    @TempDir
+    private Path folder;
+
+    private final List<Process> started = new ArrayList<>();
+
+    @AfterEach
+    void endAll() {
+        started.forEach(Process::destroyForcibly);
+    }
+
+    private Process start(String home, List<String> java, String... arguments) throws IOException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(java);
+        command.addAll(List.of(
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
+                "majic.Majic"));
+        command.addAll(List.of(arguments));
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("MAJIC_HOME", folder.resolve(home).toString());
+        Process process = builder.start();
+        started.add(process);
+        return process;
+    }
+
+    private static String talk(Process process, String input) throws IOException, InterruptedException {
+        try (OutputStream out = process.getOutputStream()) {
+            out.write(input.getBytes(StandardCharsets.UTF_8));
+        }
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        process.waitFor();
+        return said;
+    }
+
+    /** Reads what a program prints up to a line that contains a text. */
+    private static void awaitLine(BufferedReader printed, String text) throws IOException {
+        String line = printed.readLine();
+        while (line != null && !line.contains(text)) {
+            line = printed.readLine();
+        }
+        assertThat(line).as(text).isNotNull();
+    }
+
+    @Test
+    void aProgramThatDoesNotShareLoadsNothingOfTheClientForBrokers() throws Exception {
+        Process majic = start("one", List.of("-verbose:class"), "--lab", "--exact", "--console", "--speed", "3");
+
+        String said = talk(majic, "2 move 100\nwait\nquit\n");
+
+        assertThat(said).contains("2 move 100: done (", "majic.program.Program ");
+        assertThat(said.lines().filter(line -> OF_SHARING.stream().anyMatch(line::contains)))
+                .isEmpty();
+    }
+
+    @Test
+    @EnabledIf("hasMosquitto")
+    void aRobotOfOneProgramIsMovedFromAnother() throws Exception {
+        try (Mosquitto broker = Mosquitto.start(folder)) {
+            String site = "mqtt://127.0.0.1:" + broker.port() + "/lab";
+            Process sharing =
+                    start("sharing", List.of(), "--lab", "--exact", "--console", "--share", site, "--desk", "desk2");
+            BufferedReader printed = sharing.inputReader();
+            awaitLine(printed, "sharing robots as desk2 at " + site);
+            awaitLine(printed, "3: Hemisson at sim:hemisson connected");
+            Process using = start("using", List.of(), "--console", "--desk", "desk1", "--person", "Anna");
+
+            String said = talk(using, "add " + site + "/desk2/2\n1 move 200\nwait\nall stop\nquit\n");
+
+            assertThat(said).contains("1 move 200: done (");
+            awaitLine(printed, "2 move 200 (Anna at desk1): done (");
+            awaitLine(printed, "Anna at desk1");
+        }
+    }
+
+    static boolean hasMosquitto() {
+        return Mosquitto.installed().isPresent();
+    }
+
+    @Test
+    void aBrokerThatIsNotThereEndsTheStartWithOneSentence() throws Exception {
+        String site = "mqtt://127.0.0.1:" + Mosquitto.freePort() + "/lab";
+        Process majic = start("one", List.of(), "--console", "--share", site, "--desk", "desk2");
+
+        String said = talk(majic, "");
+
+        assertThat(majic.exitValue()).isEqualTo(3);
+        assertThat(Stream.of(said.split("\n")).filter(line -> line.startsWith("majic: " + site)))
+                .hasSize(1);
+        assertThat(said).doesNotContain("\tat ");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "--share-only 1; go with --share",
+                "--share http://broker/lab; not the address of a broker",
+                "--share mqtt://anna:secret@broker/lab; do not belong into an address",
+                "--share mqtt://broker/lab --desk 1st; the name of a desk is a letter",
+                "--broker here; not an address"
+            })
+    void wrongOptionsAreRefusedBeforeAnythingStarts(String options, String sentence) throws Exception {
+        List<String> arguments = new ArrayList<>(List.of("--console"));
+        arguments.addAll(List.of(options.split(" ")));
+        Process majic = start("one", List.of(), arguments.toArray(String[]::new));
+
+        assertThat(talk(majic, "")).contains(sentence).doesNotContain("secret");
+        assertThat(majic.exitValue()).isEqualTo(2);
+    }
+}
