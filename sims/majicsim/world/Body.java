@@ -14,6 +14,9 @@ public final class Body {
     /** Painted metal and plastic: a little darker than white paper. */
     static final double REFLECTIVITY = 0.8;
 
+    /** More than a distance is rounded by. */
+    private static final double SLACK_MM = 1;
+
     private static final int DISC_DRAWN_WITH_CORNERS = 24;
 
     private final String name;
@@ -207,6 +210,14 @@ public final class Body {
     /** How far its farthest point is from its turning centre. */
     public double reachMm() {
         return reachMm;
+    }
+
+    /** Whether a part of it may be within this distance of a place; sometimes true although none is. */
+    boolean mayReach(double xMm, double yMm, double withinMm) {
+        double dx = pose.xMm() - xMm;
+        double dy = pose.yMm() - yMm;
+        double farthest = withinMm + reachMm + SLACK_MM;
+        return dx * dx + dy * dy <= farthest * farthest;
     }
 
     double wantedMmPerSec() {

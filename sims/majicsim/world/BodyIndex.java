@@ -56,7 +56,10 @@ final class BodyIndex {
             for (int column = column(xMm - look); column <= lastColumn; column++) {
                 List<Body> square = squares.get(row * columns + column);
                 for (int i = 0; i < square.size(); i++) {
-                    visitor.accept(square.get(i));
+                    Body body = square.get(i);
+                    if (body.mayReach(xMm, yMm, withinMm)) {
+                        visitor.accept(body);
+                    }
                 }
             }
         }

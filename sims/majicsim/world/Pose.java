@@ -95,6 +95,8 @@ public record Pose(double xMm, double yMm, double headingDeg) {
      * @return millimetres, never negative
      */
     public double distanceTo(Pose other) {
-        return Math.hypot(other.xMm - xMm, other.yMm - yMm);
+        double dx = other.xMm - xMm;
+        double dy = other.yMm - yMm;
+        return Math.sqrt(dx * dx + dy * dy);
     }
 }

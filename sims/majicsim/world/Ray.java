@@ -84,7 +84,7 @@ final class Ray {
         double distance = (toX * ey - toY * ex) / determinant;
         double alongEdge = (toX * dy - toY * dx) / determinant;
         if (distance >= 0 && distance < hit.distanceMm() && alongEdge >= 0 && alongEdge <= 1) {
-            double square = Math.min(1, Math.abs(determinant) / Math.hypot(ex, ey));
+            double square = Math.min(1, Math.abs(determinant) / Math.sqrt(ex * ex + ey * ey));
             hit = new Hit(distance, Math.toDegrees(Math.acos(square)), reflectivity);
         }
     }

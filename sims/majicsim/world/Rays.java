@@ -1,9 +1,13 @@
 package majicsim.world;
 
+import java.util.List;
 import java.util.function.IntConsumer;
 
 /** Finds what a ray meets first. */
 final class Rays {
+    /** It is cheaper to compare a ray with so many walls than to find those on its way. */
+    private static final int MOST_WALLS = 24;
+
     private final Room room;
     private final BodyIndex bodies;
 
@@ -14,7 +18,30 @@ final class Rays {
 
     /** What rays from there may meet. */
     View view(Body viewer, Point from, double withinMm) {
-        return new View(this, bodies, viewer, from, withinMm);
+        View view = new View(this, from, null);
+        bodies.near(from.xMm(), from.yMm(), withinMm, body -> {
+            if (body != viewer) {
+                view.add(body);
+            }
+        });
+        return view;
+    }
+
+    /** What rays in a cone may meet. */
+    View view(Body viewer, Cone cone) {
+        Point from = cone.tip();
+        List<Integer> walls = room.wallsIn(cone);
+        View view = new View(this, from, walls.size() > MOST_WALLS ? null : walls);
+        bodies.near(from.xMm(), from.yMm(), cone.lengthMm(), body -> {
+            if (body != viewer && cone.mayMeet(body)) {
+                view.add(body);
+            }
+        });
+        return view;
+    }
+
+    Room room() {
+        return room;
     }
 
     Hit castAtWalls(Pose from, double maxMm) {
@@ -34,6 +61,15 @@ final class Rays {
                     Math.max(ray.xAt(start), ray.xAt(end)),
                     Math.max(ray.yAt(start), ray.yAt(end)),
                     meet);
+        }
+        return ray.hit();
+    }
+
+    /** Compares the ray with these walls only. */
+    Hit meetWalls(Ray ray, List<Integer> walls) {
+        for (int i = 0; i < walls.size(); i++) {
+            int wall = walls.get(i);
+            ray.meet(room.wallShape(wall), room.reflectivity(wall));
         }
         return ray.hit();
     }

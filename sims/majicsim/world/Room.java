@@ -11,6 +11,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,6 +28,11 @@ public final class Room {
     /** So many robots have space to drive in the standard room. */
     private static final int MOST_IN_STANDARD = 11;
 
+    private static final double CELL_MM = 500;
+
+    /** Suits areas as large as what a sonar measures. */
+    private static final double COARSE_CELL_MM = 2500;
+
     private final List<Segment> walls;
     private final Shape[] wallShapes;
     private final double[] reflectivities;
@@ -36,6 +42,7 @@ public final class Room {
     private final RoomContents contents;
     private final Bounds bounds;
     private final WallIndex index;
+    private final WallIndex coarseIndex;
     private final WallIndex cornerIndex;
 
     Room(List<Segment> walls, List<Pose> homes, List<Pose> landmarks, RoomContents contents) {
@@ -47,8 +54,9 @@ public final class Room {
         this.landmarks = List.copyOf(landmarks);
         this.contents = contents;
         this.bounds = Bounds.around(walls);
-        this.index = new WallIndex(this.walls, bounds);
-        this.cornerIndex = new WallIndex(corners.stream().map(Room::pointWall).toList(), bounds);
+        this.index = new WallIndex(this.walls, bounds, CELL_MM);
+        this.coarseIndex = new WallIndex(this.walls, bounds, COARSE_CELL_MM);
+        this.cornerIndex = new WallIndex(corners.stream().map(Room::pointWall).toList(), bounds, COARSE_CELL_MM);
     }
 
     /**
@@ -206,6 +214,18 @@ public final class Room {
 
     double reflectivity(int wall) {
         return reflectivities[wall];
+    }
+
+    /** The numbers of all walls that a ray in the cone may meet; also of some that none does, and some twice. */
+    List<Integer> wallsIn(Cone cone) {
+        List<Integer> found = new ArrayList<>();
+        Bounds around = cone.bounds();
+        coarseIndex.near(around.minX(), around.minY(), around.maxX(), around.maxY(), wall -> {
+            if (cone.mayMeet(walls.get(wall))) {
+                found.add(wall);
+            }
+        });
+        return found;
     }
 
     /** Passes on all ends of walls within this distance; also some that are farther. */

@@ -2,30 +2,38 @@ package majicsim.world;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /** What may be met by the rays of one sensor at its present place. Holds until something moves. */
 public final class View {
     private final Rays rays;
     private final double xMm;
     private final double yMm;
+    private final @Nullable List<Integer> walls;
     private final List<Body> bodies = new ArrayList<>();
 
-    View(Rays rays, BodyIndex index, Body viewer, Point from, double withinMm) {
+    /**
+     * A view from a place.
+     *
+     * @param walls the numbers of those that a ray may meet; null if they are looked up for each ray
+     */
+    View(Rays rays, Point from, @Nullable List<Integer> walls) {
         this.rays = rays;
         this.xMm = from.xMm();
         this.yMm = from.yMm();
-        index.near(xMm, yMm, withinMm, body -> {
-            if (body != viewer) {
-                bodies.add(body);
-            }
-        });
+        this.walls = walls;
+    }
+
+    void add(Body body) {
+        bodies.add(body);
     }
 
     /**
      * The first wall or body that a ray from this place meets.
      *
      * @param directionDeg degrees counter-clockwise from the room's x axis
-     * @param maxMm length of the ray, above 0 and within the view
+     * @param maxMm length of the ray, above 0 and within the view; for the view of a cone, the direction is within it
      * @return the hit; nothing met is a hit that is not {@link Hit#found()}
      */
     public Hit ray(double directionDeg, double maxMm) {
@@ -33,6 +41,24 @@ public final class View {
         for (int i = 0; i < bodies.size(); i++) {
             ray.meet(bodies.get(i));
         }
-        return rays.meetWalls(ray);
+        return walls == null ? rays.meetWalls(ray) : rays.meetWalls(ray, walls);
+    }
+
+    /**
+     * The corners near this place, at which sound scatters: ends of walls and corners of bodies.
+     *
+     * @param withinMm all corners within the view that are so near are passed on, and some others
+     * @param visitor receives the corners
+     */
+    public void cornersNear(double withinMm, Consumer<Point> visitor) {
+        if (walls == null || !walls.isEmpty()) {
+            rays.room().cornersNear(xMm, yMm, withinMm, visitor);
+        }
+        for (int i = 0; i < bodies.size(); i++) {
+            Body body = bodies.get(i);
+            if (body.mayReach(xMm, yMm, withinMm)) {
+                body.outline().forEach(visitor);
+            }
+        }
     }
 }

@@ -6,7 +6,6 @@ import java.util.function.IntConsumer;
 
 /** Lists for each square of the floor the walls near it, so that a ray or a body is compared with few walls only. */
 final class WallIndex {
-    private static final double LEAST_CELL_MM = 500;
     private static final int MOST_CELLS_A_SIDE = 200;
 
     private final Bounds bounds;
@@ -15,10 +14,10 @@ final class WallIndex {
     private final int rows;
     private final int[][] cells;
 
-    WallIndex(List<Segment> walls, Bounds bounds) {
+    WallIndex(List<Segment> walls, Bounds bounds, double leastCellMm) {
         this.bounds = bounds;
         double side = Math.max(bounds.maxX() - bounds.minX(), bounds.maxY() - bounds.minY());
-        cellMm = Math.max(LEAST_CELL_MM, side / MOST_CELLS_A_SIDE);
+        cellMm = Math.max(leastCellMm, side / MOST_CELLS_A_SIDE);
         columns = 1 + (int) ((bounds.maxX() - bounds.minX()) / cellMm);
         rows = 1 + (int) ((bounds.maxY() - bounds.minY()) / cellMm);
         List<List<Integer>> found = new ArrayList<>();

@@ -2,7 +2,6 @@ package majicsim.world;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 
 /**
  * A room and the bodies in it. Bodies move only in a step, and never overlap a wall or another body. Guarded by the
@@ -109,24 +108,6 @@ public final class World {
     }
 
     /**
-     * The corners near a place, at which sound scatters: ends of walls and corners of bodies.
-     *
-     * @param viewer the body with the sensor, whose corners do not count
-     * @param xMm place in the room
-     * @param yMm place in the room
-     * @param withinMm all corners that are so near are passed on, and some that are farther
-     * @param visitor receives the corners
-     */
-    public void cornersNear(Body viewer, double xMm, double yMm, double withinMm, Consumer<Point> visitor) {
-        room.cornersNear(xMm, yMm, withinMm, visitor);
-        index.near(xMm, yMm, withinMm, body -> {
-            if (body != viewer) {
-                body.outline().forEach(visitor);
-            }
-        });
-    }
-
-    /**
      * The first wall or body that a ray meets.
      *
      * @param viewer the body with the sensor, which the ray passes through
@@ -150,6 +131,17 @@ public final class World {
      */
     public View view(Body viewer, Point from, double withinMm) {
         return rays.view(viewer, from, withinMm);
+    }
+
+    /**
+     * What the rays of a sensor with a cone may meet.
+     *
+     * @param viewer the body with the sensor, which the rays pass through
+     * @param cone where the sensor looks; no ray may have a direction outside, nor be longer
+     * @return the view, valid until a body moves
+     */
+    public View view(Body viewer, Cone cone) {
+        return rays.view(viewer, cone);
     }
 
     /**

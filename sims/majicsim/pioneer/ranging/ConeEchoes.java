@@ -1,6 +1,7 @@
 package majicsim.pioneer.ranging;
 
 import majicsim.world.Body;
+import majicsim.world.Cone;
 import majicsim.world.Hit;
 import majicsim.world.Point;
 import majicsim.world.Pose;
@@ -28,7 +29,7 @@ final class ConeEchoes {
     /** Looks from a disc's place in its direction, as far as this. */
     ConeEchoes(World world, Body body, Pose axis, double farthestMm) {
         this.axis = axis;
-        view = world.view(body, new Point(axis.xMm(), axis.yMm()), farthestMm);
+        view = world.view(body, new Cone(axis, HALF_CONE_DEG, farthestMm));
         edgeMm = farthestMm;
         for (int i = 0; i < RAYS; i++) {
             double direction = axis.headingDeg() - HALF_CONE_DEG + i * BETWEEN_RAYS_DEG;
@@ -36,7 +37,7 @@ final class ConeEchoes {
             surfaceMm[i] = hit.distanceMm();
             incidenceDeg[i] = hit.incidenceDeg();
         }
-        world.cornersNear(body, axis.xMm(), axis.yMm(), EDGE_HEARD_MM, this::look);
+        view.cornersNear(EDGE_HEARD_MM, this::look);
     }
 
     /** The distance of the nearest echo, if surfaces send one back up to this angle from perpendicular. */
