@@ -134,14 +134,17 @@ public final class Figures {
 
     /** Connects plain clients to all Pioneers of labs without a window; the Aibo and the Hemisson have none. */
     private void lab() throws IOException, InterruptedException {
-        say("processor time of a lab in which all Pioneers are connected (each at most 0.05 % of a core at 500)");
+        say("processor time of a lab with Pioneers that are all connected (each at most 0.05 % of a core at 500)");
         for (int count : LABS) {
             try (ChildProgram.Lab lab = programs.usualLab(count);
                     PioneerClients clients = PioneerClients.connect(lab.pioneers())) {
-                double percent = lab.percentOfACore();
+                double atRest = lab.percentOfACore();
+                clients.drive();
+                double driving = lab.percentOfACore();
                 say(
-                        "  %3d Pioneers %5.1f %%, each %.3f %%, %.1f reports a second each",
-                        count, percent, percent / count, clients.reportsPerSecond());
+                        "  %3d Pioneers at rest %5.1f %%, each %.3f %%; driving %5.1f %%, each %.3f %%;"
+                                + " %.1f reports a second each",
+                        count, atRest, atRest / count, driving, driving / count, clients.reportsPerSecond());
             }
         }
     }

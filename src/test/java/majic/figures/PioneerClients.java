@@ -17,6 +17,12 @@ import majicsim.pioneer.packet.PacketWriter;
  */
 final class PioneerClients implements AutoCloseable {
     private static final int OPEN = 1;
+    private static final int ENABLE = 4;
+    private static final int VEL = 11;
+    private static final int RVEL = 21;
+    private static final int INTEGER = 0x3B;
+    private static final int CIRCLE_MM_PER_SEC = 100;
+    private static final int CIRCLE_DEG_PER_SEC = 30;
     private static final int SYNCS = 3;
     private static final byte[] PULSE = new PacketWriter(0).toBytes();
     private static final long PULSE_NANOS = 1_000_000_000;
@@ -48,6 +54,16 @@ final class PioneerClients implements AutoCloseable {
     /** Returns how many messages each client received a second since it was connected. */
     double reportsPerSecond() {
         return reads * 1e9 / (System.nanoTime() - beganNanos) / selector.keys().size();
+    }
+
+    /** Lets all robots drive in small circles from now on. */
+    void drive() throws IOException {
+        for (SelectionKey key : selector.keys()) {
+            Client client = Objects.requireNonNull((Client) key.attachment());
+            send(client.channel, ENABLE, 1);
+            send(client.channel, VEL, CIRCLE_MM_PER_SEC);
+            send(client.channel, RVEL, CIRCLE_DEG_PER_SEC);
+        }
     }
 
     @Override
@@ -102,6 +118,11 @@ final class PioneerClients implements AutoCloseable {
 
     private static void send(SocketChannel channel, int id) throws IOException {
         channel.write(ByteBuffer.wrap(new PacketWriter(id).toBytes()));
+    }
+
+    private static void send(SocketChannel channel, int id, int argument) throws IOException {
+        channel.write(ByteBuffer.wrap(
+                new PacketWriter(id).uint8(INTEGER).uint16(argument).toBytes()));
     }
 
     /** One connection, which counts the answers to its handshake. */
