@@ -4,7 +4,10 @@ setlocal
 set "HERE=%~dp0"
 set "JAR=%HERE%target\majic.jar"
 
-where java <nul >nul 2>nul
+set "JAVA=java.exe"
+if exist "%JAVA_HOME%\bin\java.exe" set "JAVA=%JAVA_HOME%\bin\java.exe"
+rem Java 8 does not know the option.
+"%JAVA%" --version <nul >nul 2>nul
 if errorlevel 1 (
   echo majic: a JDK 17 or newer is missing; type: winget install EclipseAdoptium.Temurin.21.JDK 1>&2
   exit /b 1
@@ -41,7 +44,7 @@ if exist "%HERE%target\broker" goto start
 for %%A in (%*) do if /i "%%~A"=="--broker" goto broker
 
 :start
-java "@%HERE%config\java.options" -jar "%JAR%" %*
+"%JAVA%" "@%HERE%config\java.options" -jar "%JAR%" %*
 exit /b %ERRORLEVEL%
 
 :broker
@@ -51,5 +54,5 @@ goto start
 
 :package
 rem The dot keeps the backslash in front of it from quoting the quote.
-java -Djava.awt.headless=true -cp "%HERE%target\majic.jar" "%HERE%src\build\Packaging.java" "%HERE%."
+"%JAVA%" -Djava.awt.headless=true -cp "%HERE%target\majic.jar" "%HERE%src\build\Packaging.java" "%HERE%."
 exit /b %ERRORLEVEL%
