@@ -153,6 +153,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         setIconImage(Icons.program(ICON_SIZE));
         menu.fill();
         FileDrop.installInside(getRootPane(), editor::open);
+        MacMenu.install(this::quit, dialogs::about);
         WindowPreloader.preparePanels();
     }
 

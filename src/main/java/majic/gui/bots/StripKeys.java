@@ -1,5 +1,6 @@
 package majic.gui.bots;
 
+import com.formdev.flatlaf.util.SystemInfo;
 import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
@@ -27,6 +28,9 @@ final class StripKeys {
 
     private static final int CTRL = InputEvent.CTRL_DOWN_MASK;
 
+    /** On a Mac, Alt and a digit type a sign. */
+    private static final int NUMBERS = SystemInfo.isMacOS ? InputEvent.META_DOWN_MASK : InputEvent.ALT_DOWN_MASK;
+
     private final TeamStrip strip;
     private String digits = "";
     private long digitMs;
@@ -39,7 +43,7 @@ final class StripKeys {
         StripKeys keys = new StripKeys(strip);
         for (int digit = 0; digit < DIGITS; digit++) {
             String typed = "" + digit;
-            KeyStroke key = KeyStroke.getKeyStroke(KeyEvent.VK_0 + digit, InputEvent.ALT_DOWN_MASK);
+            KeyStroke key = KeyStroke.getKeyStroke(KeyEvent.VK_0 + digit, NUMBERS);
             keys.bind(JComponent.WHEN_IN_FOCUSED_WINDOW, key, event -> keys.typed(typed, event.getWhen()));
         }
         keys.bindArrows(() -> -strip.cardsToNextRow(), KeyEvent.VK_UP, KeyEvent.VK_KP_UP);
