@@ -1,6 +1,7 @@
 package majicsim.ros.robot;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.fasterxml.jackson.databind.node.TextNode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -28,6 +29,25 @@ public final class TurtleBot3 {
     private static final long SCAN_NANOS = 200 * MS;
     private static final long BATTERY_NANOS = 200 * MS;
     private static final double NANOS = 1e9;
+
+    private static final String DESCRIPTION = """
+            <?xml version="1.0"?>
+            <robot name="turtlebot3_burger">
+              <link name="base_link"/>
+              <link name="wheel_left_link"/>
+              <link name="wheel_right_link"/>
+              <joint name="wheel_left_joint" type="continuous">
+                <parent link="base_link"/>
+                <child link="wheel_left_link"/>
+                <axis xyz="0 0 1"/>
+              </joint>
+              <joint name="wheel_right_joint" type="continuous">
+                <parent link="base_link"/>
+                <child link="wheel_right_link"/>
+                <axis xyz="0 0 1"/>
+              </joint>
+            </robot>
+            """;
 
     private final Body body;
     private final RosNetwork network;
@@ -96,11 +116,21 @@ public final class TurtleBot3 {
                     SCAN_NANOS,
                     () -> camera.picture(network.clock().nanos()));
         }
+        describe();
         network.advertise(node, named("/tf_static"), "tf2_msgs/TFMessage").latch(sensors.mounting());
         if (options.version() == RosVersion.ROS2) {
             network.offer(node, named("/motor_power"), "std_srvs/SetBool", this::motorPower);
             network.offer(node, named("/sound"), "turtlebot3_msgs/Sound", (request, reply) -> reply.succeed(done()));
         }
+    }
+
+    /** Its description in the format URDF, with the joints alone. In ROS 2 a parameter belongs to its node. */
+    private void describe() {
+        String publisher = named("/robot_state_publisher");
+        network.nodes().add(publisher);
+        String name =
+                options.version() == RosVersion.ROS1 ? named("/robot_description") : publisher + ":robot_description";
+        network.parameters().put(name, TextNode.valueOf(DESCRIPTION).toString());
     }
 
     /** Without power the wheels hold still and commands have no effect. */

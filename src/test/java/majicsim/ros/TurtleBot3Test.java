@@ -11,6 +11,8 @@ import java.util.Base64;
 import javax.imageio.ImageIO;
 import majicsim.world.Pose;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The base, its sensors and its navigation. */
 class TurtleBot3Test {
@@ -32,6 +34,29 @@ class TurtleBot3Test {
     @Test
     void itIsNotFasterThanItsMotors() throws IOException {
         assertThat(millimetresAfterOneCommand("2", 5, 2)).isCloseTo(440, within(15.0));
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "1, /robot_description",
+        "2, /robot_state_publisher:robot_description",
+        "2+namespace=tb3, /tb3/robot_state_publisher:robot_description"
+    })
+    void itsDescriptionIsAParameterWithTheJointsThatItReports(String model, String parameter) throws IOException {
+        try (RosStand stand = new RosStand(model);
+                RosStand.Client client = stand.client()) {
+            JsonNode answer = client.call("/rosapi/get_param", "{'name':'" + parameter + "'}");
+            String description =
+                    RosStand.json(answer.path("values").path("value").asText()).asText();
+            String topic = parameter.startsWith("/tb3") ? "/tb3/joint_states" : "/joint_states";
+            client.sendAll("{'op':'subscribe','topic':'" + topic + "'}");
+
+            assertThat(client.message(topic).path("name"))
+                    .hasSize(2)
+                    .allSatisfy(name -> assertThat(description)
+                            .contains("joint name=\"" + name.asText() + "\" type=\"continuous\""));
+            assertThat(client.values("/rosapi/nodes").toString()).contains("robot_state_publisher");
+        }
     }
 
     @Test
