@@ -81,7 +81,8 @@ public interface BrokerConnection extends AutoCloseable {
      * Publishes a message: queues it to be written in the order of the calls, and never blocks.
      *
      * @param message what to publish
-     * @throws BotException while not connected; the message is not kept for later
+     * @throws BotException while not connected, or while so much waits to be sent that the network or the broker is too slow;
+     *     the message is not kept for later
      */
     void publish(BrokerMessage message);
 
@@ -91,7 +92,7 @@ public interface BrokerConnection extends AutoCloseable {
      * @param message what to publish
      * @param acknowledged called once: with null when the broker has acknowledged it (quality of service 1) or it has
      *     been written (0), otherwise with the reason; on any thread, must not wait
-     * @throws BotException while not connected; {@code acknowledged} is not called then
+     * @throws BotException as {@link #publish(BrokerMessage)}; {@code acknowledged} is not called then
      */
     void publish(BrokerMessage message, Consumer<@Nullable BotException> acknowledged);
 

@@ -196,14 +196,13 @@ final class HiveConnection implements BrokerConnection {
         if (present == null || !present.isOpen()) {
             throw new BotException("not connected to the broker " + address.hostAndPort());
         }
-        present.publish(message)
-                .whenComplete((result, failure) -> acknowledged.accept(
-                        failure == null
-                                ? null
-                                : new BotException(
-                                        "the broker did not take the message on " + message.topic() + ": "
-                                                + HiveErrors.innermost(failure),
-                                        failure)));
+        present.publish(message, failure -> acknowledged.accept(failure == null ? null : problem(message, failure)));
+    }
+
+    private static BotException problem(BrokerMessage message, Throwable failure) {
+        return new BotException(
+                "the broker did not take the message on " + message.topic() + ": " + HiveErrors.innermost(failure),
+                failure);
     }
 
     private synchronized @Nullable HiveSession present() {

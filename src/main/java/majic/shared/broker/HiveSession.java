@@ -15,8 +15,10 @@ import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One session of the client library with a broker, from the packet CONNECT to its end. It begins without a state and ends
@@ -30,12 +32,14 @@ final class HiveSession {
     private static final long TIMEOUT_MS = 2_500;
 
     private final Mqtt5AsyncClient client;
+    private final OutgoingQueue outgoing = new OutgoingQueue();
     private volatile boolean accepted;
 
     private HiveSession(Mqtt5ClientBuilder builder, Consumer<Throwable> lost) {
         client = builder.addDisconnectedListener(context -> {
                     if (accepted) {
                         accepted = false;
+                        outgoing.end(context.getCause());
                         lost.accept(context.getCause());
                     }
                 })
@@ -94,6 +98,7 @@ final class HiveSession {
         CompletableFuture<?> answer = client.connect(packet);
         try {
             answer.get(TIMEOUT_MS + 500, TimeUnit.MILLISECONDS);
+            outgoing.begin(client.toRx());
             accepted = true;
         } catch (ExecutionException e) {
             throw HiveErrors.connectFailed(address, e.getCause());
@@ -127,14 +132,20 @@ final class HiveSession {
         client.unsubscribeWith().topicFilter(filter).send();
     }
 
-    /** Queues a message; completed when it has been acknowledged or, with quality of service 0, written. */
-    CompletableFuture<?> publish(BrokerMessage message) {
-        return client.publish(HiveMessages.publish(message));
+    /**
+     * Queues a message.
+     *
+     * @param outcome called once: with null when it is acknowledged or written, otherwise with the reason
+     * @throws BotException if the session has ended or is too slow
+     */
+    void publish(BrokerMessage message, Consumer<@Nullable Throwable> outcome) {
+        outgoing.add(message, outcome);
     }
 
     /** Ends the session after what was queued; the broker does not publish the will. */
     CompletableFuture<?> disconnect() {
         accepted = false;
-        return client.disconnect();
+        return client.disconnect()
+                .whenComplete((done, failure) -> outgoing.end(new BotException("the connection was closed")));
     }
 }
