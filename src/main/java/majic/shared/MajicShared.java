@@ -334,9 +334,9 @@ public final class MajicShared extends BotDriver {
     private String holderText() {
         RobotState.Holder holder = holder();
         if (holder == null) {
-            return "nobody";
+            return SharedScene.NOBODY;
         }
-        String who = isHeldHere() ? "this program" : holder.toString();
+        String who = isHeldHere() ? SharedScene.HERE : holder.toString();
         return holder.work().isEmpty() ? who : who + " (" + holder.work() + ")";
     }
 

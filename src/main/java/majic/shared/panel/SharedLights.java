@@ -23,8 +23,7 @@ final class SharedLights {
 
     void show(MajicBot bot, SharedScene scene) {
         panel.setCurrent(bot.isConnected());
-        boolean free = scene.holder().isEmpty() || scene.holder().equals("nobody");
-        holder.show(free ? Kind.QUIET : Kind.GOOD, free ? TEXTS.get("holder.none") : scene.holder());
+        showHolder(scene.holder());
         double ageS = bot.time().secondsSince(bot.state().atNanos());
         if (!bot.isConnected()) {
             link.show(Kind.ALARM, TEXTS.get("link.lost"));
@@ -32,6 +31,17 @@ final class SharedLights {
             link.show(Kind.WARNING, TEXTS.get("link.old", ReadingText.age(ageS)));
         } else {
             link.show(Kind.GOOD, TEXTS.get("link.good", scene.delay()));
+        }
+    }
+
+    /** Another holder needs attention: it has to free the robot before this program can move it. */
+    private void showHolder(String who) {
+        if (who.isEmpty() || who.equals(SharedScene.NOBODY)) {
+            holder.show(Kind.QUIET, TEXTS.get("holder.none"));
+        } else if (who.equals(SharedScene.HERE)) {
+            holder.show(Kind.GOOD, TEXTS.get("holder.here"));
+        } else {
+            holder.show(Kind.WARNING, who);
         }
     }
 }

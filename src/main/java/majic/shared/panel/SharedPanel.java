@@ -1,6 +1,7 @@
 package majic.shared.panel;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
@@ -36,6 +37,8 @@ public final class SharedPanel extends RefreshingPanel {
     /** Shown by gauges, lights and the map. */
     private static final Set<String> ELSEWHERE = Set.of(
             "speed", "turnRate", "moving", "age", "body", "voltage", "battery", "desk", "holder", "delay", "pose");
+
+    private static final Set<String> FIRST = Set.of("x", "y", "heading", "bumped");
 
     private final transient MajicBot bot;
     private final transient Supplier<SharedScene> scenes;
@@ -89,8 +92,14 @@ public final class SharedPanel extends RefreshingPanel {
                 .filter(parameter -> parameter.kind() != Parameter.Kind.LIST && parameter.kind() != Parameter.Kind.TEXT)
                 .map(Parameter::name)
                 .filter(name -> !ELSEWHERE.contains(name))
+                .sorted(Comparator.comparingInt(SharedPanel::rank))
                 .limit(MOST_READINGS)
                 .toList();
+    }
+
+    /** What users look at most comes first, because a small panel has no room for everything. */
+    private static int rank(String parameter) {
+        return parameter.startsWith("distance") ? 0 : FIRST.contains(parameter) ? 1 : 2;
     }
 
     /** Places everything; a robot without a camera leaves its space to the others. */
