@@ -122,7 +122,7 @@ class SharedPanelInLabTest {
         desks.pass(0.5);
 
         assertThat(recorded)
-                .containsEntry("holder", "this program")
+                .containsEntry("holder", "Anna at desk1")
                 .containsEntry("address", "mqtt://broker/lab/desk2/1");
         assertThat(shown(panel[0], "holder")).isEqualTo("held by you");
         assertThat(shown(panel[0], "distanceFront"))

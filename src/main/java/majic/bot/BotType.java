@@ -92,6 +92,27 @@ public interface BotType {
     }
 
     /**
+     * Returns whether {@link #robotsAt} finds robots.
+     *
+     * @return true for robots that are reached through a broker, which has a list of them
+     */
+    default boolean canListRobots() {
+        return false;
+    }
+
+    /**
+     * Finds the robots behind an address that stands for several. Blocks for some seconds.
+     *
+     * @param address what follows the colon behind the type's name, with a slash at its end: {@code //broker/lab/}
+     * @param environment the clock and settings to use
+     * @return what each robot is, by its address; empty if there are none
+     * @throws BotException if the address is wrong, or nothing answers there; the message says what would be right
+     */
+    default Map<String, String> robotsAt(BotAddress address, BotEnvironment environment) {
+        return Map.of();
+    }
+
+    /**
      * Returns the short name for users.
      *
      * @return for instance {@code Pioneer}

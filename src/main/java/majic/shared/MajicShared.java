@@ -334,10 +334,13 @@ public final class MajicShared extends BotDriver {
     private String holderText() {
         RobotState.Holder holder = holder();
         if (holder == null) {
-            return SharedScene.NOBODY;
+            return "nobody";
         }
-        String who = isHeldHere() ? SharedScene.HERE : holder.toString();
-        return holder.work().isEmpty() ? who : who + " (" + holder.work() + ")";
+        return isHeldHere() ? "this program" : named(holder);
+    }
+
+    private static String named(RobotState.Holder holder) {
+        return holder.work().isEmpty() ? holder.toString() : holder + " (" + holder.work() + ")";
     }
 
     /** Publishes what the desk has reported. */
@@ -417,8 +420,13 @@ public final class MajicShared extends BotDriver {
 
     private SharedScene scene() {
         Description known = description;
+        RobotState.Holder holder = holder();
         return new SharedScene(
-                address.toString(), holderText(), delay.delay().toString(), known != null && known.camera());
+                address.toString(),
+                holder == null ? "" : named(holder),
+                holder != null && isHeldHere(),
+                delay.delay().toString(),
+                known != null && known.camera());
     }
 
     /** Asks for a picture of the camera, and publishes it when it arrives. Blocks; not for the event thread. */

@@ -1,6 +1,7 @@
 package majic.shared;
 
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import majic.bot.BotAddress;
@@ -103,6 +104,16 @@ public final class SharedType implements BotType {
     @Override
     public int defaultPort() {
         return BrokerAddress.PORT;
+    }
+
+    @Override
+    public boolean canListRobots() {
+        return true;
+    }
+
+    @Override
+    public Map<String, String> robotsAt(BotAddress address, BotEnvironment environment) {
+        return new SiteListing(opener, BrokerAddress.parse(address.toString()), environment).robots();
     }
 
     @Override

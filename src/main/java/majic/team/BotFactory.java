@@ -173,6 +173,18 @@ public final class BotFactory {
     }
 
     /**
+     * Finds the robots behind an address that stands for several. Blocks for some seconds.
+     *
+     * @param text with a slash at its end: {@code mqtt://broker/lab/}
+     * @return what each robot is, by its address; empty if there are none
+     * @throws BotException if the address is wrong, or nothing answers there; the message says what would be right
+     */
+    public Map<String, String> robotsAt(String text) {
+        BotAddress address = BotAddress.parse(text);
+        return type(address.type()).robotsAt(address, new BotEnvironment(TimeSource.system(), settings));
+    }
+
+    /**
      * Returns the robot type with a given name.
      *
      * @param name as in addresses; case is ignored

@@ -75,6 +75,8 @@ public final class AddBotDialog extends MajicDialog {
         inputs.forEach((name, input) -> {
             type.addItem(name);
             deck.add(input, name);
+            input.addPropertyChangeListener(
+                    AddressInput.PROBLEM, event -> message.show(String.valueOf(event.getNewValue()), true));
         });
         type.addActionListener(event -> {
             cards.show(deck, chosen());

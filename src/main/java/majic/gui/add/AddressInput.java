@@ -8,6 +8,9 @@ import net.miginfocom.swing.MigLayout;
 abstract class AddressInput extends JPanel {
     private static final long serialVersionUID = 1L;
 
+    /** The property that changes to a sentence when something in these fields cannot be done; the dialog shows it. */
+    static final String PROBLEM = "problem";
+
     AddressInput() {
         super(new MigLayout("insets 0, gap 8 8", "[90!, right][grow, fill]", ""));
     }

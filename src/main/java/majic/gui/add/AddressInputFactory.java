@@ -18,7 +18,7 @@ final class AddressInputFactory {
     static Map<String, AddressInput> all(BotFactory factory, ProgramServices services) {
         Map<String, AddressInput> inputs = new LinkedHashMap<>();
         for (BotType type : factory.types()) {
-            inputs.put(title(type), of(type, services));
+            inputs.put(title(type), type.canListRobots() ? new SiteInput(type, factory) : of(type, services));
         }
         inputs.put(TEXTS.get("labRobot"), new LabInput(factory, services.startLab()));
         return inputs;

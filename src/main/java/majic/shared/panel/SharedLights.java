@@ -23,7 +23,7 @@ final class SharedLights {
 
     void show(MajicBot bot, SharedScene scene) {
         panel.setCurrent(bot.isConnected());
-        showHolder(scene.holder());
+        showHolder(scene);
         double ageS = bot.time().secondsSince(bot.state().atNanos());
         if (!bot.isConnected()) {
             link.show(Kind.ALARM, TEXTS.get("link.lost"));
@@ -35,13 +35,13 @@ final class SharedLights {
     }
 
     /** Another holder needs attention: it has to free the robot before this program can move it. */
-    private void showHolder(String who) {
-        if (who.isEmpty() || who.equals(SharedScene.NOBODY)) {
+    private void showHolder(SharedScene scene) {
+        if (scene.holder().isEmpty()) {
             holder.show(Kind.QUIET, TEXTS.get("holder.none"));
-        } else if (who.equals(SharedScene.HERE)) {
+        } else if (scene.heldHere()) {
             holder.show(Kind.GOOD, TEXTS.get("holder.here"));
         } else {
-            holder.show(Kind.WARNING, who);
+            holder.show(Kind.WARNING, scene.holder());
         }
     }
 }

@@ -11,7 +11,8 @@ import majic.text.Texts;
 /** The panel of a recorded shared robot, and the texts that it is recorded as. */
 public final class SharedReplay implements ReplayDisplay {
     private static final Texts TEXTS = Texts.of(SharedReplay.class);
-    private static final SharedScene NONE = new SharedScene("", "", "", false);
+    private static final String YES = "yes";
+    private static final SharedScene NONE = new SharedScene("", "", false, "", false);
 
     private final SharedPanel panel;
     private volatile SharedScene scene = NONE;
@@ -32,8 +33,9 @@ public final class SharedReplay implements ReplayDisplay {
         Map<String, String> texts = new TreeMap<>();
         texts.put("address", scene.address());
         texts.put("holder", scene.holder());
+        texts.put("heldHere", scene.heldHere() ? YES : "");
         texts.put("delay", scene.delay());
-        texts.put("camera", scene.camera() ? "yes" : "");
+        texts.put("camera", scene.camera() ? YES : "");
         return texts;
     }
 
@@ -53,8 +55,9 @@ public final class SharedReplay implements ReplayDisplay {
         scene = new SharedScene(
                 state.getOrDefault("address", ""),
                 state.getOrDefault("holder", ""),
+                YES.equals(state.get("heldHere")),
                 state.getOrDefault("delay", ""),
-                !state.getOrDefault("camera", "").isEmpty());
+                YES.equals(state.get("camera")));
     }
 
     @Override
