@@ -237,6 +237,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     /** Removes the listeners and releases the window; does not affect the robots. */
     @Override
     public void dispose() {
+        session.removeListener(commands.messages());
         stopKeys.close();
         helpKey.close();
         gamepad.close();

@@ -32,6 +32,20 @@ class MessagesWindowTest {
     }
 
     @Test
+    void aClosedWindowReceivesNoMoreLinesOfTheSession() {
+        MessageArea area = window.find("messageArea", MessageArea.class);
+        JTextPane messages = window.find("messages", JTextPane.class);
+        window.run(window.frame::dispose);
+
+        window.session.alarm("after the end");
+        window.session.flush();
+        area.line(new Line(Line.Kind.NOTICE, "the next line"));
+
+        window.await("the next line", () -> messages.getText().contains("the next line"));
+        assertThat(messages.getText()).doesNotContain("after the end");
+    }
+
+    @Test
     void aLostConnectionAndAStopThatFailedAreAlarms() {
         window.add("one").loseLink();
         window.awaitMessage("\u203c 1: connection lost");
