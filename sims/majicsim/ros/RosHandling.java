@@ -38,8 +38,9 @@ public final class RosHandling {
     }
 
     /**
-     * Lets the bridge hang: connections stay open and nothing is answered, carried out or sent; or lets it go on with what arrived meanwhile.
-     * Of a connection that was closed meanwhile only the first message is carried out. The base is another process and goes on.
+     * Makes the bridge hang: connections stay open, and nothing is answered, carried out or sent; or makes it go on with what
+     * arrived meanwhile. Of a connection that was closed meanwhile only the first message is carried out. The base is another
+     * process and goes on.
      *
      * @param hangs whether it hangs from now on
      */

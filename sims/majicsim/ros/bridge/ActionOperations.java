@@ -57,7 +57,7 @@ final class ActionOperations {
         goals.cancel(Fields.id(message));
     }
 
-    /** Sends what becomes of one goal. The client may have gone; the goal goes on without it. */
+    /** Sends the progress and the result of one goal, which goes on if the client disconnects. */
     private final class Goal implements GoalListener {
         private final ActionServer server;
         private final JsonNode id;

@@ -13,7 +13,7 @@ import majicsim.ros.message.JsonForm;
 import majicsim.ros.options.RosOptions;
 
 /**
- * A rosbridge v2 server. Sends no pings and no status messages, and publishes nothing in the name of a client that has gone.
+ * A rosbridge v2 server. Sends no pings and no status messages, and publishes nothing in the name of a client that has disconnected.
  * Guarded by the lab's lock.
  */
 public final class BridgeServer {

@@ -166,7 +166,7 @@ public record RosOptions(
     }
 
     /**
-     * What stands before the names of one robot.
+     * The prefix of the names of one robot.
      *
      * @param number of the robot, from 0
      * @return the namespace, for one of several {@code /tb3_0} behind it; empty for none

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * connected. Guarded by the lab's lock.
  */
 public final class TurtleBot3 {
-    /** The radius of the disc that stands for its body, mm; it turns about its centre. */
+    /** The radius of the disc that represents its body, mm; it turns about its centre. */
     public static final double RADIUS_MM = 100;
 
     private static final long MS = 1_000_000;

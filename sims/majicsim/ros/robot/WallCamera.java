@@ -15,7 +15,7 @@ import majicsim.world.View;
 import majicsim.world.World;
 
 /**
- * A camera that looks ahead: ceiling, floor, and in each column the wall or robot that one ray meets, all of the same height, darker
+ * A camera that points ahead: ceiling, floor, and in each column the wall or robot that one ray meets, all of the same height, darker
  * with the distance.
  */
 final class WallCamera {

@@ -38,7 +38,7 @@ import org.jspecify.annotations.Nullable;
  * Motions are controlled here by its odometry, and velocities are published 20 times a second while it moves.
  *
  * <p>The connection is given up when the server has sent nothing for 0.9 s, answers to pings included. The server does not stop
- * a robot whose client is gone: whether it stops by itself depends on the model, and the parameter {@code timeout} tells it.
+ * a robot whose client is gone: whether it stops by itself depends on the model, and is shown by the parameter {@code timeout}.
  */
 public final class MajicRos extends BotDriver {
     private static final double RENEWAL_S = 1;
@@ -128,7 +128,7 @@ public final class MajicRos extends BotDriver {
         mayMove = false;
     }
 
-    /** Tells what the user has to know before the robot moves. */
+    /** Sends notices about what matters before the robot moves. */
     private void adviseAbout(RosSession opened) {
         KnownRobot robot = opened.robot();
         if (opened.base().odometry() == null) {

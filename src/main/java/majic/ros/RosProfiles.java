@@ -5,7 +5,7 @@ import majic.bot.Range;
 import majic.ros.graph.KnownRobot;
 import majic.ros.motion.BaseDynamics;
 
-/** What the table says about a robot, as the driver and the motions need it. */
+/** Converts an entry of the table of robots for the driver and the motions. */
 final class RosProfiles {
     private static final double CRUISE_SHARE = 0.6;
     private static final double FASTEST_CRUISE_MM_PER_SEC = 400;
@@ -32,7 +32,7 @@ final class RosProfiles {
                 estimates);
     }
 
-    /** Returns what the control of the base needs to know. */
+    /** Returns the limits that the control of the base uses. */
     static BaseDynamics dynamics(KnownRobot robot) {
         return new BaseDynamics(
                 robot.slowestMmPerSec(),

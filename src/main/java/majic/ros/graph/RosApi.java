@@ -60,7 +60,7 @@ public final class RosApi {
 
     private record Version(int number, String distribution) {}
 
-    /** Only ROS 2 has the service that tells the version. */
+    /** Only ROS 2 has a service for the version. */
     private Version version() {
         JsonNode answer;
         try {
@@ -116,7 +116,7 @@ public final class RosApi {
      * Returns the nodes that receive a topic.
      *
      * @param topic its absolute name
-     * @return without the rosbridge server; empty if the robot does not tell
+     * @return without the rosbridge server; empty if rosapi does not answer
      */
     public Optional<List<String>> subscribers(String topic) {
         return names("/rosapi/subscribers", empty().put("topic", topic), "subscribers")

@@ -31,7 +31,7 @@ public record ContactMessage(List<Contact> contacts) {
      *
      * @param hazard what it means if it is active
      * @param place where it is: {@code left}, {@code front} …
-     * @param active whether it is pressed, looks down a step, or hangs in the air
+     * @param active whether it is pressed, is above a step, or hangs in the air
      */
     public record Contact(Hazard hazard, String place, boolean active) {}
 

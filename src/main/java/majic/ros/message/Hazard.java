@@ -6,7 +6,7 @@ public enum Hazard {
     BACKUP_LIMIT("backup limit"),
     /** A bumper is pressed. */
     BUMP("bump"),
-    /** A sensor looks down a step. */
+    /** A sensor is above a step. */
     CLIFF("cliff"),
     /** The wheels do not turn as commanded. */
     STALL("stall"),

@@ -34,7 +34,7 @@ public record ImuMessage(
                         : Optional.empty());
     }
 
-    /** A covariance of −1 in the first place says that there is no such sensor. */
+    /** A covariance of −1 in the first place means that there is no such sensor. */
     private static boolean isMeasured(JsonNode message, String field) {
         return message.path(field + "_covariance").path(0).asDouble() != -1;
     }

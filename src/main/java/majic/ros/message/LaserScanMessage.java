@@ -86,7 +86,7 @@ public final class LaserScanMessage {
     /**
      * Returns the least range that the scanner measures: what is nearer has no range.
      *
-     * @return mm; 0 if the message does not tell
+     * @return mm; 0 if it is not in the message
      */
     public double leastMm() {
         return leastMm;

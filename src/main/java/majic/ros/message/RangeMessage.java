@@ -6,7 +6,7 @@ import java.util.OptionalDouble;
 /**
  * A sonar, an infra-red or a time-of-flight sensor ({@code sensor_msgs/Range}). Immutable.
  *
- * @param frame of the sensor, which looks along its x axis; empty if the message names none
+ * @param frame of the sensor, which points along its x axis; empty if the message names none
  * @param rangeMm from the sensor; empty outside its limits, where nothing is known
  */
 public record RangeMessage(String frame, OptionalDouble rangeMm) {

@@ -1,7 +1,7 @@
 package majic.ros.motion;
 
 /**
- * What the control of a base needs to know about it. Immutable. All numbers are positive.
+ * The limits of a base that its control uses. Immutable. All numbers are positive.
  *
  * @param slowestMmPerSec the lowest speed that the base follows: less may have no effect
  * @param slowestDegPerSec the lowest turn rate that it follows

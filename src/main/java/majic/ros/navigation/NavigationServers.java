@@ -16,7 +16,7 @@ import majic.ros.readings.RosTopic;
  */
 public record NavigationServers(
         Optional<String> moveBase, Optional<String> navigateToPose, Optional<String> dock, Optional<String> undock) {
-    /** A robot that only drives as it is told. */
+    /** A robot without navigation and dock. */
     public static final NavigationServers NONE =
             new NavigationServers(Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty());
 

@@ -30,7 +30,7 @@ final class ScanDrawing {
         pen.fill(seen);
     }
 
-    /** The last and the first beam are neighbours only if the scanner looks all round. */
+    /** The last and the first beam are neighbours only in a scan of a full turn. */
     private static boolean isNarrow(ScanEchoes scan, int one, int other) {
         double from = Math.atan2(scan.yMm(one), scan.xMm(one));
         double to = Math.atan2(scan.yMm(other), scan.xMm(other));

@@ -128,7 +128,7 @@ final class SceneText {
         }
     }
 
-    /** Returns the text of the scan, which tells whether there is another one. */
+    /** Returns the text of the scan, which changes with each scan. */
     static String scanOf(Map<String, String> texts) {
         return texts.getOrDefault(SCAN, "");
     }

@@ -7,7 +7,7 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Orders the topics with compressed pictures. Their type does not tell what is in a picture, so their names decide: those of
+ * Orders the topics with compressed pictures. Their type does not show what is in a picture, so their names decide: those of
  * a depth camera, which cannot be shown, are left out, and colour comes before infrared.
  */
 final class CameraTopics {

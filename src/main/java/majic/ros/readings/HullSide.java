@@ -48,7 +48,7 @@ public enum HullSide {
         return help;
     }
 
-    /** Returns whether a sensor that looks in a direction sees this side. */
+    /** Returns whether a sensor that points in a direction measures on this side. */
     boolean isSeenIn(double directionDeg) {
         double axisDeg = Math.toDegrees(Math.atan2(left, ahead));
         return Math.abs(Math.IEEEremainder(directionDeg - axisDeg, 360)) <= sectorDeg;

@@ -194,7 +194,7 @@ public final class RosReadings {
         hazards.arrived(read);
     }
 
-    /** Where a sensor is on the robot; in its centre if the robot does not tell. */
+    /** Where a sensor is on the robot; in its centre if that is not reported. */
     private FrameTransform onRobot(String frame) {
         return place(frame).orElse(FrameTransform.NONE);
     }
