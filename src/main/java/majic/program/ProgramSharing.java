@@ -13,9 +13,13 @@ import majic.shared.desk.DeskOptions;
 import majic.shared.desk.DeskSharing;
 import majic.shared.message.DeskName;
 import majic.team.Team;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
-/** Shares the robots of a program's team over a broker, as the command line or the window requests it. Thread-safe. */
+/**
+ * Shares the robots of a program's team over a broker, as the command line or the window requests it. Messages between
+ * desks are late by the system's clock, however fast a simulated lab runs. Thread-safe.
+ */
 public final class ProgramSharing implements RobotSharing {
     private static final String BROKER = "sharing.broker";
     private static final String DESK = "sharing.desk";
@@ -31,7 +35,7 @@ public final class ProgramSharing implements RobotSharing {
 
     ProgramSharing(Team team, Settings settings) {
         this.team = team;
-        this.environment = new BotEnvironment(team.time(), settings);
+        this.environment = new BotEnvironment(TimeSource.system(), settings);
     }
 
     /**

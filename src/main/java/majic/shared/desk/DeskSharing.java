@@ -1,9 +1,7 @@
 package majic.shared.desk;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Predicate;
@@ -169,7 +167,7 @@ public final class DeskSharing implements AutoCloseable {
                 presence.received(there);
             } else if (there.state() != Presence.State.ONLINE) {
                 String how = there.state() == Presence.State.OFFLINE ? " has ended" : " has no connection any more";
-                halt(robot -> Objects.requireNonNull(robot.hold()).isOf(there.sender()), name + how);
+                halt(hold -> hold.isOf(there.sender()), name + how);
             }
         } catch (UnusableMessageException e) {
             if (strays.allows() && message.payload().length > 0) {
@@ -178,35 +176,33 @@ public final class DeskSharing implements AutoCloseable {
         }
     }
 
-    /** Halts the held robots that are meant, and reports why. */
-    private void halt(Predicate<SharedRobot> meant, String why) {
-        List<RobotHold> ended = new ArrayList<>();
-        robots.values().stream().filter(robot -> robot.hold() != null).forEach(robot -> {
-            RobotHold hold = robot.hold();
-            if (hold != null && meant.test(robot)) {
-                ended.add(hold);
-                robot.complain(why + "; the robot is stopped");
-            }
-        });
-        SharedRobot.halt(ended, desk);
+    /** Halts the held robots that are meant, then reports why. */
+    private void halt(Predicate<RobotHold> meant, String why) {
+        List<SharedRobot> held =
+                robots.values().stream().filter(robot -> isHeldBy(robot, meant)).toList();
+        SharedRobot.halt(held, desk);
+        held.forEach(robot -> robot.complain(why + "; the robot is stopped"));
+    }
+
+    private static boolean isHeldBy(SharedRobot robot, Predicate<RobotHold> meant) {
+        RobotHold hold = robot.hold();
+        return hold != null && !hold.isRevoked() && meant.test(hold);
     }
 
     /** What is due at a time: states, missing heartbeats, unused holds. Returns the seconds until the next look. */
     private double tick() {
-        List<RobotHold> silent = new ArrayList<>();
+        List<SharedRobot> silent = robots.values().stream()
+                .filter(robot -> isHeldBy(robot, hold -> hold.heartbeatLeftS() <= 0))
+                .toList();
+        SharedRobot.halt(silent, desk);
+        silent.forEach(SharedRobot::reportSilence);
         double nextS = DeskTimer.PERIOD_S;
         for (SharedRobot robot : robots.values()) {
-            RobotHold hold = robot.hold();
-            if (hold != null && hold.heartbeatLeftS() <= 0) {
-                silent.add(hold);
-                robot.complain("no sign of life of " + hold.holder() + " for 1 s; the robot is stopped");
-            } else if (hold != null) {
-                nextS = Math.min(nextS, hold.heartbeatLeftS());
-                robot.freeUnused();
-            }
+            robot.freeUnused();
             robot.publisher().tick();
+            RobotHold hold = robot.hold();
+            nextS = hold == null || hold.isRevoked() ? nextS : Math.min(nextS, hold.heartbeatLeftS());
         }
-        SharedRobot.halt(silent, desk);
         presence.publishChange();
         if (fleet != null) {
             fleet.tick();
@@ -237,7 +233,7 @@ public final class DeskSharing implements AutoCloseable {
         @Override
         public void lost(String reason) {
             lost = true;
-            halt(robot -> true, "the connection with the broker is lost (" + reason + ")");
+            halt(hold -> true, "the connection with the broker is lost (" + reason + ")");
             worker.submit(() -> desk.team()
                     .notice("sharing is interrupted: the connection with the broker is lost (" + reason
                             + "); it is being made again"));
@@ -286,7 +282,7 @@ public final class DeskSharing implements AutoCloseable {
         if (!closed.compareAndSet(false, true)) {
             return;
         }
-        halt(robot -> true, "sharing has ended");
+        halt(hold -> true, "sharing has ended");
         timer.close();
         SiteLatch joined = latch;
         if (joined != null) {

@@ -147,6 +147,11 @@ final class RobotHold {
         permit.revoke(() -> new MotionStopped("the robot is no longer held"));
     }
 
+    /** Whether it is about to end. */
+    boolean isRevoked() {
+        return permit.isRevoked();
+    }
+
     /** Gives the robot back; sends nothing to it. */
     void end() {
         end(false);

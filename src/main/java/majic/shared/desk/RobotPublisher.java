@@ -6,13 +6,15 @@ import java.util.function.Supplier;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.Quality;
 import majic.shared.message.Description;
+import majic.shared.message.RobotState;
 import majic.shared.message.SiteTopics.Part;
 import majic.team.Member;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Publishes what one robot is and does: its state at once when a condition has changed, at most ten times a second when
- * it reports something, and at least once a second. Thread-safe.
+ * Publishes what one robot is and does: its state at once when a condition has changed, at most ten times a second while
+ * what it reports changes, and at least once a second. Thread-safe.
  */
 final class RobotPublisher {
     /** How often a robot that reports all the time is published, seconds. */
@@ -30,7 +32,9 @@ final class RobotPublisher {
     private volatile boolean changed = true;
     private volatile boolean reported;
     private volatile boolean moving;
+    private volatile long sampledNanos;
     private volatile long publishedNanos;
+    private @Nullable RobotState published;
     private long describedNanos;
     private @Nullable Description described;
     private boolean ended;
@@ -40,6 +44,7 @@ final class RobotPublisher {
         this.member = member;
         this.hold = hold;
         this.publishedNanos = desk.connection().time().nanos();
+        this.sampledNanos = publishedNanos;
     }
 
     /** A condition has changed: the state is published at once. */
@@ -71,34 +76,51 @@ final class RobotPublisher {
 
     /** Publishes what is due. Called by the timer of the desk. */
     void tick() {
-        double sinceS = desk.connection().time().secondsSince(publishedNanos);
-        if (changed || (reported && sinceS >= SHORTEST_S) || sinceS >= LONGEST_S) {
+        TimeSource time = desk.connection().time();
+        if (changed || time.secondsSince(publishedNanos) >= LONGEST_S) {
             publishState();
+        } else if (reported && time.secondsSince(sampledNanos) >= SHORTEST_S) {
+            publishNews();
+        }
+    }
+
+    /** A robot that repeats the same values all the time costs no more of the network than one that is silent. */
+    private synchronized void publishNews() {
+        sampledNanos = desk.connection().time().nanos();
+        reported = false;
+        RobotState present = present();
+        if (!present.differsOnlyInTime(published)) {
+            publish(present);
         }
     }
 
     /** Publishes the present state, and the description if it has changed. Called on any thread. */
     synchronized void publishState() {
-        if (ended) {
-            return;
-        }
-        publishedNanos = desk.connection().time().nanos();
+        sampledNanos = desk.connection().time().nanos();
         changed = false;
         reported = false;
-        if (!desk.connection().isConnected()) {
+        publish(present());
+    }
+
+    private RobotState present() {
+        return RobotStates.state(
+                member,
+                desk.self(),
+                desk.clock().ms(),
+                desk.team().isLatched(),
+                desk.team().stops().of(List.of(member.number())),
+                hold.get(),
+                desk.team().stopStatus().problem(member.number()));
+    }
+
+    private void publish(RobotState state) {
+        publishedNanos = desk.connection().time().nanos();
+        if (ended || !desk.connection().isConnected()) {
             return;
         }
         describe();
-        byte[] state = RobotStates.state(
-                        member,
-                        desk.self(),
-                        desk.clock().ms(),
-                        desk.team().isLatched(),
-                        desk.team().stops().of(List.of(member.number())),
-                        hold.get(),
-                        desk.team().stopStatus().problem(member.number()))
-                .toJson();
-        desk.publish(BrokerMessage.json(topic(Part.STATE), state, Quality.AT_MOST_ONCE)
+        published = state;
+        desk.publish(BrokerMessage.json(topic(Part.STATE), state.toJson(), Quality.AT_MOST_ONCE)
                 .retain()
                 .expiringAfter(EXPIRY_S));
     }

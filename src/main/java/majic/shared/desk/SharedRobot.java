@@ -1,6 +1,7 @@
 package majic.shared.desk;
 
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -225,7 +226,7 @@ final class SharedRobot implements StoppableRobot {
         if (member.isIdle() && !bot().state().moving()) {
             one.end();
         } else {
-            halt(List.of(one), desk);
+            halt(List.of(this), desk);
         }
     }
 
@@ -260,10 +261,12 @@ final class SharedRobot implements StoppableRobot {
     }
 
     /**
-     * Halts the robots of some holds and ends these, because their holders are gone: revokes at once, then stops all
+     * Halts held robots and ends their holds, because their holders are gone: revokes at once, then stops all
      * robots on another thread. Returns at once.
      */
-    static void halt(List<RobotHold> holds, DeskContext desk) {
+    static void halt(List<SharedRobot> robots, DeskContext desk) {
+        List<RobotHold> holds =
+                robots.stream().map(SharedRobot::hold).filter(Objects::nonNull).toList();
         holds.forEach(RobotHold::revoke);
         if (holds.isEmpty()) {
             return;
@@ -272,6 +275,14 @@ final class SharedRobot implements StoppableRobot {
             desk.team().stop(holds.stream().map(RobotHold::member).toList(), null);
             holds.forEach(RobotHold::taken);
         });
+    }
+
+    /** Reports that its holder was halted because of missing heartbeats. */
+    void reportSilence() {
+        RobotHold now = hold.get();
+        if (now != null) {
+            complain("no sign of life of " + now.holder() + " for 1 s; the robot is stopped");
+        }
     }
 
     /** Publishes a line about the robot. */

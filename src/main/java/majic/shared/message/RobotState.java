@@ -78,6 +78,23 @@ public record RobotState(
     }
 
     /**
+     * Returns whether another state says the same about the robot.
+     *
+     * @param other an earlier state; null for none
+     * @return true if only the clock, the age of the report and the value of {@code age} differ
+     */
+    public boolean differsOnlyInTime(@Nullable RobotState other) {
+        return other != null && timeless().equals(other.timeless());
+    }
+
+    private RobotState timeless() {
+        Map<String, JsonNode> lasting = new LinkedHashMap<>(values);
+        lasting.remove("age");
+        Movement still = new Movement(motion.pose, motion.placed, motion.mmPerSec, motion.degPerSec, motion.moving, 0);
+        return new RobotState(0, link, still, latched, stops, holder, stopProblem, lasting);
+    }
+
+    /**
      * Writes the message.
      *
      * @return JSON in UTF-8

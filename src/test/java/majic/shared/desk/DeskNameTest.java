@@ -50,6 +50,9 @@ class DeskNameTest {
 
     @Test
     void aDeskThatCrashesIsBrokenByItsLastWill() {
+        rig.clock.until(() -> rig.broker
+                .retained("lab/majic/1/desks/desk2/robots/1/description")
+                .isPresent());
         rig.connection().kill();
 
         assertThat(kept().state()).isEqualTo(State.BROKEN);

@@ -83,6 +83,18 @@ class PublishedRobotsTest {
     }
 
     @Test
+    void aRobotThatRepeatsTheSameIsPublishedOnceASecond() {
+        rig.sleep(2);
+        long before = published("1/state");
+        for (int n = 0; n < 500; n++) {
+            bot.tell("voltage", Value.of(12, Unit.V));
+            rig.sleep(0.01);
+        }
+
+        assertThat(published("1/state") - before).isBetween(4L, 7L);
+    }
+
+    @Test
     void aChangeOfAConditionIsPublishedAtOnce() {
         described();
         bot.reportSpeed(100);
