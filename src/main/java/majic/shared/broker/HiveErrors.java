@@ -42,7 +42,7 @@ final class HiveErrors {
     static ConnectFailed noAnswer(BrokerAddress address, Throwable failure) {
         return new ConnectFailed(
                 Reason.NO_ANSWER,
-                address + ": the port was reached, but no broker answers there; is the port right, and the scheme"
+                address + ": the port was reached, but no broker answers there; is the port right, or does it need "
                         + otherScheme(address),
                 failure);
     }
@@ -52,13 +52,13 @@ final class HiveErrors {
         return new ConnectFailed(
                 byBroker ? Reason.WRONG_DEVICE : Reason.OTHER,
                 address
-                        + ": the connection was closed before a broker answered; is the port that of a broker for MQTT 5, and"
-                        + " the scheme" + otherScheme(address),
+                        + ": the connection was closed before a broker answered; is this the port of a broker for MQTT 5, or does it need "
+                        + otherScheme(address),
                 failure);
     }
 
     private static String otherScheme(BrokerAddress address) {
-        return address.secure() ? ", or is it mqtt:// (without TLS)?" : ", or is it mqtts:// (with TLS)?";
+        return address.secure() ? "mqtt:// (without TLS)?" : "mqtts:// (with TLS)?";
     }
 
     private static ConnectFailed refused(BrokerAddress address, Mqtt5ConnAck answer, Throwable failure) {

@@ -37,7 +37,7 @@ final class HiveTls {
         if (authority != null) {
             List<X509Certificate> trusted =
                     reading(authority, "a file with certificates (PEM)", in -> certificates(in));
-            config = config.trustManagerFactory(reading(authority, "trusted certificates", in -> trust(trusted)));
+            config = config.trustManagerFactory(trust(trusted));
             if (trusted.stream().allMatch(one -> one.getBasicConstraints() < 0)) {
                 config = config.hostnameVerifier((host, session) -> shows(session, trusted));
             }
@@ -78,16 +78,19 @@ final class HiveTls {
         return all;
     }
 
-    private static TrustManagerFactory trust(List<X509Certificate> certificates)
-            throws IOException, GeneralSecurityException {
-        KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
-        trusted.load(null, null);
-        for (X509Certificate one : certificates) {
-            trusted.setCertificateEntry("trusted" + trusted.size(), one);
+    private static TrustManagerFactory trust(List<X509Certificate> certificates) {
+        try {
+            KeyStore trusted = KeyStore.getInstance(KeyStore.getDefaultType());
+            trusted.load(null, null);
+            for (X509Certificate one : certificates) {
+                trusted.setCertificateEntry("trusted" + trusted.size(), one);
+            }
+            TrustManagerFactory factory = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
+            factory.init(trusted);
+            return factory;
+        } catch (IOException | GeneralSecurityException e) {
+            throw new BotException("this Java cannot use the certificates of a broker: " + e.getMessage(), e);
         }
-        TrustManagerFactory factory = TrustManagerFactory.getInstance(TrustManagerFactory.getDefaultAlgorithm());
-        factory.init(trusted);
-        return factory;
     }
 
     private static boolean shows(SSLSession session, List<X509Certificate> expected) {
