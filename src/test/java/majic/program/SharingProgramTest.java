@@ -3,6 +3,7 @@ package majic.program;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.BufferedReader;
+import java.io.BufferedWriter;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
@@ -97,6 +98,38 @@ class SharingProgramTest {
             awaitLine(printed, "2 move 200 (Anna at desk1): done (");
             awaitLine(printed, "Anna at desk1");
         }
+    }
+
+    @Test
+    @EnabledIf("hasMosquitto")
+    void aDeskGoesOnByItselfWhileItsBrokerIsGoneAndSharesAgainAfterwards() throws Exception {
+        int port = Mosquitto.freePort();
+        String site = "mqtt://127.0.0.1:" + port + "/lab";
+        Mosquitto broker = Mosquitto.start(folder, port, "allow_anonymous true");
+        Process sharing =
+                start("sharing", List.of(), "--lab", "--exact", "--console", "--share", site, "--desk", "desk2");
+        BufferedReader printed = sharing.inputReader();
+        awaitLine(printed, "3: Hemisson at sim:hemisson connected");
+        broker.close();
+        awaitLine(printed, "sharing is interrupted");
+        try (BufferedWriter lines = sharing.outputWriter()) {
+            type(lines, "2 move 100");
+            awaitLine(printed, "2 move 100: done (");
+            type(lines, "all stop");
+            awaitLine(printed, "STOP is latched");
+            try (Mosquitto again = Mosquitto.start(folder, port, "allow_anonymous true")) {
+                awaitLine(printed, "sharing goes on");
+                Process using = start("using", List.of(), "--console", "--person", "Anna");
+
+                assertThat(talk(using, "add " + site + "/desk2/2\n1 move 200\nwait\nquit\n"))
+                        .contains("STOP");
+            }
+        }
+    }
+
+    private static void type(BufferedWriter lines, String line) throws IOException {
+        lines.write(line + "\n");
+        lines.flush();
     }
 
     static boolean hasMosquitto() {
