@@ -43,7 +43,7 @@ final class SharedDesks implements AutoCloseable {
         for (int desk = 0; desk < desks; desk++) {
             shared.teams.add(new Team(TimeSource.system(), Team.MOST_BOTS));
         }
-        inParallel(robots.size(), robot -> shared.add(shared.teams.get(robot % desks), robots.get(robot)));
+        inParallel(robots.size(), robot -> shared.add(robot, robots.get(robot)));
         for (int desk = 0; desk < desks; desk++) {
             shared.share(desk);
         }
@@ -65,10 +65,10 @@ final class SharedDesks implements AutoCloseable {
         pool.shutdown();
     }
 
-    private Member add(Team team, String address) {
+    private Member add(int robot, String address) {
         MajicBot bot = factory.create(address);
         bot.connect();
-        return team.add(bot, OptionalInt.empty());
+        return teams.get(robot % teams.size()).add(bot, OptionalInt.of(robot / teams.size() + 1));
     }
 
     private void share(int desk) {
@@ -89,11 +89,6 @@ final class SharedDesks implements AutoCloseable {
     /** Returns the address of a shared robot, of each desk in turn. */
     String address(int robot) {
         return broker + "/" + name(robot % teams.size()) + "/" + (robot / teams.size() + 1);
-    }
-
-    /** Returns the robot at its own desk. */
-    Member member(int robot) {
-        return teams.get(robot % teams.size()).members().get(robot / teams.size());
     }
 
     List<Team> teams() {

@@ -59,7 +59,8 @@ public final class Mosquitto implements AutoCloseable {
 
     private static void awaitOpen(Process process, int port) {
         while (process.isAlive()) {
-            try (Socket reached = new Socket(InetAddress.getByName("127.0.0.1"), port)) {
+            try {
+                new Socket(InetAddress.getByName("127.0.0.1"), port).close();
                 return;
             } catch (IOException e) {
                 Thread.onSpinWait();
