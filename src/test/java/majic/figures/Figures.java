@@ -29,7 +29,7 @@ public final class Figures {
     private static final int PIONEERS_OF_MIXED_LAB = 8;
 
     /** Desks and robots of each row of {@code shared}. */
-    private static final int[][] SHARED = {{1, 10}, {10, 100}, {50, 200}, {50, 500}, {50, 1000}};
+    private static final int[][] SHARED = {{1, 10}, {10, 100}, {50, 200}, {50, 1000}};
 
     private static final int MOST_OF_A_LAB = 500;
 
@@ -199,7 +199,12 @@ public final class Figures {
         for (int[] row : SHARED) {
             List<ChildProgram.Lab> labs = new ArrayList<>();
             try (Mosquitto broker = Mosquitto.start(
-                    folder, Mosquitto.freePort(), "allow_anonymous true", "sys_interval 1", "log_dest none")) {
+                    folder,
+                    Mosquitto.freePort(),
+                    "allow_anonymous true",
+                    "sys_interval 1",
+                    "log_dest none",
+                    "set_tcp_nodelay true")) {
                 for (int left = row[1]; left > 0; left -= MOST_OF_A_LAB) {
                     labs.add(programs.usualLab(Math.min(left, MOST_OF_A_LAB)));
                 }
