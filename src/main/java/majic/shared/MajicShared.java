@@ -55,7 +55,11 @@ public final class MajicShared extends BotDriver {
     private static final BotProfile UNKNOWN =
             new BotProfile(200, new Range(-1000, 1000), new Range(-180, 180), 100, 45, 300, false);
 
-    private static final double FIRST_STATE_S = 3;
+    private static final double FIRST_SIGN_S = 3;
+
+    /** A program that has just been started on a busy computer needs seconds to read its first messages. */
+    private static final double FIRST_STATE_S = 8;
+
     private static final double SILENCE_S = 3;
     private static final double TICK_S = 0.25;
     private static final long NO_STOPS_KNOWN = -1;
@@ -145,8 +149,9 @@ public final class MajicShared extends BotDriver {
 
     /** Returns when everything has arrived that a connected robot has. */
     private void awaitRobot(RobotFeed opening) {
-        waiting.awaitConnecting(
-                () -> opening.isOver() || opening.description() != null && opening.state() != null, FIRST_STATE_S);
+        if (waiting.awaitConnecting(opening::hasBegun, FIRST_SIGN_S)) {
+            waiting.awaitConnecting(opening::isDecided, FIRST_STATE_S);
+        }
         Description found = opening.description();
         RobotFeed.Received first = opening.state();
         if (found == null || first == null || opening.isOver()) {
@@ -459,6 +464,11 @@ public final class MajicShared extends BotDriver {
     private final class Events implements RobotFeed.Listener {
         @Override
         public void described(Description found) {
+            changes().raise();
+        }
+
+        @Override
+        public void presenceKnown() {
             changes().raise();
         }
 

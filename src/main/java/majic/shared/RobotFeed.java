@@ -42,6 +42,9 @@ final class RobotFeed {
         /** The description was published, for the first time or again. */
         void described(Description description);
 
+        /** The presence of the desk has arrived. */
+        void presenceKnown();
+
         /** A state arrived that was published after the subscription. */
         void reported(Received received);
 
@@ -115,6 +118,7 @@ final class RobotFeed {
         }
         Presence now = Presence.parse(message.payload());
         presence = now;
+        listener.presenceKnown();
         Description known = description;
         if (known == null || state == null) {
             return;
@@ -158,6 +162,20 @@ final class RobotFeed {
             over = true;
             listener.gone(reason);
         }
+    }
+
+    /** Returns whether anything has arrived. */
+    boolean hasBegun() {
+        return over || presence != null || description != null || state != null;
+    }
+
+    /** Returns whether everything has arrived that a connected robot has, or it is certain that it will not. */
+    boolean isDecided() {
+        Presence there = presence;
+        boolean absent = there != null
+                && (there.state() != Presence.State.ONLINE
+                        || description == null && !there.robots().contains(address.robot()));
+        return over || absent || description != null && state != null;
     }
 
     /** Returns whether the robot cannot be used any more. */

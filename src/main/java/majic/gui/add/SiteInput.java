@@ -52,7 +52,7 @@ final class SiteInput extends AddressInput {
         add(host, "wrap");
         add(MajicDialog.label(TEXTS.get("port"), port));
         add(port, "split 2, grow 0");
-        add(secure, "grow 0, wrap");
+        add(secure, "grow 0, gapright push, wrap");
         add(MajicDialog.label(TEXTS.get("site"), site));
         add(site, "wrap");
         add(MajicDialog.label(TEXTS.get("site.robot"), robot));
