@@ -71,4 +71,25 @@ class StalledBrokerTest {
             assertThat(outcomes.poll(1, TimeUnit.MINUTES)).startsWith("the broker did not take the message on stop");
         }
     }
+
+    @Test
+    void itsThreadsAreDaemonsAndEndWithTheConnection() throws InterruptedException {
+        BlockingQueue<Thread> callers = new LinkedBlockingQueue<>();
+        connection.watch(new BrokerConnection.Watcher() {
+            @Override
+            public void connected() {
+                callers.add(Thread.currentThread());
+            }
+        });
+        Thread caller = callers.poll(1, TimeUnit.MINUTES);
+        assertThat(caller).isNotNull();
+        assertThat(Thread.getAllStackTraces().keySet())
+                .filteredOn(thread -> thread.getName().startsWith("MQTT"))
+                .hasSizeGreaterThanOrEqualTo(2)
+                .allMatch(Thread::isDaemon);
+        connection.close();
+        caller.join();
+
+        assertThat(caller.isAlive()).isFalse();
+    }
 }
