@@ -2,7 +2,6 @@ package majic.script;
 
 import java.nio.file.Path;
 import java.time.ZoneId;
-import java.time.format.DateTimeFormatter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -42,7 +41,6 @@ import org.jspecify.annotations.Nullable;
 /** Runs behaviours on the robots of a session: finds them, assigns robots to roles, ends them. Thread-safe. */
 final class SessionActs implements ActRunner {
     private static final int SHORTEST_HASH = 8;
-    private static final DateTimeFormatter DAY = DateTimeFormatter.ofPattern("yyyy-MM-dd", Locale.ROOT);
 
     private final SessionState state;
     private final ActCatalog acts;
@@ -276,7 +274,7 @@ final class SessionActs implements ActRunner {
 
     private static String described(ActTrust.Consent consent) {
         String since = consent.since()
-                .map(time -> " since " + DAY.format(time.atZone(ZoneId.systemDefault())))
+                .map(time -> " since " + time.atZone(ZoneId.systemDefault()).toLocalDate())
                 .orElse("");
         String file = consent.file().isEmpty() ? "" : ", file " + consent.file();
         return "trust: " + consent.act() + since + file + "; to end it: trust off \""
