@@ -36,6 +36,8 @@ final class ScriptActInspection extends Inspection {
     /** In place of a number, for {@code all}. */
     private static final int ALL = -1;
 
+    private static final Pattern TYPE = Pattern.compile("\\w+");
+
     private final Map<Integer, String> types = new HashMap<>();
     private final Map<Integer, Set<String>> parameters = new HashMap<>();
     private final Map<Integer, Set<String>> commands = new HashMap<>();
@@ -169,7 +171,13 @@ final class ScriptActInspection extends Inspection {
         }
         BotAddress address = BotAddress.parse(add.address().unquoted());
         if (address.tellsType()) {
-            types.put(add.number().getAsInt(), type(address));
+            String type = type(address);
+            if (!TYPE.matcher(type).matches()) {
+                throw new ScriptException(
+                        add.address().at(),
+                        "add: the type of a robot is letters and digits, as in pioneer://10.0.0.5 or sim:aibo");
+            }
+            types.put(add.number().getAsInt(), type);
         }
     }
 
