@@ -35,9 +35,13 @@ import org.junit.jupiter.api.io.TempDir;
 class RobotsJarTest {
     private static final Path CLASSES = Path.of(System.getProperty("majic.target", "target"), "classes");
 
-    /** Loaded only where there is a window, JNA, a robot maker's library, or a robot that speaks ROS and so needs JSON. */
-    private static final Pattern OPTIONAL = Pattern.compile("majic\\.\\w+\\.panel\\..*|com\\.sun\\.jna\\..*"
-            + "|com\\.mobilerobots\\..*|liburbi\\..*|com\\.fasterxml\\.jackson\\..*");
+    /**
+     * Loaded only where there is a window, JNA, a robot maker's library, a robot that speaks ROS and so needs JSON, or a
+     * robot of another desk, which needs MQTT, too.
+     */
+    private static final Pattern OPTIONAL = Pattern.compile(
+            "majic\\.\\w+\\.panel\\..*|com\\.sun\\.jna\\..*"
+                    + "|com\\.mobilerobots\\..*|liburbi\\..*|com\\.fasterxml\\.jackson\\..*|com\\.hivemq\\..*|io\\.netty\\..*|io\\.reactivex\\..*");
 
     private static final Pattern LIBRARY =
             Pattern.compile("java\\..*|javax\\..*|com\\.fazecast\\..*|org\\.jspecify\\..*");
