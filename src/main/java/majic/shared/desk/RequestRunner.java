@@ -53,8 +53,9 @@ final class RequestRunner {
             return;
         }
         if (message.responseTopic() != null && !desk.isAnswerable(message)) {
-            robot.complain("a request of " + request.sender() + " is ignored: its response topic has to begin with "
-                    + desk.topics().replies(""));
+            robot.complainOfMistake(
+                    "a request of " + request.sender() + " is ignored: its response topic has to begin with "
+                            + desk.topics().replies(""));
             return;
         }
         RequestReply before = seen.begin(request);
@@ -67,7 +68,7 @@ final class RequestRunner {
 
     private void refuse(BrokerMessage message, String why) {
         desk.reply(message, RequestReply.of(Outcome.REFUSED, why));
-        robot.complain(why);
+        robot.complainOfMistake(why);
     }
 
     private void begin(IncomingRequest incoming) {

@@ -30,6 +30,9 @@ final class SharedRobot implements StoppableRobot {
     private static final int SPEEDS_PER_S = 100;
     private static final int HEARTBEATS_PER_S = 50;
 
+    /** A robot that has more to say is not read by anybody. */
+    private static final int LINES_PER_S = 20;
+
     private final DeskContext desk;
     private final Member member;
     private final SeenRequests seen = new SeenRequests();
@@ -42,6 +45,8 @@ final class SharedRobot implements StoppableRobot {
     private final MessageLimit requestLimit;
     private final MessageLimit speedLimit;
     private final MessageLimit heartbeatLimit;
+    private final MessageLimit mistakeLimit;
+    private final MessageLimit lineLimit;
     private volatile boolean removed;
 
     SharedRobot(DeskContext desk, Member member) {
@@ -55,6 +60,8 @@ final class SharedRobot implements StoppableRobot {
         this.requestLimit = new MessageLimit(desk.connection().time(), REQUESTS_PER_S);
         this.speedLimit = new MessageLimit(desk.connection().time(), SPEEDS_PER_S);
         this.heartbeatLimit = new MessageLimit(desk.connection().time(), HEARTBEATS_PER_S);
+        this.mistakeLimit = new MessageLimit(desk.connection().time(), 1);
+        this.lineLimit = new MessageLimit(desk.connection().time(), LINES_PER_S);
     }
 
     @Override
@@ -80,7 +87,7 @@ final class SharedRobot implements StoppableRobot {
     /** Handles a message to one of its topics, on the thread of the connection. */
     void received(Part part, BrokerMessage message) {
         if (message.retained()) {
-            complain("a retained message to the topic \"" + message.topic() + "\" is ignored: it may be old");
+            complainOfMistake("a retained message to the topic \"" + message.topic() + "\" is ignored: it may be old");
             return;
         }
         switch (part) {
@@ -106,6 +113,14 @@ final class SharedRobot implements StoppableRobot {
         }
     }
 
+    /** Reports a message of another program that cannot be used; one a second is enough to find the program. */
+    void complainOfMistake(String words) {
+        if (mistakeLimit.allows()) {
+            long before = mistakeLimit.toComplainAbout();
+            complain(before == 0 ? words : words + " (and " + before + " more messages that cannot be used)");
+        }
+    }
+
     /** Listeners of the team may block, so they are called on the worker. */
     void complain(String words) {
         desk.worker().submit(() -> member.notice(words));
@@ -121,7 +136,7 @@ final class SharedRobot implements StoppableRobot {
             if (own != null) {
                 stoppedByHolder(own);
             }
-            desk.worker().submit(() -> member.notice("stopped by " + written.sender()));
+            complain("stopped by " + written.sender());
         });
     }
 
@@ -164,7 +179,7 @@ final class SharedRobot implements StoppableRobot {
                 now.beat();
             }
         } catch (UnusableMessageException e) {
-            complain(String.valueOf(e.getMessage()));
+            complainOfMistake(String.valueOf(e.getMessage()));
         }
     }
 
@@ -285,8 +300,11 @@ final class SharedRobot implements StoppableRobot {
         }
     }
 
-    /** Publishes a line about the robot. */
+    /** Publishes a line about the robot, unless there are too many. */
     void publishLine(RobotMessage.Kind kind, String text) {
+        if (!lineLimit.allows()) {
+            return;
+        }
         String topic = desk.topics().robot(desk.self().desk(), member.number(), Part.MESSAGES);
         desk.publish(BrokerMessage.json(topic, new RobotMessage(kind, text).toJson(), Quality.AT_LEAST_ONCE));
     }

@@ -57,11 +57,16 @@ final class JsonObject {
         try {
             return of(what, JSON.readTree(payload));
         } catch (JsonProcessingException e) {
-            throw new UnusableMessageException(what + ": is not JSON: " + VisibleText.of(e.getOriginalMessage()));
+            throw new UnusableMessageException(what + ": is not JSON: " + reason(e));
         } catch (IOException e) {
             throw new UnusableMessageException(
                     what + ": is not JSON: " + VisibleText.of(String.valueOf(e.getMessage())));
         }
+    }
+
+    /** Without the place in the bytes, which are not shown. */
+    private static String reason(JsonProcessingException problem) {
+        return VisibleText.of(problem.getOriginalMessage()).replaceFirst(" \\(start marker.*", "");
     }
 
     static JsonObject of(String what, @Nullable JsonNode node) {

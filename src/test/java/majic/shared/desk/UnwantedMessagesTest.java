@@ -57,6 +57,20 @@ class UnwantedMessagesTest {
     }
 
     @Test
+    void aFloodOfWrongMessagesFillsNoLog() {
+        for (int n = 0; n < 400; n++) {
+            publish(Part.REQUEST, "{");
+            publish(Part.HOLD, "{");
+            rig.sleep(0.01);
+        }
+
+        assertThat(rig.said).hasSizeBetween(3, 12);
+        assertThat(rig.isSaid("more messages that cannot be used)")).isTrue();
+        assertThat(rig.broker.published("lab/majic/1/desks/desk2/robots/1/messages"))
+                .hasSizeBetween(3, 12);
+    }
+
+    @Test
     void aFloodOfStopsIsCarriedOutAndEachIsAnswered() {
         for (int n = 0; n < 300; n++) {
             publish(Part.STOP, "{\"session\":\"s\",\"id\":\"" + n + "\"}");
