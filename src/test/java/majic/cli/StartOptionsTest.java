@@ -2,9 +2,15 @@ package majic.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import majic.program.Program;
+import majic.program.UserFolder;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import picocli.CommandLine;
 
 class StartOptionsTest {
     @Test
@@ -17,5 +23,30 @@ class StartOptionsTest {
     void ofALargeLabAsManyRobotsAreAddedAsATeamHasNumbers() {
         assertThat(StartOptions.labLines(Collections.nCopies(502, "pioneer"), 200))
                 .hasSize(200);
+    }
+
+    @Test
+    void theUsualLabStartsWhenItsRobotsAreAddedSoThatTheWindowIsVisibleBefore(@TempDir Path folder) throws IOException {
+        StartOptions options = options(folder, "--lab");
+        try (Program program = options.program(new UserFolder(folder), true)) {
+            assertThat(program.lab()).isNull();
+            assertThat(options.firstLines(program))
+                    .containsExactly("add sim:aibo as 1", "add sim:pioneer as 2", "add sim:hemisson as 3");
+            assertThat(program.lab()).isNotNull();
+        }
+    }
+
+    @Test
+    void aLabWithOptionsOfItsOwnStartsBeforeTheWindow(@TempDir Path folder) throws IOException {
+        StartOptions options = options(folder, "--lab", "--exact", "--aibo-port=0", "--pioneer-port=0");
+        try (Program program = options.program(new UserFolder(folder), true)) {
+            assertThat(program.lab()).isNotNull();
+        }
+    }
+
+    private static StartOptions options(Path folder, String... arguments) {
+        MajicCommand command = new MajicCommand(new UserFolder(folder));
+        new CommandLine(command).parseArgs(arguments);
+        return command.start();
     }
 }
