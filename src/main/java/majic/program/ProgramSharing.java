@@ -8,6 +8,7 @@ import majic.environment.Settings;
 import majic.gui.kit.RobotSharing;
 import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnections;
+import majic.shared.broker.BrokerLogins;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.desk.DeskOptions;
 import majic.shared.desk.DeskSharing;
@@ -133,6 +134,11 @@ public final class ProgramSharing implements RobotSharing {
         } catch (BotException e) {
             team.notice(String.valueOf(e.getMessage()));
         }
+    }
+
+    @Override
+    public void useLogin(String broker, String user, char[] password) {
+        BrokerLogins.use(BrokerAddress.parse(broker), user, new String(password));
     }
 
     @Override

@@ -2,13 +2,18 @@ package majic.gui;
 
 import java.util.Optional;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.gui.kit.RobotSharing;
 import org.jspecify.annotations.Nullable;
 
-/** Pretends to share robots at any broker, except at one that is called {@code nowhere}. */
+/**
+ * Pretends to share robots at any broker, except at one that is called {@code nowhere}; one that is called {@code strict}
+ * wants the user anna with the password secret.
+ */
 final class FakeSharing implements RobotSharing {
     private volatile @Nullable Place place;
     private volatile boolean connected = true;
+    private volatile String login = "";
 
     @Override
     public Place suggested() {
@@ -30,7 +35,16 @@ final class FakeSharing implements RobotSharing {
         if (wanted.broker().contains("nowhere")) {
             throw new BotException("there is no computer of the name nowhere");
         }
+        if (wanted.broker().contains("strict") && !login.equals("anna:secret")) {
+            throw new ConnectFailed(
+                    ConnectFailed.Reason.NOT_ALLOWED, "the broker refuses the user name or the password");
+        }
         place = wanted;
+    }
+
+    @Override
+    public void useLogin(String broker, String user, char[] password) {
+        login = user + ":" + new String(password);
     }
 
     @Override

@@ -2,6 +2,7 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import javax.swing.JPasswordField;
 import javax.swing.JTextField;
 import majic.gui.kit.RobotSharing.Place;
 import org.junit.jupiter.api.AutoClose;
@@ -35,6 +36,23 @@ class ShareWindowTest {
         window.await("the reason", () -> window.text("shareState").equals("there is no computer of the name nowhere"));
         window.await("another attempt to be possible", () -> window.isEnabled("shareBegin"));
         assertThat(window.isEnabled("shareEnd")).isFalse();
+    }
+
+    @Test
+    void aBrokerThatRefusesTheUserIsTriedAgainWithAnother() {
+        share("mqtt://strict/lab");
+        window.await(
+                "the question for the user",
+                () -> window.find("shareUser", JTextField.class).isShowing());
+
+        window.run(() -> {
+            window.find("shareUser", JTextField.class).setText("anna");
+            window.find("sharePassword", JPasswordField.class).setText("secret");
+        });
+        window.await("another attempt to be possible", () -> window.isEnabled("shareBegin"));
+        window.push("shareBegin");
+
+        window.await("the addresses", () -> window.text("shareState").contains("mqtt://strict/lab/desk1/1"));
     }
 
     @Test

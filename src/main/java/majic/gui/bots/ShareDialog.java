@@ -4,9 +4,11 @@ import java.awt.Window;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JPanel;
+import javax.swing.JPasswordField;
 import javax.swing.JTextField;
 import javax.swing.Timer;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
@@ -26,6 +28,9 @@ public final class ShareDialog extends MajicDialog {
     private final JTextField broker = field("shareBroker", 28);
     private final JTextField desk = field("shareDesk", 12);
     private final JTextField person = field("sharePerson", 12);
+    private final JTextField user = field("shareUser", 12);
+    private final JPasswordField password = new JPasswordField(12);
+    private final JPanel login = new JPanel(new MigLayout("insets 0, gap 8 10, hidemode 3", "[][grow, fill]", ""));
     private final Paragraph state = new Paragraph("shareState", 4, 42);
     private final JButton share = button(TEXTS.get("share"), this::begin);
     private final JButton end = button(TEXTS.get("share.end"), this::end);
@@ -48,10 +53,15 @@ public final class ShareDialog extends MajicDialog {
         person.setText(place.person());
         share.setName("shareBegin");
         end.setName("shareEnd");
-        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10, hidemode 3", "[][grow, fill]", ""));
         add(content, "share.broker", broker);
         add(content, "share.desk", desk);
         add(content, "share.person", person);
+        password.setName("sharePassword");
+        add(login, "share.user", user);
+        add(login, "share.password", password);
+        login.setVisible(false);
+        content.add(login, "spanx 2, growx, wrap");
         content.add(state, "spanx 2, growx, wmin 0");
         fill(content, share, end, closing(TEXTS.get("share.close")));
         state.showFaint(TEXTS.get("share.advice"));
@@ -86,7 +96,14 @@ public final class ShareDialog extends MajicDialog {
                 broker.getText().strip(),
                 desk.getText().strip(),
                 person.getText().strip());
-        run(TEXTS.get("share.connecting", place.broker()), () -> sharing.start(place));
+        String name = user.getText().strip();
+        char[] secret = password.getPassword();
+        run(TEXTS.get("share.connecting", place.broker()), () -> {
+            if (!name.isEmpty()) {
+                sharing.useLogin(place.broker(), name, secret);
+            }
+            sharing.start(place);
+        });
     }
 
     private void end() {
@@ -99,27 +116,37 @@ public final class ShareDialog extends MajicDialog {
         state.showFaint(meanwhile);
         enableParts();
         EventThread.background("sharing robots", () -> {
-            Optional<String> refusal = attempt(work);
+            Optional<BotException> refusal = attempt(work);
             EventThread.later(() -> ended(refusal));
         });
     }
 
-    private static Optional<String> attempt(Runnable work) {
+    private static Optional<BotException> attempt(Runnable work) {
         try {
             work.run();
             return Optional.empty();
         } catch (BotException e) {
-            return Optional.of(String.valueOf(e.getMessage()));
+            return Optional.of(e);
         }
     }
 
-    private void ended(Optional<String> refusal) {
+    private void ended(Optional<BotException> refusal) {
         busy = false;
         if (refusal.isEmpty() && sharing.now().isEmpty()) {
             state.showFaint(TEXTS.get("share.ended"));
         }
         showNow();
-        refusal.ifPresent(reason -> state.show(reason, true));
+        refusal.ifPresent(this::refused);
+    }
+
+    /** Shows why the sharing did not begin; asks for the user name and the password if the broker refuses them. */
+    private void refused(BotException refusal) {
+        state.show(String.valueOf(refusal.getMessage()), true);
+        if (refusal instanceof ConnectFailed failed && failed.reason() == ConnectFailed.Reason.NOT_ALLOWED) {
+            login.setVisible(true);
+            pack();
+            user.requestFocusInWindow();
+        }
     }
 
     private void showNow() {

@@ -30,6 +30,14 @@ public interface RobotSharing {
      */
     void start(Place place);
 
+    /**
+     * Uses a user name and a password for a broker from now on, until the program ends.
+     *
+     * @param broker the address, as in a place
+     * @throws majic.bot.BotException if it is no address
+     */
+    void useLogin(String broker, String user, char[] password);
+
     /** Ends the sharing; robots that others move are halted first. Blocks for about a second. No effect if there is none. */
     void stop();
 }
