@@ -1,0 +1,109 @@
+package majic.shared.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import majic.environment.BotEnvironment;
+import majic.time.TimeSource;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.condition.EnabledIf;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Tests the access list in {@code examples/mosquitto} with Mosquitto, where it is installed. */
+@EnabledIf("isInstalled")
+class AccessListTest {
+    private static final String TOPICS = "lab/majic/1/";
+    private static final int PATIENCE_S = 60;
+
+    @TempDir
+    private static Path folder;
+
+    private static Mosquitto broker;
+
+    static boolean isInstalled() {
+        return Mosquitto.installed().isPresent();
+    }
+
+    @BeforeAll
+    static void start() throws IOException, InterruptedException {
+        Path users = Files.writeString(folder.resolve("users"), "olga:pw-olga\ndirk:pw-dirk\ndesk2:pw-desk2\n");
+        assertThat(new ProcessBuilder("mosquitto_passwd", "-U", users.toString())
+                        .inheritIO()
+                        .start()
+                        .waitFor())
+                .isZero();
+        broker = Mosquitto.start(
+                folder,
+                Mosquitto.freePort(),
+                "allow_anonymous false",
+                "password_file " + users,
+                "acl_file " + Path.of("examples", "mosquitto", "majic.acl").toAbsolutePath());
+    }
+
+    @AfterAll
+    static void stop() {
+        if (broker != null) {
+            broker.close();
+        }
+    }
+
+    private static BrokerConnection as(String user) throws IOException {
+        Path home = Files.createTempDirectory(folder, user);
+        Path file = Files.writeString(
+                home.resolve("brokers.properties"),
+                "broker.127.0.0.1.user=" + user + "\nbroker.127.0.0.1.password=pw-" + user + "\n");
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-------"));
+        BrokerConnection connection = BrokerConnections.open(
+                BrokerAddress.parse("mqtt://127.0.0.1:" + broker.port() + "/lab"),
+                ConnectOptions.of(user, new BotEnvironment(TimeSource.system(), new FolderSettings(home))));
+        connection.connect();
+        return connection;
+    }
+
+    /** Publishes a message, and returns the answer of the broker. */
+    private static String answer(String user, String topic) throws Exception {
+        CompletableFuture<String> answer = new CompletableFuture<>();
+        try (BrokerConnection connection = as(user)) {
+            connection.publish(
+                    BrokerMessage.json(TOPICS + topic, "{}", Quality.AT_LEAST_ONCE),
+                    refusal -> answer.complete(refusal == null ? "accepted" : "refused: " + refusal.getMessage()));
+            return answer.get(PATIENCE_S, TimeUnit.SECONDS);
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "olga, desks/desk2/robots/1/stop",
+        "dirk, desks/desk2/robots/1/request",
+        "dirk, desks/desk2/robots/1/hold",
+        "dirk, desks/desk2/robots/1/stop",
+        "dirk, stop",
+        "desk2, desks/desk2/robots/1/state",
+        "desk2, replies/s-1",
+        "desk2, desks/desk3/robots/1/request"
+    })
+    void whatARoleMayDoIsAccepted(String user, String topic) throws Exception {
+        assertThat(answer(user, topic)).isEqualTo("accepted");
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "olga, desks/desk2/robots/1/request",
+        "olga, desks/desk2/robots/1/speed",
+        "olga, stop",
+        "dirk, desks/desk2/robots/1/state",
+        "dirk, desks/desk2/presence",
+        "desk2, desks/desk3/presence"
+    })
+    void whatARoleMayNotDoIsRefused(String user, String topic) throws Exception {
+        assertThat(answer(user, topic)).startsWith("refused: ");
+    }
+}
