@@ -194,6 +194,36 @@ class HoldsTest {
     }
 
     @Test
+    void aRobotThatIsGivenBackInMotionIsHalted() {
+        moving();
+        anna.ask(new RequestedAction.Free());
+
+        assertThat(anna.outcome(1).outcome()).isEqualTo(Outcome.STOPPED);
+        rig.clock.until(() -> count("halt") > 0 && member.owner() == null);
+    }
+
+    @Test
+    void aRobotThatCarriesOutCommandsOfItsOwnDeskCannotBeClaimed() {
+        member.submit(new QueuedCommand("move 900", true, robot -> List.of("" + robot.move(900))), null);
+        rig.clock.until(() -> bot.state().moving());
+
+        RequestReply reply = anna.outcome(anna.ask(new RequestedAction.Move(100, "")));
+
+        assertThat(reply.message()).isEqualTo("1 is busy with commands of its own desk");
+        rig.clock.until(() -> member.isIdle());
+        assertThat(bot.state().pose().xMm()).isEqualTo(900);
+    }
+
+    @Test
+    void aLatchedStopRefusesClaims() {
+        rig.team.stopAll();
+
+        RequestReply reply = anna.outcome(anna.ask(new RequestedAction.Hold()));
+
+        assertThat(reply.message()).startsWith("STOP is latched");
+    }
+
+    @Test
     void aLocalStopEndsTheHold() {
         anna.outcome(anna.ask(new RequestedAction.Hold()));
         rig.team.stop(List.of(member), null);
