@@ -170,9 +170,10 @@ final class RobotCard extends JPanel implements PlotHost {
                 add(line, "newline, spanx 3, split 3, wmin 0, growx, pushx, gapleft 8");
             }
             case COMPACT, NARROW -> {
-                arrange("insets 0 6 0 3", "[grow]");
+                boolean narrow = newSize == CardSize.NARROW;
+                arrange(narrow ? "insets 0 3 0 2" : "insets 0 6 0 3", "[grow]");
                 add(badge);
-                add(line, "wmin 0, gapleft 6");
+                add(line, narrow ? "wmin 0, gapleft 3" : "wmin 0, gapleft 6");
                 add(connection, "gapleft 4");
                 add(battery, "gapleft 4");
             }
