@@ -101,6 +101,7 @@ class SharingProgramTest {
     }
 
     @Test
+    @SuppressWarnings("try")
     @EnabledIf("hasMosquitto")
     void aDeskGoesOnByItselfWhileItsBrokerIsGoneAndSharesAgainAfterwards() throws Exception {
         int port = Mosquitto.freePort();

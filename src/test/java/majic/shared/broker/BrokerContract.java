@@ -106,6 +106,7 @@ abstract class BrokerContract {
     }
 
     @Test
+    @SuppressWarnings("try")
     void theWillIsPublishedWhenAConnectionBreaksAndNotWhenItIsClosed() throws Exception {
         try (BrokerConnection watching = connected("watching", null);
                 BrokerConnection breaking = connected("breaking", message(topic("will"), "broken"));

@@ -86,6 +86,7 @@ class SiteLatchTest {
     }
 
     @Test
+    @SuppressWarnings("try")
     void aDeskThatJoinsLaterObeysTheStop() {
         rig.team.stopAll();
         bothLatched(true);
@@ -237,6 +238,7 @@ class SiteLatchTest {
     }
 
     @Test
+    @SuppressWarnings("try")
     void aTeamOnOneSiteOverTwoConnectionsIsStoppedAndReleasedOnce() {
         FakeConnection using = open("using");
         using.connect();
