@@ -60,7 +60,8 @@ final class Explained {
     /** The beginnings of the addresses of a type. */
     static List<Completion> addresses(BotType type) {
         List<Completion> words = new ArrayList<>();
-        String rest = type.defaultPort() > 0 ? "//HOST:" + type.defaultPort() : "PORT";
+        String place = type.canListRobots() ? "/SITE/DESK/NUMBER" : "";
+        String rest = type.defaultPort() > 0 ? "//HOST:" + type.defaultPort() + place : "PORT";
         words.add(new Completion(type.name() + ":", rest, type.make()));
         for (String library : type.libraries()) {
             words.add(new Completion(type.name() + "+" + library + ":", rest, type.make() + ", by " + library));
