@@ -19,8 +19,7 @@ public record BotAddress(String scheme, String rest) {
     /** The scheme of a robot in the simulated lab. */
     public static final String SIMULATED = "sim";
 
-    /** The schemes of robots of other desks, which may be of any type. */
-    private static final Set<String> OF_ANY_TYPE = Set.of("mqtt", "mqtts");
+    private static final Set<String> OF_OTHER_DESKS = Set.of("mqtt", "mqtts");
 
     /**
      * Takes an address apart.
@@ -49,12 +48,12 @@ public record BotAddress(String scheme, String rest) {
     }
 
     /**
-     * Returns whether the scheme tells the type of the robot before it is connected.
+     * Returns whether the robot belongs to another desk, which knows its type and keeps its place and its calibration.
      *
-     * @return false for a robot of another desk
+     * @return true for a robot that is reached through a broker
      */
-    public boolean tellsType() {
-        return !OF_ANY_TYPE.contains(scheme);
+    public boolean isOfAnotherDesk() {
+        return OF_OTHER_DESKS.contains(scheme);
     }
 
     /**

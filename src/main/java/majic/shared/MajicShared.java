@@ -199,12 +199,6 @@ public final class MajicShared extends BotDriver {
         return known == null ? super.introduction() : known.introduction() + " at " + address.desk();
     }
 
-    @Override
-    public List<String> calibration() {
-        Description known = description;
-        return known == null ? List.of() : known.calibration();
-    }
-
     /** Gives the robot back, so that others need not wait until the heartbeat is missed. */
     @Override
     protected void shut() {

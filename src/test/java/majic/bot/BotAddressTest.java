@@ -43,9 +43,11 @@ class BotAddressTest {
     }
 
     @Test
-    void onlyTheAddressOfARobotOfAnotherDeskDoesNotTellItsType() {
-        assertThat(BotAddress.parse("pioneer://10.0.0.5").tellsType()).isTrue();
-        assertThat(BotAddress.parse("mqtt://broker/lab/desk2/1").tellsType()).isFalse();
-        assertThat(BotAddress.parse("mqtts://broker/lab/desk2/1").tellsType()).isFalse();
+    void aRobotThatIsReachedThroughABrokerIsOfAnotherDesk() {
+        assertThat(BotAddress.parse("pioneer://10.0.0.5").isOfAnotherDesk()).isFalse();
+        assertThat(BotAddress.parse("mqtt://broker/lab/desk2/1").isOfAnotherDesk())
+                .isTrue();
+        assertThat(BotAddress.parse("mqtts://broker/lab/desk2/1").isOfAnotherDesk())
+                .isTrue();
     }
 }

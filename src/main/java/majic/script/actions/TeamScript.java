@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import majic.bot.BotAddress;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Value;
@@ -73,7 +74,15 @@ public record TeamScript(Team team, BotFactory factory, RobotConnector connector
                 .collect(Collectors.joining());
     }
 
+    /** The place of a robot of another desk is kept there: setting it again would move it on the maps of all desks. */
     private String start(Member member) {
+        if (connector
+                .address(member)
+                .map(BotAddress::parse)
+                .filter(BotAddress::isOfAnotherDesk)
+                .isPresent()) {
+            return "";
+        }
         boolean inLab = factory.nameInLab(member.bot()).isPresent();
         return member.bot()
                 .placedAt()

@@ -170,7 +170,7 @@ final class ScriptActInspection extends Inspection {
             throw new ScriptException(line.at(), "add: an act is given its robots; leave the line out");
         }
         BotAddress address = BotAddress.parse(add.address().unquoted());
-        if (address.tellsType()) {
+        if (!address.isOfAnotherDesk()) {
             String type = type(address);
             if (!TYPE.matcher(type).matches()) {
                 throw new ScriptException(
