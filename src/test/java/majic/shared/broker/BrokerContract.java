@@ -109,8 +109,8 @@ abstract class BrokerContract {
     @SuppressWarnings("try")
     void theWillIsPublishedWhenAConnectionBreaksAndNotWhenItIsClosed() throws Exception {
         try (BrokerConnection watching = connected("watching", null);
-                BrokerConnection breaking = connected("breaking", message(topic("will"), "broken"));
-                BrokerConnection closing = connected("closing", message(topic("will"), "not closed"))) {
+                BrokerConnection breaking = connected("breaking", message(topic("will"), "broken"))) {
+            BrokerConnection closing = connected("closing", message(topic("will"), "not closed"));
             watching.subscribe(topic("will"), Quality.AT_LEAST_ONCE, arrived::add);
             closing.publish(message(topic("will"), "closing"));
             closing.close();
