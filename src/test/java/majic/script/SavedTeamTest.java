@@ -6,9 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
+import majic.act.NoActs;
 import majic.bot.BotException;
+import majic.bot.FakeType;
 import majic.bot.Pose;
+import majic.environment.Settings;
+import majic.log.SessionLog;
+import majic.team.BotFactory;
+import majic.team.Team;
+import majic.time.TimeSource;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -157,5 +165,25 @@ class SavedTeamTest {
 
         assertThat(team.names(fixture.factory)).containsExactly("1 Pioneer", "4 Aibo", "5 cat");
         assertThat(team.needsLab()).isTrue();
+    }
+
+    /** Its desk keeps the place: opening the team would set it there, for all desks. */
+    @Test
+    void thePlaceOfARobotOfAnotherDeskIsNotSaved() throws Exception {
+        Path file = folder.resolve("shared.team");
+        try (Team team = new Team(TimeSource.system())) {
+            BotFactory factory = new BotFactory(List.of(new FakeType("mqtt")), Settings.inMemory());
+            Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
+            MajicParser parser = new MajicParser(session, false);
+            parser.parseText("add mqtt://broker/lab/desk2/1 as 1");
+            parser.parseText("1 set pose 1000 500 90");
+            parser.parseText("save team " + file);
+            parser.awaitAll();
+
+            assertThat(team.member(1).bot().placedAt()).contains(new Pose(1000, 500, 90));
+        }
+        assertThat(Files.readString(file))
+                .contains("add mqtt://broker/lab/desk2/1 as 1")
+                .doesNotContain("pose");
     }
 }
