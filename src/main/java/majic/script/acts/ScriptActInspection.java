@@ -191,7 +191,7 @@ final class ScriptActInspection extends Inspection {
     private void robots(Robots robots) {
         for (Robots.Item item : robots.items()) {
             if (item instanceof Robots.One one) {
-                numbers.add(one.number());
+                number(one);
             } else if (item instanceof Robots.Me) {
                 hasMe = true;
             } else if (item instanceof Robots.Span || item instanceof Robots.Named) {
@@ -199,5 +199,12 @@ final class ScriptActInspection extends Inspection {
                         item.at(), item.at().text() + ": an act names its robots one by one: me, 2, 3 or all");
             }
         }
+    }
+
+    private void number(Robots.One robot) {
+        if (robot.number() < 1) {
+            throw new ScriptException(robot.at(), robot.at().text() + ": robots have the numbers 1, 2, 3 and so on");
+        }
+        numbers.add(robot.number());
     }
 }
