@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Manual control of one robot: drives it, or sets parameters that move it. {@link #drive} is called repeatedly while a
  * key is held, {@link #set} while a slider is dragged, from the event thread. Neither blocks; when calls come faster
- * than the robot follows, the newest value counts. When the drives end, for any reason, the robot is stationary 600 ms
+ * than the robot follows, the newest value counts. No drive that comes after a stop of the robot is sent. When the drives end, for any reason, the robot is stationary 600 ms
  * later. Thread-safe.
  */
 public final class ManualControl implements AutoCloseable {
@@ -27,6 +27,7 @@ public final class ManualControl implements AutoCloseable {
     private final Member member;
     private final Owner owner;
     private final Permit permit = new Permit();
+    private final BotControl robot;
     private final Signal newSetting;
     private final ManualLog log;
     private final Map<String, Consumer<BotControl>> settings = new LinkedHashMap<>();
@@ -49,6 +50,7 @@ public final class ManualControl implements AutoCloseable {
         if (!member.isIdle()) {
             throw new BotException(member.number() + " is busy; \"" + member.number() + " stop\" ends it");
         }
+        this.robot = new PermittedControl(member.driver(), permit).forCommand();
         member.claim(owner);
         if (!member.time().tryRunAsync("robot " + member.number() + " by hand", this::run)) {
             member.free(owner);
@@ -127,7 +129,6 @@ public final class ManualControl implements AutoCloseable {
 
     /** Always ends by stopping the robot; the permit is revoked before, so that no drive follows that stop. */
     private void run() {
-        BotControl robot = new PermittedControl(member.driver(), permit);
         @Nullable BotException problem = null;
         try {
             while (!released) {

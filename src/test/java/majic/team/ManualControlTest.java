@@ -69,6 +69,16 @@ class ManualControlTest {
     }
 
     @Test
+    void noDriveFollowsAStopOfTheRobotItself() throws InterruptedException {
+        ManualControl hand = new ManualControl(member);
+        bot.stop();
+        hand.drive(100, 0);
+
+        assertThat(team.changes().await(hand::isOff, 5)).isTrue();
+        assertThat(bot.sent()).noneMatch(sent -> sent.startsWith("drive"));
+    }
+
+    @Test
     void manualControlIsRefusedWhileStopIsLatched() {
         team.stopAll();
 
