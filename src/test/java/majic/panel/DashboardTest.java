@@ -2,6 +2,7 @@ package majic.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Rectangle;
@@ -9,6 +10,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.JPanel;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,6 +25,12 @@ class DashboardTest {
     private final ReadingsPanel<String> readings = new ReadingsPanel<>("8888 mm");
     private final Banner banner = new Banner();
     private final JPanel parent = new JPanel();
+
+    /** Texts have other sizes in other looks. */
+    @BeforeAll
+    static void useTheLookOfTheWindow() {
+        FlatLightLaf.setup();
+    }
 
     @BeforeEach
     void fill() {
@@ -128,7 +136,7 @@ class DashboardTest {
         arrange(new Dashboard(view, 0, List.of(SidePane.of(controls), SidePane.of(lights)), distances));
         List.of(view, controls, lights, distances).forEach(parent::add);
 
-        layOut(410, 250);
+        layOut(410, 275);
 
         assertThat(distances.isVisible()).isTrue();
         assertThat(lights.getHeight()).isLessThan(lights.getPreferredSize().height);
