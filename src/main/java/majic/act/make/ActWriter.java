@@ -12,8 +12,8 @@ import majic.act.file.ActManifest;
 
 /** Packs an act's file. The same contents give the same bytes, so that a consent given once stays valid. */
 final class ActWriter {
-    /** The earliest time that a zip file can store. */
-    private static final LocalDateTime NO_TIME = LocalDateTime.of(1980, 1, 1, 0, 0);
+    /** Later than the earliest time of zip files, with which Java also stores a time that depends on the time zone. */
+    private static final LocalDateTime NO_TIME = LocalDateTime.of(1980, 2, 1, 0, 0);
 
     private ActWriter() {}
 

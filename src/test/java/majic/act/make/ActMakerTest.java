@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import java.util.TimeZone;
 import java.util.TreeMap;
 import majic.act.ActDetails;
 import majic.act.ActException;
@@ -22,6 +23,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests making acts from a source, a class file, a folder or a jar, and the errors for unsuitable classes. */
 @Tag("jdk")
@@ -54,6 +56,20 @@ class ActMakerTest {
             Files.write(file, one.getValue());
         }
         return root;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"UTC", "Asia/Tokyo", "America/Los_Angeles"})
+    void theFileContainsNoTimeThatDependsOnTheTimeZone(String zone) throws IOException {
+        TimeZone before = TimeZone.getDefault();
+        try {
+            TimeZone.setDefault(TimeZone.getTimeZone(zone));
+            byte[] here = ActMaker.from(source).make("far.away.Wander", DETAILS);
+            TimeZone.setDefault(TimeZone.getTimeZone("Australia/Sydney"));
+            assertThat(ActMaker.from(source).make("far.away.Wander", DETAILS)).isEqualTo(here);
+        } finally {
+            TimeZone.setDefault(before);
+        }
     }
 
     @Test
