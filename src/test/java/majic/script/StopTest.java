@@ -15,6 +15,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class StopTest {
     private static final String LATCHED = "STOP is latched; \"release\" allows motion again";
 
+    private static final int ROUNDS = 200;
+
     @AutoClose
     private final ScriptFixture fixture = ScriptFixture.withTwo();
 
@@ -40,6 +42,17 @@ class StopTest {
         assertThat(fixture.answers())
                 .contains("1 move 3m: stopped", "2 move 3m: stopped", "1 stop: done", "2 stop: done", LATCHED);
         assertThat(fixture.prompt.parseText("1 move 30")).hasValue(LATCHED);
+    }
+
+    /** The thread of a block may begin before or after the stop, so it is typed often. */
+    @Test
+    void aBlockThatWasTypedBeforeAStopEnds() throws InterruptedException {
+        for (int round = 0; round < ROUNDS; round++) {
+            List.of("repeat", "1 get x", "end", "stop").forEach(fixture.prompt::parseText);
+            fixture.prompt.awaitAll();
+            fixture.prompt.parseText("release");
+        }
+        assertThat(fixture.answers()).contains("1 stop: done");
     }
 
     @ParameterizedTest

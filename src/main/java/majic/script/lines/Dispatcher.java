@@ -176,9 +176,11 @@ public final class Dispatcher {
             return;
         }
         beside.incrementAndGet();
+        Execution execution = execution(line, Execution.Manner.IN_TURN, Map.of());
+        long stops = team.stops().of(line.commanded());
         boolean begun = team.time().tryRunAsync("script: " + line.title(), () -> {
             try {
-                runInTurn(line);
+                runBeside(line, execution, stops);
             } finally {
                 ended();
             }
@@ -186,6 +188,15 @@ public final class Dispatcher {
         if (!begun) {
             ended();
             line.fail(line.title() + ": the system has no thread left for it; end an act or a program");
+        }
+    }
+
+    /** A stop may have come before the thread of the line runs, also one of the same source, which was given later. */
+    private void runBeside(PreparedLine line, Execution execution, long stopsBefore) {
+        if (line.has(CommandTrait.COMMANDS_ROBOTS) && team.stops().of(line.commanded()) != stopsBefore) {
+            fail(line, Line.Kind.ANSWER, NOT_RUN);
+        } else {
+            runInTurn(line, execution);
         }
     }
 
@@ -263,8 +274,11 @@ public final class Dispatcher {
 
     /** Runs a line asynchronously; errors can only be reported. Permissions to move are taken as they are now. */
     private void runInTurn(PreparedLine line) {
+        runInTurn(line, execution(line, Execution.Manner.IN_TURN, Map.of()));
+    }
+
+    private void runInTurn(PreparedLine line, Execution execution) {
         try {
-            Execution execution = execution(line, Execution.Manner.IN_TURN, Map.of());
             perform(line, () -> line.runChecked(execution, actions));
         } catch (ExecutionEnded e) {
             answerEnded(line, e);
