@@ -61,6 +61,7 @@ public final class Program implements AutoCloseable {
     private volatile @Nullable LineServer server;
     private volatile @Nullable OwnBroker broker;
     private final CountDownLatch quit = new CountDownLatch(1);
+    private final AtomicBoolean announced = new AtomicBoolean();
     private final AtomicBoolean closing = new AtomicBoolean();
     private final CountDownLatch closed = new CountDownLatch(1);
 
@@ -261,9 +262,12 @@ public final class Program implements AutoCloseable {
     /**
      * Begins the session, now that it has a listener: makes the file of the session log, and reports the errors that
      * occurred before, those of plug-ins included. If the log cannot be written, as in a read-only folder, that is reported,
-     * and there is none. To be called once; may block.
+     * and there is none. Does nothing when called again; may block.
      */
     public void announce() {
+        if (!announced.compareAndSet(false, true)) {
+            return;
+        }
         openLog(folder.file("sessions"));
         problems.forEach(session::alarm);
         settings.onTrouble(session::alarm);

@@ -14,12 +14,13 @@ import org.junit.jupiter.api.io.TempDir;
 /** Tests that robots can be commanded where no session log can be written. */
 class MissingSessionLogTest {
     @Test
-    void aProgramThatCannotWriteASessionLogStartsAndReportsIt(@TempDir Path folder) throws IOException {
+    void aProgramThatCannotWriteASessionLogStartsAndReportsItOnce(@TempDir Path folder) throws IOException {
         Path sessions = Files.writeString(folder.resolve("sessions"), "not a folder");
         List<String> lines = Collections.synchronizedList(new ArrayList<>());
         try (Program program = new Program(new UserFolder(folder), null, false)) {
             program.session().addListener(line -> lines.add(line.text()));
 
+            program.announce();
             program.announce();
             program.session().flush();
 
