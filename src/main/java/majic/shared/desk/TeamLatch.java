@@ -25,7 +25,7 @@ final class TeamLatch implements TeamListener {
     private final Team team;
     private final List<SiteLatch> sites = new CopyOnWriteArrayList<>();
 
-    /** The ids that latch the team, each with whether the team has been stopped for it. */
+    /** The ids that latch the team, oldest first, each with whether its STOP has been latched. */
     private final Map<String, Boolean> active = new LinkedHashMap<>();
 
     private final Set<String> unpublished = new LinkedHashSet<>();
@@ -97,6 +97,7 @@ final class TeamLatch implements TeamListener {
         synchronized (this) {
             if (stopsOfOthers > 0) {
                 stopsOfOthers--;
+                oldestTookEffect();
                 return;
             }
             id = newId();
@@ -104,6 +105,11 @@ final class TeamLatch implements TeamListener {
             unpublished.add(id);
         }
         sites.forEach(this::publishUnpublished);
+    }
+
+    /** A release that follows ends this STOP too, even if its bytes are still being written. */
+    private void oldestTookEffect() {
+        active.entrySet().stream().filter(stop -> !stop.getValue()).findFirst().ifPresent(stop -> stop.setValue(true));
     }
 
     /** Publishes the release of what the team was stopped for; a STOP that has just arrived is not released by it. */
@@ -177,9 +183,6 @@ final class TeamLatch implements TeamListener {
         }
         site.connection().time().runAsync("STOP of another desk", () -> {
             team.stopAll();
-            synchronized (this) {
-                active.computeIfPresent(message.id(), (id, done) -> true);
-            }
             team.notice("STOP by " + message.by());
         });
     }
