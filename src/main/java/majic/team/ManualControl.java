@@ -17,8 +17,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Manual control of one robot: drives it, or sets parameters that move it. {@link #drive} is called repeatedly while a
  * key is held, {@link #set} while a slider is dragged, from the event thread. Neither blocks; when calls come faster
- * than the robot follows, the newest value counts. No drive that comes after a stop of the robot is sent. When the drives end, for any reason, the robot is stationary 600 ms
- * later. Thread-safe.
+ * than the robot follows, the newest value counts. No drive that comes after a stop of the robot is sent. When the
+ * drives end, for any reason, the robot is stationary 600 ms later. Thread-safe.
  */
 public final class ManualControl implements AutoCloseable {
     private static final Logger LOG = System.getLogger(ManualControl.class.getName());

@@ -6,9 +6,9 @@ import majic.time.TimeSource;
 
 /**
  * Finds out whether a robot has received everything that was sent to it. ARCOS acknowledges no command, but it obeys
- * commands in their order, and it answers CONFIG at once (ARCOS sheet 10): when that answer comes, all commands before the
- * request have arrived. On a line that delays, the reports that come before the answer may be older than these commands. For one
- * session; thread-safe.
+ * commands in their order, and it answers CONFIG at once (ARCOS sheet 10): when that answer comes, all commands before
+ * the request have arrived. On a line that delays, the reports that come before the answer may be older than these
+ * commands. For one session; thread-safe.
  */
 final class RoundTrip {
     private static final double REPEAT_S = 0.2;
