@@ -234,12 +234,14 @@ public final class MajicPioneer extends BotDriver {
     }
 
     private PioneerScene scene(PioneerSession open) {
+        PioneerState state = open.state();
         return new PioneerScene(
                 open.equipment().model(),
-                open.state(),
+                state,
                 open.equipment().bumpers(),
                 connection(),
                 get("age").number(),
+                state.sipsPerSec(),
                 Objects.requireNonNullElse(open.packetCounts(), PacketCounts.NONE),
                 profile().speed(),
                 profile().turn());

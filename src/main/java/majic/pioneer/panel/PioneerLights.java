@@ -99,7 +99,7 @@ final class PioneerLights {
                     Kind.WARNING,
                     TEXTS.get("link.silent", String.format(Locale.ROOT, "%.1f", scene.silenceMs() / 1000)));
         } else {
-            showRate(scene.state().sipsPerSec(), scene.packets());
+            showRate(scene.packetRate(), scene.packets());
         }
     }
 

@@ -23,6 +23,7 @@ public final class PioneerReplay implements ReplayDisplay {
     private static final String MODEL = "model";
     private static final String SIP = "sip";
     private static final String BUMPERS = "bumpers";
+    private static final String PACKET_RATE = "rate";
     private static final String PACKETS = "packets";
     private static final String LIMITS = "limits";
     private static final long NANOS_PER_MS = 1_000_000;
@@ -48,6 +49,7 @@ public final class PioneerReplay implements ReplayDisplay {
         texts.put(SIP, state.atNanos() / NANOS_PER_MS + " " + SipText.of(state.sip()));
         texts.put(
                 BUMPERS, words(scene.bumpers().frontSegments(), scene.bumpers().rearSegments()));
+        texts.put(PACKET_RATE, words(scene.packetRate()));
         texts.put(PACKETS, words(packets.packets(), packets.damagedPackets(), packets.skippedBytes()));
         texts.put(
                 LIMITS,
@@ -107,6 +109,7 @@ public final class PioneerReplay implements ReplayDisplay {
                 new Bumpers((int) bumpers[0], (int) bumpers[1]),
                 bot.connection(),
                 bot.get("age").number(),
+                numbers(texts, PACKET_RATE, 1)[0],
                 new PacketCounts((long) packets[0], (long) packets[1], (long) packets[2]),
                 new Range(limits[0], limits[1]),
                 new Range(limits[2], limits[3]));

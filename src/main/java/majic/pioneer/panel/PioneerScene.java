@@ -15,6 +15,7 @@ import majic.pioneer.state.PioneerState;
  * @param bumpers the segments that it has
  * @param connection state of the connection
  * @param silenceMs since the last report
+ * @param packetRate state packets a second; 0 before the second one
  * @param packets counts of packets and damaged bytes
  * @param speedLimits mm/s, both signs
  * @param turnLimits deg/s, both signs
@@ -25,6 +26,7 @@ public record PioneerScene(
         Bumpers bumpers,
         MajicBot.Connection connection,
         double silenceMs,
+        double packetRate,
         PacketCounts packets,
         Range speedLimits,
         Range turnLimits) {
@@ -41,6 +43,7 @@ public record PioneerScene(
                 bumpers,
                 now == MajicBot.Connection.CONNECTED ? MajicBot.Connection.CONNECTING : now,
                 silenceMs,
+                packetRate,
                 packets,
                 speedLimits,
                 turnLimits);

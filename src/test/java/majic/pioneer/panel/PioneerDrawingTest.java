@@ -156,7 +156,8 @@ class PioneerDrawingTest {
     private static PioneerScene scene(PioneerState state, Connection connection) {
         Bumpers bumpers = new Bumpers(MODEL.frontBumpers(), MODEL.rearBumpers());
         Range limits = new Range(-1000, 1000);
-        return new PioneerScene(MODEL, state, bumpers, connection, 50, PacketCounts.NONE, limits, limits);
+        return new PioneerScene(
+                MODEL, state, bumpers, connection, 50, state.sipsPerSec(), PacketCounts.NONE, limits, limits);
     }
 
     private int[] painted() {
