@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  * @param repeated what may follow behind them, all of these in order and any number of times; empty where the last
  *     argument has extras
  * @param moves whether it moves the robot or may do so, as a raw command may; it then needs the robot to be free
- * @param help one line for people
+ * @param help one line for users
  * @param raw whether it passes the user's text to the robot unchecked by MAJIC; not allowed in behaviours written in
  *     MAJIC Script
  */

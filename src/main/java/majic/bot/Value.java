@@ -212,7 +212,7 @@ public sealed interface Value {
     }
 
     /**
-     * A number as people write it: at most three digits behind the point, none that say nothing, never an exponent.
+     * A number for users: at most three digits behind the point, no trailing zeros, no exponent.
      *
      * @param number finite
      * @return for instance {@code 498}, {@code 12.5}, {@code 0.031}

@@ -33,7 +33,7 @@ public record DriverCommand(BotCommand command, Action action) {
      * @param name its word in MAJIC Script; letters and digits
      * @param arguments what it takes, in order; each is required, but the extras of the last one are not
      * @param moves whether it moves the robot or may do so, as a raw command may
-     * @param help one line for people
+     * @param help one line for users
      * @param action what it does
      */
     public DriverCommand(String name, List<Parameter> arguments, boolean moves, String help, Action action) {
@@ -47,7 +47,7 @@ public record DriverCommand(BotCommand command, Action action) {
      * @param arguments what it takes, in order
      * @param repeated what may follow behind them, all of these in order and any number of times
      * @param moves whether it moves the robot or may do so
-     * @param help one line for people
+     * @param help one line for users
      * @param action what it does
      */
     public DriverCommand(

@@ -13,7 +13,7 @@ public final class SerialPorts {
      * A serial port that was found.
      *
      * @param name what to open it by: {@code COM3}, {@code /dev/ttyUSB0}
-     * @param description what the system calls it, for people; may be the name again
+     * @param description the system's name for it, for users; may be the same as the name
      */
     public record Port(String name, String description) {
         /** As a list shows it. */

@@ -30,7 +30,7 @@ final class BrokerPool {
     private final AtomicLong requests = new AtomicLong();
     private volatile SiteObserver observer = (connection, address, by) -> () -> {};
 
-    /** A connection and who uses it. */
+    /** A connection and its users. */
     private static final class Entry {
         private final PooledBroker broker;
         private final Map<Object, String> sitesOfUsers = new IdentityHashMap<>();
@@ -45,7 +45,7 @@ final class BrokerPool {
      * Creates a pool without connections.
      *
      * @param opener makes the connections
-     * @param sender who uses them; asked for with the first one
+     * @param sender the sender of the requests; asked for with the first one
      */
     BrokerPool(BrokerOpener opener, Supplier<Sender> sender) {
         this.opener = opener;

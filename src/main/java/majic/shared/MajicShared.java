@@ -318,7 +318,7 @@ public final class MajicShared extends BotDriver {
         return last == null ? Map.of() : last.state().values();
     }
 
-    /** Returns the holder that the desk reported last; null for nobody. */
+    /** Returns the holder that the desk reported last; null if the robot is free. */
     private RobotState.@Nullable Holder holder() {
         RobotFeed open = feed;
         RobotFeed.Received last = open == null ? null : open.state();

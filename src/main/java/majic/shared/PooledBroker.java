@@ -39,7 +39,7 @@ final class PooledBroker implements BrokerConnection.Watcher {
     /**
      * Uses a connection.
      *
-     * @param sender who asks
+     * @param sender the sender of the requests
      * @param requests counts the requests of the session, over all brokers
      */
     PooledBroker(BrokerConnection connection, Sender sender, AtomicLong requests) {

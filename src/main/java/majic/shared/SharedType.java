@@ -41,7 +41,7 @@ public final class SharedType implements BotType {
     }
 
     /**
-     * Sets who commands the robots; otherwise it is the user of this computer, at a desk with the computer's name.
+     * Sets the sender of all requests; without it, the user of this computer at a desk with the computer's name.
      *
      * @param newSender gives the desk, its person and the session of this run; called once, with the first robot
      */

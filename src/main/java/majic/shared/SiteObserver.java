@@ -12,7 +12,7 @@ public interface SiteObserver {
      *
      * @param connection an open connection, which the observer must not close
      * @param address the broker and the site
-     * @param sender who uses the robots
+     * @param sender the sender of the requests
      * @return closed when no robot of the site is used any more, before the connection is
      */
     AutoCloseable begin(BrokerConnection connection, BrokerAddress address, Sender sender);

@@ -16,7 +16,7 @@ public final class Owner {
         ACT,
         /** A person in manual control. */
         MANUAL,
-        /** A person at another desk, who uses the robot through a broker. */
+        /** A user at another desk, through a broker. */
         REMOTE
     }
 

@@ -1,5 +1,5 @@
 /**
- * Words for people: resource bundles, reasons of failed input and output, advice behind an error, the word that was
+ * Texts for users: resource bundles, reasons of failed input and output, advice behind an error, the word that was
  * probably meant, control characters made visible.
  */
 @NullMarked

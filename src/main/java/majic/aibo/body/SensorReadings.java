@@ -54,7 +54,7 @@ public final class SensorReadings {
                 : Optional.empty();
     }
 
-    /** A reading as people see it, scaled from the dog's unit. */
+    /** A reading in the unit shown to users, scaled from the dog's unit. */
     public Value value(Sensor sensor, double scale, Unit unit) {
         return number(sensor).map(amount -> Value.of(amount * scale, unit)).orElseGet(() -> unknown(sensor));
     }

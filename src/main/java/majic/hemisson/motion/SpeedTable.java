@@ -110,7 +110,7 @@ public record SpeedTable(List<Double> speedsMmPerSec, double wheelDistanceMm, do
         return new MotorValues(nearest(left * slower / leftFactor()), nearest(right * slower / rightFactor()));
     }
 
-    /** What wheel values make of it, for people. */
+    /** Returns the motor values with the speeds that result, as a text for users. */
     public String words(MotorValues wheels) {
         return String.format(
                 Locale.ROOT,

@@ -8,7 +8,7 @@ import majic.bot.Parameter;
 
 /**
  * Parameters that differ in nothing but the number at the end of their names, one higher each, such as {@code sonar0}
- * to {@code sonar15}, so that lists for people need one line for them. Immutable.
+ * to {@code sonar15}, so that lists for users need one line for them. Immutable.
  *
  * @param first the one with the first number
  * @param last the one with the last number; equal to the first for a single parameter

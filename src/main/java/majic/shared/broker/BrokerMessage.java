@@ -5,7 +5,7 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One message of a broker. The arrays are not copied; nobody may change them.
+ * One message of a broker. The arrays are not copied and must not be changed.
  *
  * @param topic where it is published, without wildcards
  * @param payload its content; empty to remove a retained message

@@ -43,7 +43,7 @@ final class RobotStates {
      * @param clockMs the clock of the desk
      * @param latched whether STOP is latched
      * @param stops how often the robot was stopped
-     * @param hold who holds the robot from another desk; null for nobody
+     * @param hold the hold of another desk; null without one
      */
     static RobotState state(
             Member member,

@@ -22,7 +22,7 @@ import majic.shared.vda5050.StoppableRobot;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
-/** One robot that this desk shares: who holds it, and what arrives for it. Thread-safe. */
+/** One robot that this desk shares: its hold, and the messages for it. Thread-safe. */
 final class SharedRobot implements StoppableRobot {
     /** More of each kind in a second are a mistake or an attack. Stops are never left out. */
     private static final int REQUESTS_PER_S = 200;
@@ -77,7 +77,7 @@ final class SharedRobot implements StoppableRobot {
         return publisher;
     }
 
-    /** Who holds it; null for nobody at another desk. */
+    /** The hold of another desk; null without one. */
     @Nullable
     RobotHold hold() {
         RobotHold now = hold.get();
@@ -204,7 +204,7 @@ final class SharedRobot implements StoppableRobot {
     }
 
     /**
-     * Returns the hold of a sender, which begins now if nobody holds the robot. Called on the worker only, so no two
+     * Returns the hold of a sender, which begins now if the robot is free. Called on the worker only, so no two
      * claims run at a time.
      *
      * @param continuous whether it is for one of a sequence of speeds

@@ -35,7 +35,7 @@ public final class EmbeddedBroker implements AutoCloseable {
     /**
      * Starts a broker with the libraries beside this program. Blocks for some seconds.
      *
-     * @param options where it listens and who may connect
+     * @param options where it listens, and the user that may connect
      * @return the running broker
      * @throws BotException if the libraries are missing, the port is taken, or it fails; nothing stays open
      */

@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * @param address where it listens
  * @param keyStore a PKCS 12 file with the certificate and the key; null for no TLS
  * @param keyStorePassword of that file, and of the key in it; empty without one
- * @param user who may connect; null for everybody
+ * @param user the only user that may connect; null if every user may
  * @param password of the user; null without one
  */
 public record EmbeddedOptions(

@@ -3,7 +3,7 @@ package majic.shared.message;
 import java.net.InetAddress;
 import java.net.UnknownHostException;
 
-/** The name of a desk that nobody has named. */
+/** The name of a desk for which the user has set none. */
 public final class DeskName {
     private static final int LONGEST = 20;
     private static final String UNNAMED = "desk";

@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 /**
  * The heartbeat of the holder of a robot. Immutable.
  *
- * @param sender who holds it
+ * @param sender the holder
  * @param validUntil until when it counts, ms of the clock of the desk that has the robot
  */
 public record HoldMessage(Sender sender, long validUntil) {

@@ -29,7 +29,7 @@ public record LatchMessage(boolean latched, String id, Set<String> releases, Str
      * A STOP.
      *
      * @param id random
-     * @param by who pressed it
+     * @param by name of the user and desk at which STOP was pressed
      * @return the message
      */
     public static LatchMessage stop(String id, Sender by) {
@@ -40,7 +40,7 @@ public record LatchMessage(boolean latched, String id, Set<String> releases, Str
      * A release.
      *
      * @param ids of the STOPs that end
-     * @param by who released
+     * @param by name of the user and desk that released
      * @return the message
      */
     public static LatchMessage release(Collection<String> ids, Sender by) {
@@ -48,7 +48,7 @@ public record LatchMessage(boolean latched, String id, Set<String> releases, Str
     }
 
     /**
-     * Returns who sent it.
+     * Returns the name of the user and desk that sent it.
      *
      * @return {@code Anna at desk1}
      */

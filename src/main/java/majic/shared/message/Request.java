@@ -6,7 +6,7 @@ import java.util.OptionalLong;
 /**
  * A request to a shared robot. Immutable.
  *
- * @param sender who asks
+ * @param sender the program that receives the answer
  * @param number counts the requests of the session, from 1 on; the same number is not executed twice
  * @param validUntil until when it may be accepted, ms of the clock of the desk that has the robot; empty for a request
  *     without a limit, which only some may be

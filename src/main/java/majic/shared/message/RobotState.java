@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * @param motion where the robot is and how it moves
  * @param latched whether STOP is latched at that desk
  * @param stops how often anybody but its holder has stopped it since the program of its desk was started
- * @param holder who may move the robot; null for nobody
+ * @param holder the program that may move the robot; null if it is free
  * @param stopProblem why its newest stop is not confirmed; null if it is, or there was none
  * @param values of all readable parameters, as {@link ValueJson} writes them
  */
@@ -62,7 +62,7 @@ public record RobotState(
     public record Movement(Pose pose, boolean placed, double mmPerSec, double degPerSec, boolean moving, long ageMs) {}
 
     /**
-     * Who may move a robot.
+     * The program that may move a robot.
      *
      * @param desk where the holder is; that of the robot itself for its own users, acts and scripts
      * @param person the holder

@@ -7,7 +7,7 @@ import majic.bot.BotException;
 import majic.text.VisibleText;
 
 /**
- * Who sends a message: a person at a desk, in one run of one program. Immutable.
+ * The sender of a message: one run of one program, with the names of its desk and user. Immutable.
  *
  * @param desk the name of the desk; a program that shares nothing has one too
  * @param person the name that is shown to others

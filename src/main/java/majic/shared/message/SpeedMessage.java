@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 /**
  * A drive for the next 600 ms. Immutable.
  *
- * @param sender who drives
+ * @param sender the program that drives the robot
  * @param number counts with the requests of the session, so that a stop can void it; 0 if it has none
  * @param mmPerSec ahead positive
  * @param degPerSec counterclockwise positive

@@ -5,7 +5,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 /**
  * A stop of one robot. Immutable.
  *
- * @param sender who stops it; needs not hold it
+ * @param sender the program that stops the robot; need not hold it
  * @param after the number of the last request of the sender: all up to it that have not begun are void
  * @param id random, the same in both copies of one stop; empty if it has none
  */

@@ -94,7 +94,7 @@ public final class ValueJson {
     }
 
     /**
-     * Reads a value that somebody wants to set, whose parameter is not known yet: a number has no unit.
+     * Reads a value to set, before its parameter is known: a number has no unit.
      *
      * @param json a number, true or false, or a text
      * @return the value, for {@link Parameter#fit}

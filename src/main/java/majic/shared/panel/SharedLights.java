@@ -8,7 +8,7 @@ import majic.panel.StatusLight.Kind;
 import majic.panel.StatusLightsPanel;
 import majic.text.Texts;
 
-/** Who holds a shared robot, and its connection, each shown as a word and a shape. For the event dispatch thread. */
+/** The holder of a shared robot and its connection, each shown as a word and a shape. For the event dispatch thread. */
 final class SharedLights {
     private static final Texts TEXTS = Texts.of(SharedLights.class);
     private static final double OLD_S = 1.5;

@@ -24,7 +24,7 @@ import majic.text.Texts;
 import majic.time.WaitPolicy;
 
 /**
- * Shows one shared robot of any type: a map with its path, gauges, who holds it, the delay, the camera, and what it
+ * Shows one shared robot of any type: a map with its path, gauges, its holder, the delay, the camera, and what it
  * measures. Sends the robot nothing but requests for pictures.
  */
 public final class SharedPanel extends RefreshingPanel {

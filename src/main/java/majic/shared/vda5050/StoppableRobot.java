@@ -16,7 +16,7 @@ public interface StoppableRobot {
     /**
      * Stops the robot, whoever moves it; returns at once.
      *
-     * @param by who stops it, for messages
+     * @param by name of the sender, for messages
      * @param result called when the robot has confirmed the stop, or with the reason why it has not
      */
     void stop(String by, Consumer<Optional<String>> result);

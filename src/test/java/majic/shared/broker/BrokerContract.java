@@ -22,7 +22,7 @@ abstract class BrokerContract {
 
     private final BlockingQueue<BrokerMessage> arrived = new LinkedBlockingQueue<>();
 
-    /** Creates a connection whose name nobody else has. */
+    /** Creates a connection with a name of its own. */
     abstract BrokerConnection open(ConnectOptions options);
 
     /** Breaks a connection so that both ends notice at once; it cannot be made again before {@link #restore}. */

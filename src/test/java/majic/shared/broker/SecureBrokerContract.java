@@ -15,7 +15,10 @@ import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** A broker with TLS that accepts the user anna with the password secret: who gets in, and what others read. */
+/**
+ * Tests a broker with TLS that accepts the user anna with the password secret: which connections it accepts, and which
+ * messages other users receive.
+ */
 abstract class SecureBrokerContract {
     static final String USER = "anna";
     static final String PASSWORD = "secret";

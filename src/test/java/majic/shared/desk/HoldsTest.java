@@ -21,7 +21,7 @@ import majic.team.QueuedCommand;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
-/** Tests who may move a shared robot, and what ends that: every reason for which the desk halts it. */
+/** Tests the hold of a shared robot: what begins it, what is refused meanwhile, and each reason for which the desk ends it. */
 class HoldsTest {
     @AutoClose
     private final SharingRig rig = SharingRig.started();

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Tests a desk against floods, and against messages that are wrong, huge, old or meant for nobody. */
+/** Tests a desk against floods, and against messages that are wrong, huge, old or without a receiver. */
 class UnwantedMessagesTest {
     @AutoClose
     private final SharingRig rig = SharingRig.started();

@@ -9,7 +9,7 @@ public interface PlotSource {
      * A robot whose parameters can be plotted.
      *
      * @param number its number
-     * @param label its name and type, for people
+     * @param label its name and type, for users
      * @param parameters those that can be plotted
      */
     record Robot(int number, String label, List<Parameter> parameters) {}
