@@ -417,15 +417,25 @@ public final class MajicShared extends BotDriver {
         return SharedReplay.texts(scene());
     }
 
-    private SharedScene scene() {
+    @Override
+    public boolean hasCamera() {
         Description known = description;
+        return known != null && known.camera();
+    }
+
+    @Override
+    public byte[] takePicture() {
+        return hasCamera() ? motions.picture() : super.takePicture();
+    }
+
+    private SharedScene scene() {
         RobotState.Holder holder = holder();
         return new SharedScene(
                 address.toString(),
                 holder == null ? "" : named(holder),
                 holder != null && isHeldHere(),
                 delay.delay().toString(),
-                known != null && known.camera());
+                hasCamera());
     }
 
     /** Asks for a picture of the camera, and publishes it when it arrives. Blocks; not for the event thread. */

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 /** Tests the delay of a shared robot: it is measured, and the user is warned once of a long one. */
 class DelayTest {
     @AutoClose
-    private final SharedPioneer pioneer = new SharedPioneer();
+    private final SharedLabRobot pioneer = new SharedLabRobot("pioneer");
 
     private final List<String> notices = Collections.synchronizedList(new ArrayList<>());
 

@@ -8,7 +8,7 @@ import majic.drivertest.TestedRobot;
 class SharedConformanceTest extends DriverConformance {
     @Override
     protected TestedRobot newRobot() {
-        return new SharedPioneer();
+        return new SharedLabRobot("pioneer");
     }
 
     @Override

@@ -19,19 +19,24 @@ import majic.shared.desk.DeskOptions;
 import majic.shared.desk.DeskSharing;
 import majic.team.Team;
 
-/** The Pioneer of an exact lab, which a desk shares over a broker in memory, and the driver by which another desk uses it. */
-final class SharedPioneer implements TestedRobot {
-    private final LabRobot local = new LabRobot("pioneer");
-    private final BotEnvironment environment = new BotEnvironment(local.bot().time(), Settings.inMemory());
-    private final FakeBroker broker = new FakeBroker(environment.time());
+/** A robot of an exact lab, which a desk shares over a broker in memory, and the driver by which another desk uses it. */
+final class SharedLabRobot implements TestedRobot {
+    private final LabRobot local;
+    private final BotEnvironment environment;
+    private final FakeBroker broker;
     private final List<FakeConnection> ofDesk = new ArrayList<>();
     private final List<FakeConnection> ofUser = new ArrayList<>();
-    private final Team team = new Team(environment.time());
+    private final Team team;
     private final DeskSharing sharing;
     private final SharedType type = new SharedType((address, options) -> open(ofUser, options));
     private final MajicBot bot;
 
-    SharedPioneer() {
+    /** Creates a lab; the desk is connected to the robot, the driver is not. */
+    SharedLabRobot(String typeAtDesk) {
+        local = new LabRobot(typeAtDesk);
+        environment = new BotEnvironment(local.bot().time(), Settings.inMemory());
+        broker = new FakeBroker(environment.time());
+        team = new Team(environment.time());
         local.bot().connect();
         team.add(local.bot(), OptionalInt.empty());
         DeskOptions options = new DeskOptions("lab", "desk2", "Bert", "MAJIC", Set.of(), false);
