@@ -70,7 +70,7 @@ public final class SiteLatch implements AutoCloseable {
             return;
         }
         long now = ++connections;
-        latch.connected(this);
+        latch.publishUnpublished(this);
         connection.time().tryRunAsync("latch of the site", () -> repeatIfForgotten(now));
     }
 
@@ -86,20 +86,18 @@ public final class SiteLatch implements AutoCloseable {
         }
     }
 
-    /** What cannot be read counts as STOP: its sender meant something, and a release can undo it. */
+    /** A message that cannot be read counts as STOP. All desks of the site derive the same id from it. */
     private void received(BrokerMessage message) {
         answeredConnection = connections;
         if (message.payload().length == 0 || closed) {
             return;
         }
-        LatchMessage read;
         try {
-            read = LatchMessage.parse(message.payload());
+            latch.received(this, LatchMessage.parse(message.payload()));
         } catch (UnusableMessageException e) {
             String id = "unreadable-" + Integer.toHexString(message.text().hashCode());
-            read = new LatchMessage(true, id, Set.of(), "a message that cannot be read", "");
+            latch.receivedWithoutId(this, new LatchMessage(true, id, Set.of(), "a message that cannot be read", ""));
         }
-        latch.received(this, read);
     }
 
     /** Returns false while there is no connection; the latch is published with the next one then. */

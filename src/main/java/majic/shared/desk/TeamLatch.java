@@ -1,6 +1,5 @@
 package majic.shared.desk;
 
-import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -16,7 +15,8 @@ import majic.team.TeamListener;
 /**
  * The STOPs of all desks that latch one team. Each STOP has an id. The team is released when all ids that latch it are
  * released, so a release that was sent before a newer STOP does not end that one. There is one object for each team that
- * has joined a site. Thread-safe; calls no listener and stops nothing while it holds its lock.
+ * has joined a site. Thread-safe; calls no listener and stops nothing while it holds its lock, but publishes, so that each
+ * broker receives STOPs and releases in the order of the changes.
  */
 final class TeamLatch implements TeamListener {
     private static final Map<Team, TeamLatch> LATCHES = new HashMap<>();
@@ -92,18 +92,15 @@ final class TeamLatch implements TeamListener {
     }
 
     /** Publishes STOP of this desk; a STOP of others has been published by them. */
-    private void stopped() {
-        String id;
-        synchronized (this) {
-            if (stopsOfOthers > 0) {
-                stopsOfOthers--;
-                oldestTookEffect();
-                return;
-            }
-            id = newId();
-            active.put(id, true);
-            unpublished.add(id);
+    private synchronized void stopped() {
+        if (stopsOfOthers > 0) {
+            stopsOfOthers--;
+            oldestTookEffect();
+            return;
         }
+        String id = newId();
+        active.put(id, true);
+        unpublished.add(id);
         sites.forEach(this::publishUnpublished);
     }
 
@@ -112,56 +109,54 @@ final class TeamLatch implements TeamListener {
         active.entrySet().stream().filter(stop -> !stop.getValue()).findFirst().ifPresent(stop -> stop.setValue(true));
     }
 
-    /** Publishes the release of what the team was stopped for; a STOP that has just arrived is not released by it. */
     private void released() {
-        List<String> ids = new ArrayList<>();
-        synchronized (this) {
-            if (releasesOfOthers > 0) {
-                releasesOfOthers--;
-                return;
+        if (isReleasedByOthers()) {
+            if (isStoppedAgain()) {
+                team.time().runAsync("STOP during a release by another desk", team::stopAll);
             }
-            active.forEach((id, done) -> {
-                if (done) {
-                    ids.add(id);
-                }
-            });
-            active.keySet().removeAll(ids);
-            unpublished.removeAll(ids);
+        } else {
+            publishRelease();
         }
+    }
+
+    private synchronized boolean isReleasedByOthers() {
+        if (releasesOfOthers == 0) {
+            return false;
+        }
+        releasesOfOthers--;
+        return true;
+    }
+
+    /** Whether a STOP was latched after a release had arrived, and before that release took effect, which ended it too. */
+    private synchronized boolean isStoppedAgain() {
+        if (!active.containsValue(true)) {
+            return false;
+        }
+        stopsOfOthers++;
+        return true;
+    }
+
+    /** Publishes the release of what the team was stopped for; a STOP that has just arrived is not released by it. */
+    private synchronized void publishRelease() {
+        List<String> ids = active.entrySet().stream()
+                .filter(Map.Entry::getValue)
+                .map(Map.Entry::getKey)
+                .toList();
+        active.keySet().removeAll(ids);
+        unpublished.removeAll(ids);
         if (!ids.isEmpty()) {
             sites.forEach(site -> site.publishRelease(ids));
         }
     }
 
-    /** A connection exists again: publishes a STOP that could not be published before. */
-    void connected(SiteLatch site) {
-        publishUnpublished(site);
-    }
-
-    private void publishUnpublished(SiteLatch site) {
-        List<String> ids;
-        synchronized (this) {
-            ids = List.copyOf(unpublished);
-        }
-        ids.forEach(id -> {
-            if (site.publishStop(id)) {
-                synchronized (this) {
-                    unpublished.remove(id);
-                }
-            }
-        });
+    /** Publishes the STOPs that could not be published before, if there is a connection now. */
+    synchronized void publishUnpublished(SiteLatch site) {
+        unpublished.removeIf(site::publishStop);
     }
 
     /** Publishes the latch again, because the broker has forgotten it or others were released without this desk. */
-    void repeat(SiteLatch site) {
-        String id;
-        synchronized (this) {
-            if (active.isEmpty()) {
-                return;
-            }
-            id = active.keySet().iterator().next();
-        }
-        site.publishStop(id);
+    synchronized void repeat(SiteLatch site) {
+        active.keySet().stream().findFirst().ifPresent(site::publishStop);
     }
 
     void received(SiteLatch site, LatchMessage message) {
@@ -170,6 +165,16 @@ final class TeamLatch implements TeamListener {
         } else {
             receivedRelease(site, message);
         }
+    }
+
+    /** A STOP without an id of its own, which may be sent again after a release. */
+    void receivedWithoutId(SiteLatch site, LatchMessage stop) {
+        synchronized (this) {
+            if (!active.containsKey(stop.id())) {
+                known.remove(stop.id());
+            }
+        }
+        receivedStop(site, stop);
     }
 
     private void receivedStop(SiteLatch site, LatchMessage message) {
@@ -197,7 +202,6 @@ final class TeamLatch implements TeamListener {
             active.keySet().removeAll(message.releases());
             unpublished.removeAll(message.releases());
             latchedStill = !active.isEmpty();
-            releasesOfOthers += latchedStill ? 0 : 1;
         }
         if (latchedStill) {
             repeat(site);
@@ -206,23 +210,16 @@ final class TeamLatch implements TeamListener {
         }
     }
 
-    /** A STOP may have come before the release takes effect; it is carried out again then. */
+    /** A STOP may have come since the release arrived. */
     private void release(LatchMessage message) {
         synchronized (this) {
             if (!active.isEmpty()) {
-                releasesOfOthers--;
                 return;
             }
+            releasesOfOthers++;
         }
         team.release();
-        boolean stoppedAgain;
-        synchronized (this) {
-            stoppedAgain = !active.isEmpty();
-            stopsOfOthers += stoppedAgain ? 1 : 0;
-        }
-        if (stoppedAgain) {
-            team.stopAll();
-        } else {
+        if (!team.isLatched()) {
             team.notice("released by " + message.by());
         }
     }

@@ -15,6 +15,7 @@ import majic.shared.broker.Quality;
 import majic.shared.message.LatchMessage;
 import majic.shared.message.Sender;
 import majic.team.Team;
+import majic.team.TeamListener;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -210,12 +211,37 @@ class SiteLatchTest {
     }
 
     @Test
-    void aStopThatCannotBeReadIsAStop() {
-        rig.broker.publish(BrokerMessage.json(TOPIC, "STOP!!!", Quality.AT_LEAST_ONCE));
-
+    void aStopThatCannotBeReadIsAStopEachTime() {
+        BrokerMessage stop = BrokerMessage.json(TOPIC, "STOP!!!", Quality.AT_LEAST_ONCE);
+        rig.broker.publish(stop);
         bothLatched(true);
         rig.team.release();
         bothLatched(false);
+
+        rig.broker.publish(stop);
+
+        bothLatched(true);
+    }
+
+    @Test
+    void aStopPressedWhileTheReleaseOfAnotherDeskTakesEffectStaysInForce() {
+        other.stopAll();
+        bothLatched(true);
+        rig.sleep(1);
+        rig.team.addListener(new TeamListener() {
+            @Override
+            public void latchChanged(boolean latched) {
+                if (!latched) {
+                    rig.team.removeListener(this);
+                    rig.team.stopAll();
+                }
+            }
+        });
+        other.release();
+        rig.sleep(3);
+
+        assertThat(rig.team.isLatched() && other.isLatched()).isTrue();
+        assertThat(kept().latched()).isTrue();
     }
 
     @Test
