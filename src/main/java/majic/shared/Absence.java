@@ -10,6 +10,10 @@ final class Absence {
     /** Returns a sentence for users. */
     static String of(SharedAddress address, RobotFeed feed) {
         String desk = address.desk();
+        String end = feed.end();
+        if (end != null) {
+            return end;
+        }
         Presence presence = feed.presence();
         if (presence == null) {
             return "no desk " + desk + " shares robots at " + address.broker()
@@ -26,9 +30,14 @@ final class Absence {
         if (!presence.robots().contains(address.robot())) {
             return address.desk() + " shares no robot " + address.robot() + " (" + shared(presence) + ")";
         }
-        String what = feed.description() == null ? "describes" : "reports the state of";
-        return address.desk() + " shares robot " + address.robot() + ", but never " + what
-                + " it; may this user read all topics of the broker?";
+        RobotFeed.Received first = feed.state();
+        if (feed.description() == null || first == null) {
+            String what = feed.description() == null ? "describes" : "reports the state of";
+            return address.desk() + " shares robot " + address.robot() + ", but never " + what
+                    + " it; may this user read all topics of the broker?";
+        }
+        return address.desk() + " is not connected to its robot " + address.robot() + " at the moment"
+                + first.state().link().because() + "; did it lose it? It must be connected there first";
     }
 
     private static String shared(Presence presence) {

@@ -154,16 +154,11 @@ public final class MajicShared extends BotDriver {
         }
         Description found = opening.description();
         RobotFeed.Received first = opening.state();
-        if (found == null || first == null || opening.isOver()) {
+        if (found == null
+                || first == null
+                || opening.isOver()
+                || first.state().link().connection() != Connection.CONNECTED) {
             throw new ConnectFailed(Reason.NO_ANSWER, Absence.of(address, opening));
-        }
-        RobotState.Link link = first.state().link();
-        if (link.connection() != Connection.CONNECTED) {
-            throw new ConnectFailed(
-                    Reason.NO_ANSWER,
-                    address.desk() + " is not connected to its robot " + address.robot() + " at the moment"
-                            + (link.lostReason().isEmpty() ? "" : ": " + link.lostReason())
-                            + "; did it lose it? It must be connected there first");
         }
         adopt(found);
         report(first);
@@ -481,8 +476,7 @@ public final class MajicShared extends BotDriver {
             report(received);
             RobotState.Link link = received.state().link();
             if (isConnected() && link.connection() != Connection.CONNECTED) {
-                loseBecause(address.desk() + " has lost its connection to the robot"
-                        + (link.lostReason().isEmpty() ? "" : ": " + link.lostReason()));
+                loseBecause(address.desk() + " has lost its connection to the robot" + link.because());
             }
         }
 

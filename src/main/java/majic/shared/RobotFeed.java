@@ -35,7 +35,7 @@ final class RobotFeed {
     private volatile @Nullable Description description;
     private volatile @Nullable Received state;
     private volatile @Nullable Presence presence;
-    private volatile boolean over;
+    private volatile @Nullable String end;
 
     /** Is called with what arrives, and must not wait. */
     interface Listener {
@@ -90,7 +90,7 @@ final class RobotFeed {
     private void subscribe(String filter, Quality quality, Consumer<BrokerMessage> receive) {
         BrokerConnection.Handler handler = message -> {
             try {
-                if (!over) {
+                if (!isOver()) {
                     receive.accept(message);
                 }
             } catch (UnusableMessageException e) {
@@ -107,7 +107,9 @@ final class RobotFeed {
 
     /** Ends all subscriptions. Nothing is passed on any more. */
     void close() {
-        over = true;
+        if (end == null) {
+            end = address.title() + " is not used any more";
+        }
         subscribed.forEach(Runnable::run);
         subscribed.clear();
     }
@@ -158,15 +160,15 @@ final class RobotFeed {
     }
 
     private void end(String reason) {
-        if (!over) {
-            over = true;
+        if (end == null) {
+            end = reason;
             listener.gone(reason);
         }
     }
 
     /** Returns whether anything has arrived. */
     boolean hasBegun() {
-        return over || presence != null || description != null || state != null;
+        return isOver() || presence != null || description != null || state != null;
     }
 
     /** Returns whether everything has arrived that a connected robot has, or it is certain that it will not. */
@@ -175,12 +177,18 @@ final class RobotFeed {
         boolean absent = there != null
                 && (there.state() != Presence.State.ONLINE
                         || description == null && !there.robots().contains(address.robot()));
-        return over || absent || description != null && state != null;
+        return isOver() || absent || description != null && state != null;
     }
 
     /** Returns whether the robot cannot be used any more. */
     boolean isOver() {
-        return over;
+        return end != null;
+    }
+
+    /** Returns why the robot cannot be used any more, as a sentence; null if it can. */
+    @Nullable
+    String end() {
+        return end;
     }
 
     /** Returns the newest description; null before the first one. */

@@ -47,7 +47,16 @@ public record RobotState(
      * @param connection its state
      * @param lostReason why it is lost; empty otherwise
      */
-    public record Link(Connection connection, String lostReason) {}
+    public record Link(Connection connection, String lostReason) {
+        /**
+         * Returns the reason as the end of a sentence.
+         *
+         * @return {@code : cable pulled}; empty if there is none
+         */
+        public String because() {
+            return lostReason.isEmpty() ? "" : ": " + lostReason;
+        }
+    }
 
     /**
      * Where a robot is and how it moves.
