@@ -9,12 +9,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import majic.bot.BotType.ReplayDisplay;
 import majic.bot.MajicBot;
+import majic.panel.Banner;
 import majic.panel.RefreshingPanel;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -64,11 +66,24 @@ class SharedPanelInLabTest {
     }
 
     private static String shown(JComponent panel, String name) {
+        return label(panel, name).getText();
+    }
+
+    private static JLabel label(JComponent panel, String name) {
         return labels(panel).stream()
                 .filter(label -> name.equals(label.getName()))
-                .map(JLabel::getText)
                 .findFirst()
                 .orElseThrow();
+    }
+
+    /** Returns the text of the banner; empty while it is hidden. */
+    private static String banner(JComponent panel) {
+        return Stream.of(panel.getComponents())
+                .filter(Banner.class::isInstance)
+                .map(Banner.class::cast)
+                .filter(Banner::isVisible)
+                .map(Banner::getText)
+                .collect(Collectors.joining());
     }
 
     @Test
@@ -99,6 +114,39 @@ class SharedPanelInLabTest {
         desks.pass(2);
 
         assertThat(shown(panel(anna.bot), "link")).isEqualTo("link lost");
+    }
+
+    @Test
+    void showsHowOldTheValuesAreUntilTheLostDeskIsUsedAgain() throws Exception {
+        TwoDesks.Desk anna = desks.user("desk1", "Anna");
+        desks.pass(1);
+        assertThat(banner(panel(anna.bot))).isEmpty();
+
+        desks.ofDesk2.get(0).unplug();
+        desks.pass(4);
+        assertThat(banner(panel(anna.bot))).matches("Not connected: all values are [45] s old\\.");
+        assertThat(label(panel(anna.bot), "distanceFront").isEnabled()).isFalse();
+        desks.pass(20);
+        assertThat(banner(panel(anna.bot))).matches("Not connected: all values are 2[45] s old\\.");
+
+        desks.ofDesk2.get(0).restore();
+        desks.pass(3);
+        anna.bot.connect();
+        assertThat(banner(panel(anna.bot))).isEmpty();
+        assertThat(label(panel(anna.bot), "distanceFront").isEnabled()).isTrue();
+        assertThat(anna.bot.time().secondsSince(anna.bot.state().atNanos())).isLessThan(1.2);
+    }
+
+    @Test
+    void showsHowOldTheValuesAreWhileTheDeskHasLostItsRobot() throws Exception {
+        TwoDesks.Desk anna = desks.user("desk1", "Anna");
+        desks.pass(1);
+
+        desks.desk2.lab().simulators().faults("pioneer").cut();
+        desks.pass(30);
+
+        assertThat(banner(panel(anna.bot))).matches("Not connected: all values are (29|30) s old\\.");
+        assertThat(label(panel(anna.bot), "distanceFront").isEnabled()).isFalse();
     }
 
     @Test
