@@ -7,6 +7,7 @@ import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAck;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeoutException;
+import java.util.regex.Pattern;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLHandshakeException;
 import majic.bot.ConnectFailed;
@@ -14,6 +15,10 @@ import majic.bot.ConnectFailed.Reason;
 
 /** What the client library throws, in sentences for the user. */
 final class HiveErrors {
+    /** Alerts of a broker that requires a certificate of its clients, or another one. */
+    private static final Pattern REFUSED_CERTIFICATE =
+            Pattern.compile("Received fatal alert: .*(certificate|unknown_ca).*");
+
     private HiveErrors() {}
 
     /** Explains why a connection was not made. */
@@ -91,6 +96,14 @@ final class HiveErrors {
     }
 
     private static ConnectFailed tls(BrokerAddress address, Throwable failure) {
+        if (REFUSED_CERTIFICATE.matcher(innermost(failure)).matches()) {
+            return new ConnectFailed(
+                    Reason.OTHER,
+                    address + ": the broker requires a client certificate that it trusts (" + innermost(failure)
+                            + "); the file with the certificate and its key is named in the file brokers.properties, as"
+                            + " broker." + address.host() + ".key-store=FILE.p12",
+                    failure);
+        }
         if (cause(failure, SSLHandshakeException.class).isPresent()) {
             return new ConnectFailed(
                     Reason.OTHER,

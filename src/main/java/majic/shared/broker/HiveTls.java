@@ -18,6 +18,7 @@ import javax.net.ssl.SSLPeerUnverifiedException;
 import javax.net.ssl.SSLSession;
 import javax.net.ssl.TrustManagerFactory;
 import majic.bot.BotException;
+import majic.text.IoReason;
 
 /**
  * TLS as the client library takes it: the certificates that are trusted and shown. Names are checked as for HTTPS, unless
@@ -59,12 +60,16 @@ final class HiveTls {
     private static <T> T reading(Path file, String expected, Reading<T> reading) {
         try (InputStream in = Files.newInputStream(file)) {
             return reading.of(in);
-        } catch (IOException | GeneralSecurityException e) {
-            throw new BotException(
-                    file + ", named in " + CredentialsFile.NAME + ", cannot be read as " + expected + ": "
-                            + e.getMessage(),
-                    e);
+        } catch (IOException e) {
+            throw unreadable(file, expected, IoReason.of(e), e);
+        } catch (GeneralSecurityException e) {
+            throw unreadable(file, expected, String.valueOf(e.getMessage()), e);
         }
+    }
+
+    private static BotException unreadable(Path file, String expected, String reason, Exception cause) {
+        return new BotException(
+                file + ", named in " + CredentialsFile.NAME + ", cannot be read as " + expected + ": " + reason, cause);
     }
 
     private static List<X509Certificate> certificates(InputStream in) throws IOException, GeneralSecurityException {

@@ -5,11 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import majic.environment.BotEnvironment;
-import majic.time.TimeSource;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.condition.EnabledIf;
@@ -57,13 +55,12 @@ class AccessListTest {
 
     private static BrokerConnection as(String user) throws IOException {
         Path home = Files.createTempDirectory(folder, user);
-        Path file = Files.writeString(
-                home.resolve("brokers.properties"),
-                "broker.127.0.0.1.user=" + user + "\nbroker.127.0.0.1.password=pw-" + user + "\n");
-        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-------"));
+        BotEnvironment environment = FolderSettings.withCredentials(
+                        home, "broker.127.0.0.1.user=" + user, "broker.127.0.0.1.password=pw-" + user)
+                .environment();
         BrokerConnection connection = BrokerConnections.open(
                 BrokerAddress.parse("mqtt://127.0.0.1:" + broker.port() + "/lab"),
-                ConnectOptions.of(user, new BotEnvironment(TimeSource.system(), new FolderSettings(home))));
+                ConnectOptions.of(user, environment));
         connection.connect();
         return connection;
     }

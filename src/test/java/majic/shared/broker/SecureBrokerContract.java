@@ -6,12 +6,9 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.attribute.PosixFilePermissions;
-import java.util.List;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.environment.BotEnvironment;
-import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -37,11 +34,8 @@ abstract class SecureBrokerContract {
 
     private BrokerConnection open(String... lines) throws IOException {
         Files.copy(certificate(), folder.resolve("listen.pem"));
-        Path file = Files.write(folder.resolve("brokers.properties"), List.of(lines));
-        if (Files.getFileStore(file).supportsFileAttributeView("posix")) {
-            Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-------"));
-        }
-        BotEnvironment environment = new BotEnvironment(TimeSource.system(), new FolderSettings(folder));
+        BotEnvironment environment =
+                FolderSettings.withCredentials(folder, lines).environment();
         return BrokerConnections.open(
                 BrokerAddress.parse("mqtts://localhost:" + port() + "/test"), ConnectOptions.of("anna", environment));
     }
@@ -53,7 +47,7 @@ abstract class SecureBrokerContract {
     }
 
     @Test
-    void aUserWithThePasswordGetsIn() throws Exception {
+    void aUserWithThePasswordIsAccepted() throws Exception {
         try (BrokerConnection connection = open(TRUSTED, NAME, "broker.localhost.password=" + PASSWORD)) {
             connection.connect();
 
@@ -72,7 +66,7 @@ abstract class SecureBrokerContract {
     }
 
     @Test
-    void nobodyGetsInWithoutAPassword() throws IOException {
+    void aConnectionWithoutAUserIsRefused() throws IOException {
         assertThat(refusal(TRUSTED).reason()).isEqualTo(Reason.NOT_ALLOWED);
     }
 

@@ -1,12 +1,8 @@
 package majic.shared.broker;
 
 import java.io.IOException;
-import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.Key;
-import java.security.KeyStore;
-import java.util.Base64;
 import majic.server.ListenKey;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -28,27 +24,15 @@ class SecureMosquittoTest extends SecureBrokerContract {
     @BeforeAll
     static void start() throws Exception {
         ListenKey.create(folder);
-        Path key = writeKey();
         Path users = Files.writeString(folder.resolve("users"), USER + ":" + PASSWORD + "\n");
         run("mosquitto_passwd", "-U", users.toString());
         broker = Mosquitto.start(
                 folder,
                 Mosquitto.freePort(),
                 "certfile " + folder.resolve(ListenKey.CERTIFICATE),
-                "keyfile " + key,
+                "keyfile " + PemKey.write(folder),
                 "allow_anonymous false",
                 "password_file " + users);
-    }
-
-    private static Path writeKey() throws Exception {
-        KeyStore store = KeyStore.getInstance("PKCS12");
-        try (InputStream in = Files.newInputStream(folder.resolve(ListenKey.FILE))) {
-            store.load(in, ListenKey.PASSWORD.toCharArray());
-        }
-        Key key = store.getKey(store.aliases().nextElement(), ListenKey.PASSWORD.toCharArray());
-        String text = Base64.getMimeEncoder(64, new byte[] {'\n'}).encodeToString(key.getEncoded());
-        return Files.writeString(
-                folder.resolve("key.pem"), "-----BEGIN PRIVATE KEY-----\n" + text + "\n-----END PRIVATE KEY-----\n");
     }
 
     private static void run(String... command) throws IOException, InterruptedException {

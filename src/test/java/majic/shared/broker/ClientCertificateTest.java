@@ -1,0 +1,125 @@
+package majic.shared.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowableOfType;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import majic.bot.BotException;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
+import majic.environment.BotEnvironment;
+import majic.server.ListenKey;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledIf;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A Mosquitto that accepts only clients with a certificate it trusts, where it is installed. */
+@EnabledIf("isInstalled")
+class ClientCertificateTest {
+    private static final String KEY_STORE = "broker.localhost.key-store=";
+    private static final String PASSWORD = "broker.localhost.key-store-password=";
+
+    @TempDir
+    private static Path folder;
+
+    private static Path ofBroker;
+    private static Path ofClient;
+    private static Mosquitto broker;
+
+    @TempDir
+    private Path home;
+
+    static boolean isInstalled() {
+        return Mosquitto.installed().isPresent();
+    }
+
+    @BeforeAll
+    static void start() throws Exception {
+        ofBroker = Files.createDirectory(folder.resolve("broker"));
+        ofClient = Files.createDirectory(folder.resolve("client"));
+        ListenKey.create(ofBroker);
+        ListenKey.create(ofClient);
+        broker = Mosquitto.start(
+                folder,
+                Mosquitto.freePort(),
+                "allow_anonymous true",
+                "certfile " + ofBroker.resolve(ListenKey.CERTIFICATE),
+                "keyfile " + PemKey.write(ofBroker),
+                "cafile " + ofClient.resolve(ListenKey.CERTIFICATE),
+                "require_certificate true");
+    }
+
+    @AfterAll
+    static void stop() {
+        if (broker != null) {
+            broker.close();
+        }
+    }
+
+    private BrokerConnection open(String keyStore, String password) throws IOException {
+        BotEnvironment environment = FolderSettings.withCredentials(
+                        home,
+                        "broker.localhost.ca=" + ofBroker.resolve(ListenKey.CERTIFICATE),
+                        keyStore,
+                        PASSWORD + password)
+                .environment();
+        return BrokerConnections.open(
+                BrokerAddress.parse("mqtts://localhost:" + broker.port() + "/test"),
+                ConnectOptions.of("client", environment));
+    }
+
+    private ConnectFailed refusal(String keyStore) throws IOException {
+        try (BrokerConnection connection = open(keyStore, ListenKey.PASSWORD)) {
+            return catchThrowableOfType(ConnectFailed.class, connection::connect);
+        }
+    }
+
+    @Test
+    void aClientWithATrustedCertificateIsAccepted() throws IOException {
+        try (BrokerConnection connection = open(KEY_STORE + ofClient.resolve(ListenKey.FILE), ListenKey.PASSWORD)) {
+            connection.connect();
+
+            assertThat(connection.isConnected()).isTrue();
+        }
+    }
+
+    @Test
+    void withoutACertificateTheMessageNamesTheEntryThatIsMissing() throws IOException {
+        ConnectFailed refusal = refusal("");
+
+        assertThat(refusal.reason()).isEqualTo(Reason.OTHER);
+        assertThat(refusal)
+                .hasMessageContaining("requires a client certificate")
+                .hasMessageContaining("broker.localhost.key-store=FILE.p12")
+                .hasMessageNotContaining("broker.localhost.ca");
+    }
+
+    @Test
+    void anotherCertificateIsRefusedWithTheSameAdvice() throws IOException {
+        assertThat(refusal(KEY_STORE + ofBroker.resolve(ListenKey.FILE)))
+                .hasMessageContaining("requires a client certificate that it trusts");
+    }
+
+    @Test
+    void aKeyStoreThatCannotBeReadIsNamedWithTheReason() throws IOException {
+        Path missing = home.resolve("missing.p12");
+        try (BrokerConnection connection = open(KEY_STORE + missing, ListenKey.PASSWORD)) {
+            assertThatThrownBy(connection::connect)
+                    .isInstanceOf(BotException.class)
+                    .hasMessage(missing + ", named in brokers.properties, cannot be read as a key store (PKCS 12) with"
+                            + " this password: there is no such folder or file");
+        }
+        try (BrokerConnection connection = open(KEY_STORE + ofClient.resolve(ListenKey.FILE), "guessed")) {
+            assertThatThrownBy(connection::connect)
+                    .isInstanceOf(BotException.class)
+                    .hasMessageContaining(ListenKey.FILE)
+                    .hasMessageContaining("password")
+                    .hasMessageNotContaining("guessed");
+        }
+    }
+}
