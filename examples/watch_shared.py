@@ -1,51 +1,49 @@
-"""Shows what a robot does that MAJIC shares over a broker, and moves it: watch_shared.py BROKER SITE DESK ROBOT [MM]"""
+"""Prints the states of a robot that MAJIC shares, and moves it: watch_shared.py BROKER SITE DESK ROBOT [MM]"""
 import json
 import sys
 import time
 import uuid
 
-import paho.mqtt.client as mqtt
-from paho.mqtt.packettypes import PacketTypes
-from paho.mqtt.properties import Properties
+from paho.mqtt.client import CallbackAPIVersion, Client, MQTTv5
+from paho.mqtt.properties import PacketTypes, Properties
 
-broker, site, desk, number = sys.argv[1:5]
+broker, site, desk, number, *mm = sys.argv[1:]
 robot = f"{site}/majic/1/desks/{desk}/robots/{number}"
-me = {"session": uuid.uuid4().hex, "desk": "python", "person": "Pia"}
-replies = f"{site}/majic/1/replies/{me['session']}"
-last = {"outcome": "accepted"}
-clock = None  # the robot's clock less ours, ms
+sender = {"session": uuid.uuid4().hex, "desk": "python", "person": "Pia"}
+replies = f"{site}/majic/1/replies/{sender['session']}"
+clock = None  # the desk's clock minus this computer's, ms
 
 
 def received(client, data, message):
-    global clock, last
+    global clock
     content = json.loads(message.payload)
     if message.topic == replies:
-        last = content
         print("answer:", content)
+        if content["outcome"] != "accepted":
+            client.disconnect()
     elif not message.retain:
         clock = content["clock"] - time.monotonic() * 1000
         print(content["pose"], content["connection"], content["values"].get("voltage"))
 
 
-def valid(ms):
-    return int(clock + time.monotonic() * 1000 + ms)
+def send(topic, qos, valid_ms, properties=None, **content):
+    valid_until = int(clock + time.monotonic() * 1000 + valid_ms)
+    message = json.dumps({**sender, "validUntil": valid_until, **content})
+    client.publish(f"{robot}/{topic}", message, qos, properties=properties)
 
 
-client = mqtt.Client(mqtt.CallbackAPIVersion.VERSION2, protocol=mqtt.MQTTv5)
+client = Client(CallbackAPIVersion.VERSION2, protocol=MQTTv5)
 client.on_message = received
-host, _, port = broker.partition(":")
-client.connect(host, int(port or 1883))
+client.connect(broker)
 client.subscribe([(f"{robot}/state", 0), (replies, 1)])
 client.loop_start()
 while clock is None:
     time.sleep(0.1)
-if len(sys.argv) > 5:
+if mm:
     request = Properties(PacketTypes.PUBLISH)
     request.ResponseTopic, request.CorrelationData, request.MessageExpiryInterval = replies, b"1", 2
-    move = {**me, "number": 1, "validUntil": valid(1000), "do": "move", "mm": float(sys.argv[5])}
-    client.publish(f"{robot}/request", json.dumps(move), 1, properties=request)
-while len(sys.argv) <= 5 or last["outcome"] == "accepted":
-    if len(sys.argv) > 5:  # without this heartbeat the robot is halted
-        client.publish(f"{robot}/hold", json.dumps({**me, "validUntil": valid(700)}))
+    send("request", 1, 1000, request, number=1, do="move", mm=float(mm[0]))
+while client.is_connected():
+    if mm:
+        send("hold", 0, 700)  # without this heartbeat the robot is halted after 1 s
     time.sleep(0.25)
-client.disconnect()
