@@ -14,6 +14,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.zip.ZipFile;
 import jdk.security.jarsigner.JarSigner;
+import majic.KeyTool;
 import majic.act.file.ActFile;
 import majic.act.file.ActManifest;
 import majic.act.file.BoundedZip;
@@ -44,27 +45,7 @@ class ActSigningTest {
     }
 
     private static KeyStore.PrivateKeyEntry key() throws IOException, InterruptedException, GeneralSecurityException {
-        Path store = folder.resolve("keys");
-        String password = new String(PASSWORD);
-        Process keytool = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "keytool")
-                                .toString(),
-                        "-genkeypair",
-                        "-keyalg",
-                        "EC",
-                        "-alias",
-                        "ada",
-                        "-dname",
-                        "CN=Ada Lovelace",
-                        "-keystore",
-                        store.toString(),
-                        "-storepass",
-                        password)
-                .redirectErrorStream(true)
-                .redirectOutput(folder.resolve("keytool.log").toFile())
-                .start();
-        assertThat(keytool.waitFor()).isZero();
-        KeyStore keys = KeyStore.getInstance(store.toFile(), PASSWORD);
+        KeyStore keys = KeyTool.make(folder.resolve("keys"), new String(PASSWORD), "ada", "CN=Ada Lovelace");
         return (KeyStore.PrivateKeyEntry) keys.getEntry("ada", new KeyStore.PasswordProtection(PASSWORD));
     }
 

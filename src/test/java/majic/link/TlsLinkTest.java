@@ -16,6 +16,7 @@ import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.TrustManagerFactory;
+import majic.KeyTool;
 import majic.bot.ConnectFailed;
 import majic.ros.MajicRos;
 import org.junit.jupiter.api.AfterEach;
@@ -52,28 +53,8 @@ class TlsLinkTest {
 
     @BeforeAll
     static void makeAKey() throws Exception {
-        Path store = folder.resolve("keys.p12");
-        Process keytool = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "keytool")
-                                .toString(),
-                        "-genkeypair",
-                        "-keyalg",
-                        "EC",
-                        "-alias",
-                        "robot",
-                        "-dname",
-                        "CN=robot",
-                        "-ext",
-                        "san=ip:127.0.0.1",
-                        "-keystore",
-                        store.toString(),
-                        "-storepass",
-                        new String(PASSWORD))
-                .redirectErrorStream(true)
-                .redirectOutput(folder.resolve("keytool.log").toFile())
-                .start();
-        assertThat(keytool.waitFor()).isZero();
-        keys = KeyStore.getInstance(store.toFile(), PASSWORD);
+        keys = KeyTool.make(
+                folder.resolve("keys.p12"), new String(PASSWORD), "robot", "CN=robot", "-ext", "san=ip:127.0.0.1");
     }
 
     private static SSLContext context() throws GeneralSecurityException, IOException {

@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import majic.KeyTool;
 import majic.text.OneSentence;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -29,30 +30,8 @@ class ListenKeyTest {
     /** Makes a key with the file and the password of MAJIC's. */
     private ListenKey key(String start, int days) throws Exception {
         Path file = folder.resolve(ListenKey.FILE);
-        String keytool =
-                Path.of(System.getProperty("java.home"), "bin", "keytool").toString();
-        Process made = new ProcessBuilder(List.of(
-                        keytool,
-                        "-genkeypair",
-                        "-alias",
-                        "majic",
-                        "-dname",
-                        "CN=MAJIC",
-                        "-keyalg",
-                        "EC",
-                        "-startdate",
-                        start,
-                        "-validity",
-                        String.valueOf(days),
-                        "-storetype",
-                        "PKCS12",
-                        "-storepass",
-                        "majic-listen",
-                        "-keystore",
-                        file.toString()))
-                .inheritIO()
-                .start();
-        assertThat(made.waitFor()).isZero();
+        KeyTool.make(
+                file, ListenKey.PASSWORD, "majic", "CN=MAJIC", "-startdate", start, "-validity", String.valueOf(days));
         return ListenKey.unchecked(file);
     }
 

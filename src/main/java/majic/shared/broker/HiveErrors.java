@@ -7,6 +7,7 @@ import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAck;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.TimeoutException;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLHandshakeException;
@@ -17,7 +18,7 @@ import majic.bot.ConnectFailed.Reason;
 final class HiveErrors {
     /** Alerts of a broker that requires a certificate of its clients, or another one. */
     private static final Pattern REFUSED_CERTIFICATE =
-            Pattern.compile("Received fatal alert: .*(certificate|unknown_ca).*");
+            Pattern.compile("Received fatal alert: (\\w*certificate\\w*|unknown_ca)");
 
     private HiveErrors() {}
 
@@ -96,11 +97,12 @@ final class HiveErrors {
     }
 
     private static ConnectFailed tls(BrokerAddress address, Throwable failure) {
-        if (REFUSED_CERTIFICATE.matcher(innermost(failure)).matches()) {
+        Matcher alert = REFUSED_CERTIFICATE.matcher(innermost(failure));
+        if (alert.matches()) {
             return new ConnectFailed(
                     Reason.OTHER,
-                    address + ": the broker requires a client certificate that it trusts (" + innermost(failure)
-                            + "); the file with the certificate and its key is named in the file brokers.properties, as"
+                    address + ": " + refusedCertificate(alert.group(1))
+                            + "; the file with the certificate and its key is named in the file brokers.properties, as"
                             + " broker." + address.host() + ".key-store=FILE.p12",
                     failure);
         }
@@ -117,6 +119,16 @@ final class HiveErrors {
                 address + ": the port speaks no TLS; is the port right, or is the address mqtt://" + address.host()
                         + ":" + address.port() + "/" + address.site() + "?",
                 failure);
+    }
+
+    private static String refusedCertificate(String alert) {
+        return switch (alert) {
+            case "certificate_required" ->
+                "the broker requires a client certificate that it trusts, and none was found";
+            case "certificate_expired" -> "the client certificate has expired or is not valid yet; make a new one";
+            case "certificate_revoked" -> "the client certificate has been revoked; ask for a new one";
+            default -> "the broker requires a client certificate that it trusts (" + alert + ")";
+        };
     }
 
     /** Says how a connection was lost, as half a sentence. */

@@ -7,6 +7,11 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.security.KeyStore;
+import java.security.cert.Certificate;
+import java.security.cert.CertificateEncodingException;
+import java.util.Base64;
+import majic.KeyTool;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
@@ -29,6 +34,7 @@ class ClientCertificateTest {
 
     private static Path ofBroker;
     private static Path ofClient;
+    private static Path expired;
     private static Mosquitto broker;
 
     @TempDir
@@ -44,14 +50,24 @@ class ClientCertificateTest {
         ofClient = Files.createDirectory(folder.resolve("client"));
         ListenKey.create(ofBroker);
         ListenKey.create(ofClient);
+        expired = folder.resolve("expired.p12");
+        KeyStore old =
+                KeyTool.make(expired, ListenKey.PASSWORD, "old", "CN=old", "-startdate", "-20d", "-validity", "10");
         broker = Mosquitto.start(
                 folder,
                 Mosquitto.freePort(),
                 "allow_anonymous true",
                 "certfile " + ofBroker.resolve(ListenKey.CERTIFICATE),
                 "keyfile " + PemKey.write(ofBroker),
-                "cafile " + ofClient.resolve(ListenKey.CERTIFICATE),
+                "cafile " + trusted(old.getCertificate("old")),
                 "require_certificate true");
+    }
+
+    private static Path trusted(Certificate old) throws IOException, CertificateEncodingException {
+        String pem = "-----BEGIN CERTIFICATE-----\n" + Base64.getMimeEncoder().encodeToString(old.getEncoded())
+                + "\n-----END CERTIFICATE-----\n";
+        return Files.writeString(
+                folder.resolve("trusted.pem"), Files.readString(ofClient.resolve(ListenKey.CERTIFICATE)) + pem);
     }
 
     @AfterAll
@@ -94,15 +110,22 @@ class ClientCertificateTest {
 
         assertThat(refusal.reason()).isEqualTo(Reason.OTHER);
         assertThat(refusal)
-                .hasMessageContaining("requires a client certificate")
+                .hasMessageContaining("requires a client certificate that it trusts, and none was found")
                 .hasMessageContaining("broker.localhost.key-store=FILE.p12")
                 .hasMessageNotContaining("broker.localhost.ca");
     }
 
     @Test
-    void anotherCertificateIsRefusedWithTheSameAdvice() throws IOException {
+    void anotherCertificateIsRefusedAsNotTrusted() throws IOException {
         assertThat(refusal(KEY_STORE + ofBroker.resolve(ListenKey.FILE)))
                 .hasMessageContaining("requires a client certificate that it trusts");
+    }
+
+    @Test
+    void anExpiredCertificateIsRefusedWithThisReason() throws IOException {
+        assertThat(refusal(KEY_STORE + expired))
+                .hasMessageContaining("the client certificate has expired")
+                .hasMessageContaining("broker.localhost.key-store=FILE.p12");
     }
 
     @Test
