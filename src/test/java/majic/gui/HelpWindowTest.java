@@ -42,8 +42,7 @@ class HelpWindowTest {
     @Test
     void f1InADialogShowsTheSectionOfTheGuideAboutIt() {
         window.run(window.frame::addBot);
-        window.awaitDialog("Add Bot");
-        window.await("the focus", () -> window.hasKeys("Add Bot dialog"));
+        window.awaitDialogWithKeys("Add Bot");
         window.press(KeyEvent.VK_F1);
         window.awaitDialog("Help");
         JEditorPane guide = window.awaitShowing("guide user-guide", JEditorPane.class);

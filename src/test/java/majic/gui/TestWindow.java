@@ -6,7 +6,6 @@ import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
-import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
@@ -232,10 +231,21 @@ public final class TestWindow implements AutoCloseable {
         return team.isLatched();
     }
 
-    /** Returns whether a window has the keyboard focus. */
-    boolean hasKeys(String name) {
-        Window focused = KeyboardFocusManager.getCurrentKeyboardFocusManager().getFocusedWindow();
-        return focused != null && name.equals(focused.getName());
+    /**
+     * Waits until a dialog is shown and has the keyboard focus. Requests the focus, as a click on the dialog does: a window
+     * manager can leave it to another window when a previous dialog has just closed.
+     */
+    void awaitDialogWithKeys(String title) {
+        Dialog dialog = awaitDialog(title);
+        await("the keys of " + title, () -> {
+            if (!dialog.isFocused()) {
+                run(() -> {
+                    dialog.toFront();
+                    dialog.requestFocus();
+                });
+            }
+            return dialog.isFocused();
+        });
     }
 
     public String text(String name) {

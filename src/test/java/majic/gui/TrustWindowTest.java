@@ -49,8 +49,7 @@ class TrustWindowTest {
     @Test
     void enterDoesNotRunIt() {
         load();
-        window.awaitDialog("Trust this code?");
-        window.await("the question to have the keys", () -> window.hasKeys("Trust this code? dialog"));
+        window.awaitDialogWithKeys("Trust this code?");
         window.press(KeyEvent.VK_ENTER);
         window.await("the question to go", () -> !window.isShowing("Trust this code? dialog"));
         assertThat(System.getProperty(OwnActs.FLAG)).isNull();
