@@ -39,6 +39,16 @@ class ShareWindowTest {
     }
 
     @Test
+    void aMissingBrokerIsAskedFor() {
+        share(" ");
+
+        window.await("the request", () -> window.text("shareState").startsWith("Fill in the broker"));
+        assertThat(window.find("shareBroker", JTextField.class).isFocusOwner()).isTrue();
+        assertThat(window.sharing.now()).isEmpty();
+        assertThat(window.isEnabled("shareBegin")).isTrue();
+    }
+
+    @Test
     void aBrokerThatRefusesTheUserIsTriedAgainWithAnother() {
         share("mqtt://strict/lab");
         window.await(

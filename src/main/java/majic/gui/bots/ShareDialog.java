@@ -96,6 +96,11 @@ public final class ShareDialog extends MajicDialog {
                 broker.getText().strip(),
                 desk.getText().strip(),
                 person.getText().strip());
+        if (place.broker().isEmpty()) {
+            state.show(TEXTS.get("share.missing"), true);
+            broker.requestFocusInWindow();
+            return;
+        }
         String name = user.getText().strip();
         char[] secret = password.getPassword();
         run(TEXTS.get("share.connecting", place.broker()), () -> {
