@@ -105,6 +105,8 @@ class SharedRobotInLabTest {
         List<String> refused = carl.run("1 move 300", "1 get holder");
 
         assertThat(refused).anySatisfy(line -> assertThat(line).contains("Anna at desk1"));
+        assertThat(carl.bot.remoteHolder()).contains("Anna at desk1");
+        assertThat(anna.bot.remoteHolder()).isEmpty();
         assertThat(desks.desk2.run("1 move 300"))
                 .anySatisfy(line -> assertThat(line).contains("Anna at desk1"));
         anna.run("1 move 200", "1 free");

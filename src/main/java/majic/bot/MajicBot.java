@@ -185,6 +185,15 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public abstract boolean isConnected();
 
     /**
+     * Returns who alone may move this robot at present, if that is a user of another program.
+     *
+     * @return the user, such as {@code Anna at desk1}; empty if no other program holds the robot, as far as it is known
+     */
+    public Optional<String> remoteHolder() {
+        return Optional.empty();
+    }
+
+    /**
      * Returns the last state the robot reported.
      *
      * @return the newest state; {@link BotState#UNKNOWN} before the first report

@@ -403,6 +403,12 @@ public final class MajicShared extends BotDriver {
     }
 
     @Override
+    public Optional<String> remoteHolder() {
+        RobotState.Holder holder = holder();
+        return holder == null || !isConnected() || isHeldHere() ? Optional.empty() : Optional.of(named(holder));
+    }
+
+    @Override
     public JComponent display() {
         return SharedPanel.create(this, this::scene, this::requestPicture);
     }

@@ -85,4 +85,12 @@ class ShareWindowTest {
         window.await("the end", () -> window.text("shareState").contains("not shared any more"));
         assertThat(window.sharing.now()).isEmpty();
     }
+
+    @Test
+    void cardAndStatusLineShowTheRemoteHolder() {
+        window.add("a").holdBy("Carl at desk3");
+
+        window.await("the card", () -> window.text("cardActivity1").equals("held by Carl at desk3"));
+        window.await("the status line", () -> window.text("condition1").endsWith(", held by Carl at desk3"));
+    }
 }

@@ -1,6 +1,7 @@
 package majic.gui;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -10,6 +11,7 @@ import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
+import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Unit;
@@ -23,6 +25,7 @@ import org.jspecify.annotations.Nullable;
 public final class ToyBot extends BotDriver {
     static final double CRUISE = 200;
     static final double CRUISE_TURN = 40;
+    private static final double FULL_CHARGE = 100;
 
     private static final BotProfile PROFILE =
             new BotProfile(150, new Range(-400, 400), new Range(-90, 90), CRUISE, CRUISE_TURN, 300, false);
@@ -33,10 +36,26 @@ public final class ToyBot extends BotDriver {
     private volatile CountDownLatch jam = new CountDownLatch(0);
     private volatile boolean deaf;
     private volatile boolean refuses;
+    private volatile @Nullable String holder;
 
     ToyBot(ToyType type, String address, BotEnvironment environment) {
         super(type, PROFILE, environment);
         this.address = address;
+        if (address.contains("charged")) {
+            table().add(
+                    Parameter.number("battery", Unit.PERCENT, "its charge"), () -> Value.of(FULL_CHARGE, Unit.PERCENT));
+        }
+    }
+
+    /** Reports that a user of another program holds it from now on. */
+    void holdBy(String user) {
+        holder = user;
+        at(Pose.START, false);
+    }
+
+    @Override
+    public Optional<String> remoteHolder() {
+        return Optional.ofNullable(holder);
     }
 
     @Override

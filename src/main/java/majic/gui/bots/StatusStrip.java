@@ -102,7 +102,7 @@ final class StatusStrip extends JPanel {
         title.setText(title(member));
         act.update();
         countdown.update();
-        String owner = act.isVisible() ? "" : BotStatus.owner(member);
+        String owner = act.isVisible() ? "" : BotStatus.user(member);
         showStop();
         condition.setIcon(StateIcon.of(member.bot()));
         condition.setText(BotStatus.condition(member) + (owner.isEmpty() ? "" : ", " + owner));

@@ -36,6 +36,14 @@ public final class BotStatus {
         };
     }
 
+    /** Names the robot's exclusive owner, or the user of another program that holds it; empty if there is neither. */
+    public static String user(Member member) {
+        String owner = owner(member);
+        return owner.isEmpty()
+                ? member.bot().remoteHolder().map(holder -> TEXTS.get("held", holder)).orElse("")
+                : owner;
+    }
+
     /** Returns whether an act owns the robot. */
     public static boolean isInAct(Member member) {
         Owner owner = member.owner();
