@@ -47,6 +47,23 @@ class RenameWindowTest {
     }
 
     @Test
+    void aCardShowsALongNameAndAProblemThoughTheBatteryIsFull() {
+        window.run(() -> window.frame.setSize(1280, 800));
+        window.add("charged");
+        window.team.rename(window.team.member(3), "PioneerAtDesk2");
+        window.await("the name", () -> window.text("cardName3").equals("PioneerAtDesk2 (Toy)"));
+        window.await("the charge", () -> window.isShowing("cardBattery3"));
+        window.await("the problem", () -> window.text("cardLine3").startsWith("no report for"));
+
+        window.await("the whole name and problem", () -> isWhole("cardName3") && isWhole("cardLine3"));
+    }
+
+    private boolean isWhole(String label) {
+        JLabel shown = window.find(label, JLabel.class);
+        return shown.getWidth() >= shown.getPreferredSize().width;
+    }
+
+    @Test
     void theMenuOfACardOpensTheDialogAndAnEmptyNameRemovesTheName() {
         window.team.rename(window.team.member(2), "Max");
         window.menuOf("card2");

@@ -43,7 +43,8 @@ public final class ToyBot extends BotDriver {
         this.address = address;
         if (address.contains("charged")) {
             table().add(
-                    Parameter.number("battery", Unit.PERCENT, "its charge"), () -> Value.of(FULL_CHARGE, Unit.PERCENT));
+                            Parameter.number("battery", Unit.PERCENT, "its charge"),
+                            () -> Value.of(FULL_CHARGE, Unit.PERCENT));
         }
     }
 

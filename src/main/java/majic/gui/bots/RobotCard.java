@@ -76,6 +76,7 @@ final class RobotCard extends JPanel implements PlotHost {
         name.putClientProperty("FlatLaf.style", "font: bold");
         line = new PlainLabel("cardLine" + number, "");
         activity = new PlainLabel("cardActivity" + number, "");
+        battery.setName("cardBattery" + number);
         stop = button("cardStop" + number, TEXTS.get("card.stop"), ActionIcon.STOP, TEXTS.get("card.stop.tip", number));
         stop.addActionListener(event -> actions.stop(member));
         reconnect = button(
@@ -159,14 +160,16 @@ final class RobotCard extends JPanel implements PlotHost {
             case FULL -> {
                 arrange("insets 4 8 4 6", "[grow][grow][grow]");
                 add(badge, "spany 3, aligny center");
-                addHead();
-                add(line, "newline, spanx 3, wmin 0, growx, gapleft 8");
+                add(name, "spanx 3, wmin 0, gapleft 8");
+                add(line, "newline, wmin 0, gapleft 8");
+                addMeters();
                 add(activity, "newline, spanx 3, split 3, wmin 0, growx, pushx, gapleft 8");
             }
             case MEDIUM -> {
                 arrange("insets 3 8 3 6", "[grow][grow]");
                 add(badge, "spany 2, aligny center");
-                addHead();
+                add(name, "wmin 0, gapleft 8");
+                addMeters();
                 add(line, "newline, spanx 3, split 3, wmin 0, growx, pushx, gapleft 8");
             }
             case COMPACT, NARROW -> {
@@ -195,8 +198,7 @@ final class RobotCard extends JPanel implements PlotHost {
         setLayout(new MigLayout(insets + ", gap 0, hidemode 3, novisualpadding", "[][grow, fill][][][][]", rows));
     }
 
-    private void addHead() {
-        add(name, "wmin 0, gapleft 8");
+    private void addMeters() {
         add(connection, "gapleft 6");
         add(battery, "gapleft 6");
     }
@@ -223,7 +225,8 @@ final class RobotCard extends JPanel implements PlotHost {
         connection.setIcon(new LinkIcon(now.bars()));
         connection.setVisible(!now.isLost() && (size != CardSize.NARROW || now.bars() < LinkMeter.MOST_BARS));
         battery.setIcon(new BatteryIcon(now.battery().percent(), false));
-        battery.setText(isOneLine(size) ? "" : now.battery().text());
+        battery.setText(
+                isOneLine(size) || !now.problem().isEmpty() ? "" : now.battery().text());
         battery.setVisible(showsBattery(now));
         reconnect.setVisible(now.isLost());
         describe();

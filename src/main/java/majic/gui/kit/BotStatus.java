@@ -40,7 +40,10 @@ public final class BotStatus {
     public static String user(Member member) {
         String owner = owner(member);
         return owner.isEmpty()
-                ? member.bot().remoteHolder().map(holder -> TEXTS.get("held", holder)).orElse("")
+                ? member.bot()
+                        .remoteHolder()
+                        .map(holder -> TEXTS.get("held", holder))
+                        .orElse("")
                 : owner;
     }
 
