@@ -17,6 +17,7 @@ import majic.script.syntax.ScriptException;
 import majic.script.syntax.ScriptParser;
 import majic.script.syntax.SessionCommand;
 import majic.script.syntax.Statement;
+import majic.script.syntax.Token;
 import majic.team.Member;
 
 /**
@@ -26,10 +27,12 @@ import majic.team.Member;
 public final class ScriptActProgram {
     private final List<Statement> statements;
     private final ScriptActInspection found;
+    private final List<ActArgument> arguments;
 
-    private ScriptActProgram(List<Statement> statements, ScriptActInspection found) {
+    private ScriptActProgram(List<Statement> statements, ScriptActInspection found, List<ActArgument> arguments) {
         this.statements = statements;
         this.found = found;
+        this.arguments = List.copyOf(arguments);
     }
 
     /**
@@ -50,9 +53,25 @@ public final class ScriptActProgram {
         if (mistakes.isEmpty() && found.numbers().isEmpty() && !found.hasMe()) {
             mistakes.add(new Mistake(1, 1, "no robot is told anything; write \"me\" or a number in front"));
         }
+        List<ActArgument> arguments = arguments(script, mistakes);
         refuse(title, mistakes);
         return new ScriptActProgram(
-                script.stream().filter(statement -> !isForSession(statement)).toList(), found);
+                script.stream().filter(statement -> !isForSession(statement)).toList(), found, arguments);
+    }
+
+    private static List<ActArgument> arguments(List<Statement> script, List<Mistake> mistakes) {
+        List<ActArgument> arguments = new ArrayList<>();
+        for (Statement statement : script) {
+            if (statement instanceof Statement.Argument argument) {
+                try {
+                    arguments.add(new ActArgument(argument.parameter(), argument.initial()));
+                } catch (IllegalArgumentException e) {
+                    Token at = argument.at();
+                    mistakes.add(new Mistake(at.line(), at.column(), String.valueOf(e.getMessage())));
+                }
+            }
+        }
+        return arguments;
     }
 
     /**
@@ -93,11 +112,7 @@ public final class ScriptActProgram {
 
     /** Returns the arguments it begins with, with their defaults. */
     public List<ActArgument> arguments() {
-        return statements.stream()
-                .filter(Statement.Argument.class::isInstance)
-                .map(Statement.Argument.class::cast)
-                .map(argument -> new ActArgument(argument.parameter(), argument.initial()))
-                .toList();
+        return arguments;
     }
 
     /** Without {@code me} in the script, it runs on the robot named first. */

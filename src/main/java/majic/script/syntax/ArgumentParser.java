@@ -32,7 +32,7 @@ final class ArgumentParser {
      */
     Statement.Argument argument() {
         Token first = at.advance();
-        Token name = at.consume(Kind.WORD, "an argument's name");
+        Token name = name();
         at.equalsSign("= and the default");
         String key = name.text().toLowerCase(Locale.ROOT);
         if (at.isDefined(key)) {
@@ -48,6 +48,16 @@ final class ArgumentParser {
         at.endOfLine();
         at.define(key, given.getOrDefault(key, argument.initial()));
         return argument;
+    }
+
+    /** A variable has no slash in it, unlike other words. */
+    private Token name() {
+        Token name = at.consume(Kind.WORD, "an argument's name");
+        if (name.text().contains("/")) {
+            throw new ScriptException(
+                    name, name.text() + ": the name of an argument is a letter, then letters, digits and _");
+        }
+        return name;
     }
 
     private Literal initial() {

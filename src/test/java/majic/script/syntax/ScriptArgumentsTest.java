@@ -87,6 +87,7 @@ class ScriptArgumentsTest {
                 "$times move 5 | 8:1: $times: an argument stands for a value, and a robot",
                 "me get $side | 8:8: $side: an argument stands for a value, and a parameter is expected here",
                 "argument times = 4 | 8:10: times: there is an argument of that name already",
+                "argument se/d = 3 | 8:10: se/d: the name of an argument is a letter, then letters, digits and _",
                 "argument x | 8:11: behind \"x\" = and the default is missing",
                 "argument = 3 | 8:10: =: an argument's name is expected here",
                 "argument x = | 8:13: behind \"=\" the default",
