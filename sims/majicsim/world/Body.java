@@ -14,9 +14,6 @@ public final class Body {
     /** Painted metal and plastic: a little darker than white paper. */
     static final double REFLECTIVITY = 0.8;
 
-    /** More than a distance is rounded by. */
-    private static final double SLACK_MM = 1;
-
     private static final int DISC_DRAWN_WITH_CORNERS = 24;
 
     private final String name;
@@ -216,7 +213,7 @@ public final class Body {
     boolean mayReach(double xMm, double yMm, double withinMm) {
         double dx = pose.xMm() - xMm;
         double dy = pose.yMm() - yMm;
-        double farthest = withinMm + reachMm + SLACK_MM;
+        double farthest = withinMm + reachMm + Bounds.SLACK_MM;
         return dx * dx + dy * dy <= farthest * farthest;
     }
 

@@ -11,6 +11,8 @@ import java.util.List;
  * @param maxY upper edge, mm
  */
 public record Bounds(double minX, double minY, double maxX, double maxY) {
+    /** More than a distance is rounded by: bounds of what may be hit are so much larger. */
+    static final double SLACK_MM = 1;
 
     static Bounds around(List<Segment> walls) {
         double minX = Double.POSITIVE_INFINITY;

@@ -2,9 +2,6 @@ package majicsim.world;
 
 /** The part of the floor that a sensor looks at. Immutable. */
 public final class Cone {
-    /** More than a distance is rounded by. */
-    private static final double SLACK_MM = 1;
-
     private final Pose axis;
     private final double lengthMm;
     private final double sideMm;
@@ -50,15 +47,15 @@ public final class Cone {
         double rightX = x + sideMm * right.x;
         double rightY = y + sideMm * right.y;
         return new Bounds(
-                Math.min(x, Math.min(leftX, rightX)) - SLACK_MM,
-                Math.min(y, Math.min(leftY, rightY)) - SLACK_MM,
-                Math.max(x, Math.max(leftX, rightX)) + SLACK_MM,
-                Math.max(y, Math.max(leftY, rightY)) + SLACK_MM);
+                Math.min(x, Math.min(leftX, rightX)) - Bounds.SLACK_MM,
+                Math.min(y, Math.min(leftY, rightY)) - Bounds.SLACK_MM,
+                Math.max(x, Math.max(leftX, rightX)) + Bounds.SLACK_MM,
+                Math.max(y, Math.max(leftY, rightY)) + Bounds.SLACK_MM);
     }
 
     /** Whether a ray in the cone may meet the body, however long it is; sometimes true although none does. */
     boolean mayMeet(Body body) {
-        double farthest = body.reachMm() + SLACK_MM;
+        double farthest = body.reachMm() + Bounds.SLACK_MM;
         Pose place = body.pose();
         return beyondLeftMm(place.xMm(), place.yMm()) <= farthest
                 && beyondRightMm(place.xMm(), place.yMm()) <= farthest;
@@ -66,9 +63,10 @@ public final class Cone {
 
     /** Whether a ray in the cone may meet the wall; as for a body. */
     boolean mayMeet(Segment wall) {
-        boolean isLeft = beyondLeftMm(wall.x1(), wall.y1()) > SLACK_MM && beyondLeftMm(wall.x2(), wall.y2()) > SLACK_MM;
-        boolean isRight =
-                beyondRightMm(wall.x1(), wall.y1()) > SLACK_MM && beyondRightMm(wall.x2(), wall.y2()) > SLACK_MM;
+        boolean isLeft = beyondLeftMm(wall.x1(), wall.y1()) > Bounds.SLACK_MM
+                && beyondLeftMm(wall.x2(), wall.y2()) > Bounds.SLACK_MM;
+        boolean isRight = beyondRightMm(wall.x1(), wall.y1()) > Bounds.SLACK_MM
+                && beyondRightMm(wall.x2(), wall.y2()) > Bounds.SLACK_MM;
         return !isLeft && !isRight;
     }
 
