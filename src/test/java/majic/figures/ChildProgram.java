@@ -66,14 +66,23 @@ final class ChildProgram {
         }
     }
 
-    /** Returns what a task prints. */
+    /**
+     * Returns what a task prints.
+     *
+     * @throws IOException if it fails; its own error is in the error output
+     */
     List<String> lines(String task, String... arguments) throws IOException {
         return lines(measured(task, arguments));
     }
 
     private static List<String> lines(Process process) throws IOException {
         try (BufferedReader out = process.inputReader()) {
-            return out.lines().toList();
+            List<String> lines = out.lines().toList();
+            int code = process.onExit().join().exitValue();
+            if (code != 0) {
+                throw new IOException("a program that measures has ended with exit code " + code);
+            }
+            return lines;
         } finally {
             end(process);
         }

@@ -25,7 +25,7 @@ final class MeasuredWindow {
 
     /** Runs the task of the first argument; the others are MAJIC's. */
     public static void main(String[] arguments) {
-        Thread measuring = new Thread(() -> measure(arguments), "figures");
+        Thread measuring = new Thread(() -> Measurement.run(() -> measure(List.of(arguments))), "figures");
         measuring.start();
         if (arguments[0].equals("bare")) {
             SwingUtilities.invokeLater(MeasuredWindow::showBareFrame);
@@ -52,30 +52,23 @@ final class MeasuredWindow {
         frame.setVisible(true);
     }
 
-    private static void measure(String... arguments) {
-        try {
-            List<String> rest = List.of(arguments).subList(1, arguments.length);
-            if (!WITHOUT_WINDOW.contains(arguments[0])) {
-                awaitWindow();
-            }
-            List<String> result = switch (arguments[0]) {
-                case "bare", "majic" -> List.of(SHOWN);
-                case "idle" -> ThreadLoads.idle();
-                case "events" -> EventDelays.measure(frame());
-                case "large" -> EventDelays.measureLarge(frame(), Figures.LARGE_TEAM);
-                case "line" -> LineTimes.measure(frame());
-                case "flood" -> ClientFlood.measure();
-                case "stop" -> StopTimes.measure(rest);
-                case "memory" -> MemoryInUse.overAnHour(frame());
-                default -> List.of("no task " + arguments[0]);
-            };
-            result.forEach(System.out::println);
-            System.out.flush();
-            Runtime.getRuntime().halt(0);
-        } catch (Exception e) {
-            e.printStackTrace();
-            Runtime.getRuntime().halt(1);
+    private static List<String> measure(List<String> arguments) throws Exception {
+        String task = arguments.get(0);
+        List<String> rest = arguments.subList(1, arguments.size());
+        if (!WITHOUT_WINDOW.contains(task)) {
+            awaitWindow();
         }
+        return switch (task) {
+            case "bare", "majic" -> List.of(SHOWN);
+            case "idle" -> ThreadLoads.idle();
+            case "events" -> EventDelays.measure(frame());
+            case "large" -> EventDelays.measureLarge(frame(), Figures.LARGE_TEAM);
+            case "line" -> LineTimes.measure(frame());
+            case "flood" -> ClientFlood.measure();
+            case "stop" -> StopTimes.measure(rest);
+            case "memory" -> MemoryInUse.overAnHour(frame());
+            default -> throw new IllegalArgumentException("no task " + task);
+        };
     }
 
     private static JFrame frame() {

@@ -76,21 +76,16 @@ final class SharedLoad {
      *
      * @param arguments the broker's address, its process, the number of desks, the addresses of the robots
      */
-    public static void main(String[] arguments) throws Exception {
+    public static void main(String[] arguments) {
         BrokerAddress broker = BrokerAddress.parse(arguments[0]);
         long brokerPid = Long.parseLong(arguments[1]);
         int count = Integer.parseInt(arguments[2]);
         List<String> robots = new ArrayList<>(List.of(arguments).subList(3, arguments.length));
-        List<RecordedLine> lines = record(robots, count);
-        try {
+        Measurement.run(() -> {
+            List<RecordedLine> lines = record(robots, count);
             SharedLoad load = new SharedLoad(broker, SharedDesks.share(broker, count, robots), lines);
-            System.out.println(load.measure(count, robots.size(), brokerPid));
-        } catch (Throwable e) {
-            e.printStackTrace();
-        } finally {
-            System.out.flush();
-            Runtime.getRuntime().halt(0);
-        }
+            return List.of(load.measure(count, robots.size(), brokerPid));
+        });
     }
 
     /** Puts a recorder in front of the robots that will be used, and of one robot of each desk. */

@@ -280,7 +280,7 @@ final class StopTimes {
             try {
                 work.run();
             } catch (Exception e) {
-                e.printStackTrace();
+                throw new IllegalStateException(e);
             }
         });
         thread.setDaemon(true);

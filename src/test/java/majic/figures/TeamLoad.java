@@ -37,15 +37,15 @@ final class TeamLoad {
     }
 
     /** Connects to the robots of the addresses, prints one line of figures and ends. */
-    public static void main(String[] addresses) throws InterruptedException, ExecutionException {
-        TeamLoad load = new TeamLoad(addresses.length);
-        try {
-            System.out.println(load.measure(List.of(addresses)));
-        } finally {
-            load.team.close();
-            System.out.flush();
-            Runtime.getRuntime().halt(0);
-        }
+    public static void main(String[] addresses) {
+        Measurement.run(() -> {
+            TeamLoad load = new TeamLoad(addresses.length);
+            try {
+                return List.of(load.measure(List.of(addresses)));
+            } finally {
+                load.team.close();
+            }
+        });
     }
 
     /** Returns the figures in the order of the columns of {@link LoadTable}. */
