@@ -3,7 +3,6 @@ package majic.shared;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Map;
-import java.util.Set;
 import java.util.function.Supplier;
 import majic.bot.BotCommand;
 import majic.bot.Parameter;
@@ -13,14 +12,14 @@ import majic.driver.ParameterTable;
 import majic.shared.message.Description;
 import majic.shared.message.RequestReply;
 import majic.shared.message.RequestedAction;
+import majic.shared.message.RobotState;
 import majic.shared.message.ValueJson;
 import majic.time.WaitPolicy;
 
 /** The parameters and commands of a shared robot, made from its description. Thread-safe. */
 final class DescribedParameters {
-    /** What the driver reads from the state and the profile, in the frame in which this program has placed the robot. */
-    private static final Set<String> OF_STATE =
-            Set.of("x", "y", "heading", "pose", "speed", "turnRate", "moving", "age", "body");
+    /** The driver reads it from the profile. */
+    private static final String BODY = "body";
 
     private final RemoteMotions motions;
     private final Supplier<Map<String, JsonNode>> values;
@@ -39,10 +38,15 @@ final class DescribedParameters {
     /** Replaces the parameters of an earlier description. */
     void describe(ParameterTable table, Description description) {
         table.renew(fresh -> description.parameters().forEach(parameter -> {
-            if (!OF_STATE.contains(parameter.name())) {
+            if (!isOfDriver(parameter.name())) {
                 add(fresh, parameter);
             }
         }));
+    }
+
+    /** The values of the movement are read in the frame in which this program has placed the robot. */
+    private static boolean isOfDriver(String parameter) {
+        return RobotState.NOT_IN_VALUES.contains(parameter) || parameter.equals(BODY);
     }
 
     private void add(ParameterTable table, Parameter parameter) {

@@ -15,6 +15,7 @@ import majic.shared.message.RobotMessage;
 import majic.shared.message.RobotState;
 import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
+import majic.shared.message.StateChange;
 import majic.shared.message.UnusableMessageException;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -45,7 +46,7 @@ final class RobotFeed {
         /** The presence of the desk has arrived. */
         void presenceKnown();
 
-        /** A state arrived that was published after the subscription. */
+        /** A state, or a change of it, arrived that was published after the subscription. */
         void reported(Received received);
 
         /** A message for users arrived. */
@@ -56,7 +57,7 @@ final class RobotFeed {
     }
 
     /**
-     * A state, and when it arrived.
+     * A state with all changes since, and when the last of them arrived.
      *
      * @param state the state
      * @param nanos on the clock of the driver
@@ -84,6 +85,7 @@ final class RobotFeed {
         subscribe(topics.presence(address.desk()), Quality.AT_LEAST_ONCE, this::receivePresence);
         subscribe(topic(Part.DESCRIPTION), Quality.AT_LEAST_ONCE, this::receiveDescription);
         subscribe(topic(Part.STATE), Quality.AT_MOST_ONCE, this::receiveState);
+        subscribe(topic(Part.CHANGES), Quality.AT_MOST_ONCE, this::receiveChange);
         subscribe(topic(Part.MESSAGES), Quality.AT_LEAST_ONCE, this::receiveMessage);
     }
 
@@ -149,10 +151,25 @@ final class RobotFeed {
     /** A state that the broker has kept is older than it looks, so the clock of the desk cannot be taken from it. */
     private void receiveState(BrokerMessage message) {
         if (message.payload().length > 0 && !message.retained()) {
-            Received now = new Received(RobotState.parse(message.payload()), time.nanos());
-            state = now;
-            listener.reported(now);
+            receive(RobotState.parse(message.payload()));
         }
+    }
+
+    /** Without the state that it changes, a change means nothing; one that is overtaken by a state is out of date. */
+    private void receiveChange(BrokerMessage message) {
+        Received last = state;
+        StateChange change = StateChange.parse(message.payload());
+        if (last != null
+                && !message.retained()
+                && change.clock() >= last.state().clock()) {
+            receive(last.state().with(change));
+        }
+    }
+
+    private void receive(RobotState newest) {
+        Received now = new Received(newest, time.nanos());
+        state = now;
+        listener.reported(now);
     }
 
     private void receiveMessage(BrokerMessage message) {

@@ -8,19 +8,20 @@ import majic.shared.broker.Quality;
 import majic.shared.message.Description;
 import majic.shared.message.RobotState;
 import majic.shared.message.SiteTopics.Part;
+import majic.shared.message.StateChange;
 import majic.team.Member;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Publishes what one robot is and does: its state at once when a condition has changed, at most ten times a second while
- * what it reports changes, and at least once a second. Thread-safe.
+ * Publishes what one robot is and does: its state at once when a condition has changed and once a second, and in between, at
+ * most ten times a second, what has changed in its reports. Thread-safe.
  */
 final class RobotPublisher {
-    /** How often a robot that reports all the time is published, seconds. */
+    /** The time between two changes of a robot that reports all the time, seconds. */
     private static final double SHORTEST_S = 0.1;
 
-    /** How often a robot that reports nothing is published, seconds: as a sign of life. */
+    /** The time between two states, seconds: a sign of life, and it replaces changes that were lost. */
     private static final double LONGEST_S = 1;
 
     /** A state that was kept by the broker is not used for longer than this, seconds. */
@@ -34,7 +35,9 @@ final class RobotPublisher {
     private volatile boolean moving;
     private volatile long sampledNanos;
     private volatile long publishedNanos;
+    /** As it is for a program that has received all states and changes. */
     private @Nullable RobotState published;
+
     private long describedNanos;
     private @Nullable Description described;
     private boolean ended;
@@ -88,9 +91,20 @@ final class RobotPublisher {
     private synchronized void publishNews() {
         sampledNanos = desk.connection().time().nanos();
         reported = false;
+        RobotState before = published;
         RobotState present = present();
-        if (!present.differsOnlyInTime(published)) {
+        if (before == null || !present.hasConditionsOf(before)) {
             publish(present);
+        } else {
+            publish(StateChange.between(before, present), present);
+        }
+    }
+
+    private void publish(StateChange change, RobotState present) {
+        if (!change.isEmpty()
+                && !ended
+                && desk.publish(BrokerMessage.json(topic(Part.CHANGES), change.toJson(), Quality.AT_MOST_ONCE))) {
+            published = present;
         }
     }
 

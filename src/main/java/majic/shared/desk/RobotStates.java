@@ -91,7 +91,7 @@ final class RobotStates {
     private static Map<String, JsonNode> values(MajicBot bot) {
         Map<String, JsonNode> values = new LinkedHashMap<>();
         WaitPolicy.observing(() -> bot.parameters().stream()
-                .filter(Parameter::readable)
+                .filter(parameter -> parameter.readable() && !RobotState.NOT_IN_VALUES.contains(parameter.name()))
                 .forEach(parameter -> values.put(parameter.name(), ValueJson.of(read(bot, parameter)))));
         return values;
     }

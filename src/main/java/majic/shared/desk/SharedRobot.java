@@ -95,7 +95,7 @@ final class SharedRobot implements StoppableRobot {
             case HOLD -> heartbeat(message);
             case REQUEST -> forward(requestLimit, message, () -> requests.received(message));
             case SPEED -> forward(speedLimit, message, () -> speed(message));
-            case DESCRIPTION, STATE, MESSAGES -> {}
+            case DESCRIPTION, STATE, CHANGES, MESSAGES -> {}
         }
     }
 

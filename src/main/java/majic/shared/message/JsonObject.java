@@ -9,7 +9,9 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.Function;
 import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
@@ -152,6 +154,15 @@ final class JsonObject {
 
     JsonObject object(String field) {
         return of(what + ": " + field, required(field, "an object"));
+    }
+
+    /** The fields of an object, which need not be known; none if it is missing. */
+    Map<String, JsonNode> fields(String field) {
+        Map<String, JsonNode> all = new LinkedHashMap<>();
+        if (has(field)) {
+            object(field).fields.properties().forEach(one -> all.put(one.getKey(), one.getValue()));
+        }
+        return all;
     }
 
     /** The items of a list; none if the field is missing. */

@@ -2,10 +2,13 @@ package majic.shared.message;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
@@ -20,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * @param stops how often anybody but its holder has stopped it since the program of its desk was started
  * @param holder the program that may move the robot; null if it is free
  * @param stopProblem why its newest stop is not confirmed; null if it is, or there was none
- * @param values of all readable parameters, as {@link ValueJson} writes them
+ * @param values of all readable parameters but {@link #NOT_IN_VALUES}, as {@link ValueJson} writes them
  */
 public record RobotState(
         long clock,
@@ -33,6 +36,10 @@ public record RobotState(
         Map<String, JsonNode> values) {
     /** A longer state is not used. */
     public static final int MOST_BYTES = 256 * 1024;
+
+    /** Parameters whose values are not repeated among the values: {@link Movement} has them. */
+    public static final Set<String> NOT_IN_VALUES =
+            Set.of("x", "y", "heading", "pose", "speed", "turnRate", "moving", "age");
 
     private static final String WHAT = "state";
 
@@ -68,7 +75,49 @@ public record RobotState(
      * @param moving whether it moves or has been commanded to
      * @param ageMs since the robot reported this
      */
-    public record Movement(Pose pose, boolean placed, double mmPerSec, double degPerSec, boolean moving, long ageMs) {}
+    public record Movement(Pose pose, boolean placed, double mmPerSec, double degPerSec, boolean moving, long ageMs) {
+        /** Rounds to hundredths of a unit, as messages do. */
+        public Movement {
+            pose = new Pose(rounded(pose.xMm()), rounded(pose.yMm()), rounded(pose.headingDeg()));
+            mmPerSec = rounded(mmPerSec);
+            degPerSec = rounded(degPerSec);
+        }
+
+        private static double rounded(double number) {
+            double rounded = Math.rint(number * 100) / 100;
+            return rounded == 0 ? 0 : rounded;
+        }
+
+        Course course() {
+            return new Course(pose, mmPerSec, degPerSec);
+        }
+
+        Movement on(Course other, long otherAgeMs) {
+            return new Movement(other.pose, placed, other.mmPerSec, other.degPerSec, moving, otherAgeMs);
+        }
+    }
+
+    /**
+     * The part of a {@link Movement} that a robot reports all the time.
+     *
+     * @param pose relative to where it was placed or connected
+     * @param mmPerSec ahead positive
+     * @param degPerSec counterclockwise positive
+     */
+    public record Course(Pose pose, double mmPerSec, double degPerSec) {
+        static Course read(JsonObject json) {
+            JsonObject pose = json.object("pose");
+            return new Course(
+                    new Pose(pose.number("x"), pose.number("y"), pose.number("heading")),
+                    json.number("speed", 0),
+                    json.number("turn", 0));
+        }
+
+        void write(ObjectNode json) {
+            json.putObject("pose").put("x", pose.xMm()).put("y", pose.yMm()).put("heading", pose.headingDeg());
+            json.put("speed", mmPerSec).put("turn", degPerSec);
+        }
+    }
 
     /**
      * The program that may move a robot.
@@ -87,20 +136,31 @@ public record RobotState(
     }
 
     /**
-     * Returns whether another state says the same about the robot.
+     * Returns whether another state of the same robot differs in what a {@link StateChange} contains, and in nothing else.
      *
-     * @param other an earlier state; null for none
-     * @return true if only the clock, the age of the report and the value of {@code age} differ
+     * @param other an earlier or later state
+     * @return false if a condition differs, such as the holder, or the names of the values
      */
-    public boolean differsOnlyInTime(@Nullable RobotState other) {
-        return other != null && timeless().equals(other.timeless());
+    public boolean hasConditionsOf(RobotState other) {
+        return conditions().equals(other.conditions());
     }
 
-    private RobotState timeless() {
-        Map<String, JsonNode> lasting = new LinkedHashMap<>(values);
-        lasting.remove("age");
-        Movement still = new Movement(motion.pose, motion.placed, motion.mmPerSec, motion.degPerSec, motion.moving, 0);
-        return new RobotState(0, link, still, latched, stops, holder, stopProblem, lasting);
+    private List<@Nullable Object> conditions() {
+        return Arrays.asList(link, motion.placed, motion.moving, latched, stops, holder, stopProblem, values.keySet());
+    }
+
+    /**
+     * Returns the state after a change.
+     *
+     * @param change was published after this state
+     * @return with the clock, the age and all values of the change; the rest is as before
+     */
+    public RobotState with(StateChange change) {
+        Course course = change.course() == null ? motion.course() : change.course();
+        Map<String, JsonNode> newest = new LinkedHashMap<>(values);
+        newest.putAll(change.values());
+        return new RobotState(
+                change.clock(), link, motion.on(course, change.ageMs()), latched, stops, holder, stopProblem, newest);
     }
 
     /**
@@ -114,11 +174,8 @@ public record RobotState(
         if (!link.lostReason.isEmpty()) {
             json.put("lostReason", link.lostReason);
         }
-        json.putObject("pose")
-                .put("x", rounded(motion.pose.xMm()))
-                .put("y", rounded(motion.pose.yMm()))
-                .put("heading", rounded(motion.pose.headingDeg()));
-        json.put("placed", motion.placed).put("speed", rounded(motion.mmPerSec)).put("turn", rounded(motion.degPerSec));
+        motion.course().write(json);
+        json.put("placed", motion.placed);
         json.put("moving", motion.moving)
                 .put("age", motion.ageMs)
                 .put("latched", latched)
@@ -136,10 +193,6 @@ public record RobotState(
         return JsonObject.bytes(json);
     }
 
-    private static double rounded(double number) {
-        return Math.rint(number * 100) / 100;
-    }
-
     /**
      * Reads a message. A connection that this version does not know counts as lost.
      *
@@ -149,11 +202,6 @@ public record RobotState(
      */
     public static RobotState parse(byte[] payload) {
         JsonObject json = JsonObject.parse(WHAT, payload, MOST_BYTES);
-        Map<String, JsonNode> values = new LinkedHashMap<>();
-        JsonNode all = json.node("values");
-        if (all != null) {
-            all.properties().forEach(field -> values.put(field.getKey(), field.getValue()));
-        }
         return new RobotState(
                 json.whole("clock"),
                 new Link(connection(json.text("connection")), json.text("lostReason", "")),
@@ -162,7 +210,7 @@ public record RobotState(
                 json.whole("stops", 0),
                 json.has("holder") ? holder(json.object("holder")) : null,
                 json.has("stop") ? json.text("stop") : null,
-                values);
+                json.fields("values"));
     }
 
     private static Connection connection(String word) {
@@ -175,12 +223,12 @@ public record RobotState(
     }
 
     private static Movement movement(JsonObject json) {
-        JsonObject pose = json.object("pose");
+        Course course = Course.read(json);
         return new Movement(
-                new Pose(pose.number("x"), pose.number("y"), pose.number("heading")),
+                course.pose,
                 json.flag("placed", false),
-                json.number("speed", 0),
-                json.number("turn", 0),
+                course.mmPerSec,
+                course.degPerSec,
                 json.flag("moving", false),
                 json.whole("age", 0));
     }

@@ -24,6 +24,8 @@ public record SiteTopics(String site) {
         DESCRIPTION,
         /** What the robot does and reports; retained. */
         STATE,
+        /** What has changed in the reports of the robot since its last state. */
+        CHANGES,
         /** Messages, answers and alarms of the robot. */
         MESSAGES,
         /** Requests to the robot. */

@@ -16,6 +16,7 @@ import majic.shared.message.Description;
 import majic.shared.message.Presence;
 import majic.shared.message.RobotMessage;
 import majic.shared.message.RobotState;
+import majic.shared.message.StateChange;
 import majic.team.Member;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -71,27 +72,49 @@ class PublishedRobotsTest {
     }
 
     @Test
-    void aRobotThatReportsAllTheTimeIsPublishedTenTimesASecond() {
+    void changesOfARobotThatReportsAllTheTimeArePublishedTenTimesASecondBetweenItsStates() {
         rig.sleep(1);
-        long before = published("1/state");
+        long states = published("1/state");
+        long changes = published("1/changes");
         for (int n = 0; n < 500; n++) {
             bot.tell("voltage", Value.of(n, Unit.V));
             rig.sleep(0.01);
         }
 
-        assertThat(published("1/state") - before).isBetween(40L, 52L);
+        assertThat(published("1/state") - states).isBetween(4L, 6L);
+        assertThat(published("1/changes") - changes).isBetween(38L, 47L);
+    }
+
+    @Test
+    void aChangeHasWhatIsDifferentAndNothingElse() {
+        described();
+        rig.sleep(0.5);
+        bot.tell("voltage", Value.of(12, Unit.V));
+        rig.sleep(0.2);
+
+        assertThat(newestChange().values()).containsOnlyKeys("voltage");
+        assertThat(newestChange().values().get("voltage")).hasToString("12");
+        assertThat(newestChange().course()).isNull();
+        assertThat(rig.broker.retained(ROBOT + "1/changes")).isEmpty();
+    }
+
+    private StateChange newestChange() {
+        List<BrokerMessage> all = rig.broker.published(ROBOT + "1/changes");
+        return StateChange.parse(all.get(all.size() - 1).payload());
     }
 
     @Test
     void aRobotThatRepeatsTheSameIsPublishedOnceASecond() {
         rig.sleep(2);
-        long before = published("1/state");
+        long states = published("1/state");
+        long changes = published("1/changes");
         for (int n = 0; n < 500; n++) {
             bot.tell("voltage", Value.of(12, Unit.V));
             rig.sleep(0.01);
         }
 
-        assertThat(published("1/state") - before).isBetween(4L, 7L);
+        assertThat(published("1/state") - states).isBetween(4L, 6L);
+        assertThat(published("1/changes") - changes).isBetween(0L, 1L);
     }
 
     @Test

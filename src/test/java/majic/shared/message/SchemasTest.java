@@ -45,6 +45,7 @@ class SchemasTest {
         all.put("presence", presences());
         all.put("description", List.of(description().toJson()));
         all.put("state", List.of(state(true).toJson(), state(false).toJson()));
+        all.put("changes", changes());
         all.put("message", List.of(new RobotMessage(RobotMessage.Kind.ALARM, "connection lost").toJson()));
         all.put("request", requests());
         all.put("reply", replies());
@@ -96,6 +97,15 @@ class SchemasTest {
                         "sonar", ValueJson.of(Value.many(List.of(Value.of(300, Unit.MM), Value.CLEAR))),
                         "bumped", ValueJson.of(Value.yesNo(true)),
                         "gripper", ValueJson.of(Value.unknown("no reading yet"))));
+    }
+
+    private static List<byte[]> changes() {
+        StateChange moved = new StateChange(
+                6,
+                0,
+                new RobotState.Course(new Pose(1, 2, 3), 100, -5),
+                Map.of("bumped", ValueJson.of(Value.yesNo(true))));
+        return List.of(moved.toJson(), new StateChange(7, 0, null, Map.of()).toJson());
     }
 
     private static List<byte[]> requests() {
