@@ -98,6 +98,53 @@ class SharedRobotInLabTest {
     }
 
     @Test
+    void stopReachesADeskThatHasConnectedSeveralTimes() throws InterruptedException {
+        desks.desk2.add("aibo");
+        desks.pass(1);
+        try (MajicBot dog = robotAt("mqtt://broker/lab/desk2/2")) {
+            dog.connect();
+
+            desks.desk2.team().stopAll();
+            desks.pass(1);
+
+            assertThat(anna.team.isLatched()).isTrue();
+        }
+    }
+
+    @Test
+    void stopAtADeskWithoutRobotsStopsTheSiteThatItHasUsed() throws InterruptedException {
+        anna.run("remove 1");
+        assertThat(anna.team.members()).isEmpty();
+        desks.desk2.say("1 move 4000");
+        desks.pass(2);
+
+        anna.run("stop");
+        desks.pass(1.5);
+
+        assertThat(anna.team.isLatched()).isTrue();
+        assertThat(desks.desk2.team().isLatched()).isTrue();
+        assertThat(desks.movesWithin(2)).isLessThan(1);
+        anna.run("release");
+        desks.pass(0.5);
+        assertThat(desks.desk2.team().isLatched()).isFalse();
+    }
+
+    @Test
+    void aDeskThatLeavesItsSitesOrCouldNotConnectObeysNoStop() throws InterruptedException {
+        assertThatThrownBy(() -> robotAt("mqtt://broker/school/desk2/1").connect())
+                .isInstanceOf(BotException.class);
+        anna.run("remove 1");
+        anna.type.leaveSites();
+
+        desks.desk2.team().stopAll();
+        desks.pass(1);
+
+        assertThat(anna.team.isLatched()).isFalse();
+        assertThat(anna.team.stopAllIfAny()).isFalse();
+        assertThat(anna.connection().isConnected()).isFalse();
+    }
+
+    @Test
     void onlyOneDeskHoldsTheRobot() throws InterruptedException {
         TwoDesks.Desk carl = desks.user("desk3", "Carl");
         anna.run("1 hold");

@@ -327,7 +327,7 @@ public final class Program implements AutoCloseable {
             listening.close();
         }
         Thread unshared = started("ending the sharing", sharing::stop);
-        Thread robots = started("closing all robots", team::close);
+        Thread robots = started("closing all robots", this::closeTeam);
         try {
             robots.join(CLOSE_BOUND_MS);
             unshared.join(CLOSE_BOUND_MS);
@@ -341,6 +341,11 @@ public final class Program implements AutoCloseable {
         if (running != null) {
             running.close();
         }
+    }
+
+    private void closeTeam() {
+        team.close();
+        UsedSites.leave(factory.types());
     }
 
     private static Thread started(String name, Runnable task) {

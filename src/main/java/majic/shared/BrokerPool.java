@@ -16,8 +16,13 @@ import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.message.Sender;
+import org.jspecify.annotations.Nullable;
 
-/** The connections of a program to brokers: one for each broker, open while a shared robot uses it. Thread-safe. */
+/**
+ * The connections of a program to brokers: one for each broker, open while a shared robot uses it. If sites are observed, a
+ * site of which a robot has been connected is observed until {@link #leaveSites()}, and its connection stays open as long.
+ * Thread-safe.
+ */
 final class BrokerPool {
     private static final Logger LOG = System.getLogger(BrokerPool.class.getName());
 
@@ -28,11 +33,15 @@ final class BrokerPool {
     private final Supplier<Sender> sender;
     private final Map<String, Entry> entries = new HashMap<>();
     private final AtomicLong requests = new AtomicLong();
-    private volatile SiteObserver observer = (connection, address, by) -> () -> {};
+    private volatile @Nullable SiteObserver observer;
 
     /** A connection and its users. */
     private static final class Entry {
         private final PooledBroker broker;
+
+        /** Held while the observation of a site begins or ends. */
+        private final Object observing = new Object();
+
         private final Map<Object, String> sitesOfUsers = new IdentityHashMap<>();
         private final Map<String, AutoCloseable> observers = new HashMap<>();
 
@@ -89,28 +98,81 @@ final class BrokerPool {
         return entry;
     }
 
+    /** Begins to observe a site once: two subscriptions to a topic would be one, which ends with the first of them. */
     private void observe(Entry entry, BrokerAddress address) {
-        AutoCloseable begun = observer.begin(entry.broker.connection(), address, entry.broker.sender());
-        AutoCloseable before;
-        synchronized (this) {
-            boolean used = entry.sitesOfUsers.containsValue(address.site());
-            before = used ? entry.observers.putIfAbsent(address.site(), begun) : begun;
-        }
-        if (before != null) {
-            close(begun);
+        SiteObserver present = observer;
+        synchronized (entry.observing) {
+            if (present == null || isObserved(entry, address.site())) {
+                return;
+            }
+            AutoCloseable begun = present.begin(entry.broker.connection(), address, entry.broker.sender());
+            if (!isKept(entry, address.site(), begun)) {
+                close(begun);
+            }
         }
     }
 
-    /** Ends the use of a broker; the last user closes the connection. Takes at most 0.5 s. */
-    void release(BrokerAddress address, Object user) {
-        leave(address, user).forEach(BrokerPool::close);
+    private synchronized boolean isObserved(Entry entry, String site) {
+        return entry.observers.containsKey(site);
     }
 
-    /** Returns what nothing uses any more. */
-    private synchronized List<AutoCloseable> leave(BrokerAddress address, Object user) {
+    /** Returns false for a site whose last user has left meanwhile. */
+    private synchronized boolean isKept(Entry entry, String site, AutoCloseable begun) {
+        boolean used = entry.sitesOfUsers.containsValue(site);
+        if (used) {
+            entry.observers.put(site, begun);
+        }
+        return used;
+    }
+
+    /** Stays at the site of a user when the last robot of it is released; the observation of a site uses it then. */
+    synchronized void stay(BrokerAddress address) {
         Entry entry = entries.get(key(address));
-        String site = entry == null ? null : entry.sitesOfUsers.remove(user);
-        if (entry == null || site == null) {
+        AutoCloseable observed = entry == null ? null : entry.observers.get(address.site());
+        if (observed != null) {
+            entry.sitesOfUsers.put(observed, address.site());
+        }
+    }
+
+    /** Ends the observation of all sites that no robot uses. Takes at most 0.5 s for each broker. */
+    void leaveSites() {
+        for (Map.Entry<String, Entry> broker : present()) {
+            observers(broker.getValue()).forEach(observed -> leave(broker.getKey(), broker.getValue(), observed));
+        }
+    }
+
+    private synchronized List<Map.Entry<String, Entry>> present() {
+        return List.copyOf(entries.entrySet());
+    }
+
+    private synchronized List<AutoCloseable> observers(Entry entry) {
+        return List.copyOf(entry.observers.values());
+    }
+
+    /**
+     * Ends the use of a broker; the last user closes the connection. Takes at most 0.5 s, but waits for the subscription of
+     * another robot that is the first of its site.
+     */
+    void release(BrokerAddress address, Object user) {
+        Entry entry;
+        synchronized (this) {
+            entry = entries.get(key(address));
+        }
+        if (entry != null) {
+            leave(key(address), entry, user);
+        }
+    }
+
+    private void leave(String broker, Entry entry, Object user) {
+        synchronized (entry.observing) {
+            unusedWithout(broker, entry, user).forEach(BrokerPool::close);
+        }
+    }
+
+    /** Removes a user; returns what nothing uses any more. */
+    private synchronized List<AutoCloseable> unusedWithout(String broker, Entry entry, Object user) {
+        String site = entry.sitesOfUsers.remove(user);
+        if (site == null) {
             return List.of();
         }
         List<AutoCloseable> unused = new ArrayList<>();
@@ -118,7 +180,7 @@ final class BrokerPool {
             Optional.ofNullable(entry.observers.remove(site)).ifPresent(unused::add);
         }
         if (entry.sitesOfUsers.isEmpty()) {
-            entries.remove(key(address));
+            entries.remove(broker, entry);
             unused.add(entry.broker.connection());
         }
         return unused;

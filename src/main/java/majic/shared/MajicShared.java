@@ -165,6 +165,7 @@ public final class MajicShared extends BotDriver {
         if (first.state().motion().placed() && isPlacedAsAtDesk()) {
             placeAsAtDesk(first.state().motion().pose());
         }
+        shared.brokers().stay(address.broker());
     }
 
     /** Takes the type, the parameters and the commands of the robot. */

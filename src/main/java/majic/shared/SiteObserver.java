@@ -13,7 +13,8 @@ public interface SiteObserver {
      * @param connection an open connection, which the observer must not close
      * @param address the broker and the site
      * @param sender the sender of the requests
-     * @return closed when no robot of the site is used any more, before the connection is
+     * @return closed at {@link SharedType#leaveSites()}, or when no robot of the site could be connected; before the
+     *     connection is
      */
     AutoCloseable begin(BrokerConnection connection, BrokerAddress address, Sender sender);
 }

@@ -41,6 +41,7 @@ public final class Team implements AutoCloseable {
     private final StopReceipts stopReceipts;
     private final StopSender stopSender;
     private volatile boolean latched;
+    private volatile boolean stopShared;
 
     /**
      * Creates an empty team of at most {@link #MAX_BOTS} robots.
@@ -224,12 +225,23 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * STOP, if there is a robot. Without one it ends what runs without robots, and does not latch.
+     * Sets whether STOP of this team stops robots of other programs too, so that it has robots to stop even while this team
+     * has none.
      *
-     * @return whether there was a robot
+     * @param shared false in a new team
+     */
+    public void shareStop(boolean shared) {
+        stopShared = shared;
+    }
+
+    /**
+     * STOP, if there is a robot here, or STOP is shared with other programs. Otherwise it ends what runs without robots, and
+     * does not latch.
+     *
+     * @return whether it latched
      */
     public boolean stopAllIfAny() {
-        if (members().isEmpty()) {
+        if (members().isEmpty() && !stopShared) {
             stops.stoppedAll();
             changes.raise();
             return false;

@@ -44,6 +44,7 @@ final class TeamLatch implements TeamListener {
                 latch = new TeamLatch(team);
                 LATCHES.put(team, latch);
                 team.addListener(latch);
+                team.shareStop(true);
                 latch.adoptPresentLatch();
             }
             latch.sites.add(site);
@@ -55,6 +56,7 @@ final class TeamLatch implements TeamListener {
         synchronized (LATCHES) {
             sites.remove(site);
             if (sites.isEmpty() && LATCHES.remove(team, this)) {
+                team.shareStop(false);
                 team.removeListener(this);
             }
         }
