@@ -178,6 +178,15 @@ public final class Member implements TeamMembership {
     }
 
     /**
+     * Returns whether STOP of the team is latched.
+     *
+     * @return true until it is released; the robot must not move until then
+     */
+    public boolean isStopLatched() {
+        return ownership.isStopLatched();
+    }
+
+    /**
      * Returns whether another command would be accepted.
      *
      * @return false while the queue is full

@@ -87,6 +87,10 @@ final class Ownership {
         return pendingStops > 0;
     }
 
+    boolean isStopLatched() {
+        return stopIsLatched.getAsBoolean();
+    }
+
     synchronized boolean hasRoom(@Nullable Owner by) {
         return queueOf(by).hasRoom();
     }

@@ -84,7 +84,7 @@ class DriveByHandWindowTest {
     @Test
     void whileStopIsLatchedThePadLooksDisabledAndShowsWhy() {
         window.team.stopAll();
-        awaitHint("STOP is latched");
+        awaitHint("STOP is latched; Release");
         assertThat(window.isEnabled("drive LEFT")).isFalse();
         window.team.release();
         awaitHint("Click here to drive");
@@ -95,7 +95,7 @@ class DriveByHandWindowTest {
     void whileAnActRunsThePadLooksDisabledAndShowsWhy() {
         Owner act = new Owner(Owner.Kind.ACT, "Wander", () -> {});
         window.team.member(1).claim(act);
-        awaitHint("Wander");
+        awaitHint("running Wander; Stop 1 ends it");
         assertThat(window.isEnabled("drive LEFT")).isFalse();
         window.team.member(1).free(act);
         awaitHint("Click here to drive");

@@ -44,6 +44,13 @@ record DriveObstacles(List<Integer> free, Map<Integer, String> reasons) {
         if (owner != null && owner.kind() == Owner.Kind.MANUAL) {
             return null;
         }
+        if (member.isStopLatched()) {
+            return TEXTS.get("latched");
+        }
+        return owner == null ? refusal(member) : TEXTS.get("owned", BotStatus.owner(member), member.number());
+    }
+
+    private static @Nullable String refusal(Member member) {
         try {
             member.check(true, null);
             return null;
