@@ -37,7 +37,7 @@ public final class ReadingText {
 
     /**
      * Formats a value in short form: without the word "about" of an estimate, and without the reason why a value is
-     * unknown.
+     * unknown. Yes, no, on, off and clear are in the user's language; a word of the robot is shown as it is.
      *
      * @param value any value
      * @return for instance {@code 40°} or {@code 512 mm}; {@link ReadingsPanel#NONE} if it is unknown
@@ -46,7 +46,20 @@ public final class ReadingText {
         if (value instanceof Value.Number number) {
             return degrees(Value.of(number.amount(), number.unit()).toString());
         }
+        if (value instanceof Value.Flag flag) {
+            return word(flag);
+        }
+        if (value instanceof Value.Clear) {
+            return TEXTS.get("value.clear");
+        }
         return value instanceof Value.Unknown ? ReadingsPanel.NONE : value.toString();
+    }
+
+    private static String word(Value.Flag flag) {
+        return switch (flag.words()) {
+            case YES_NO -> flag.yes() ? TEXTS.get("value.yes") : TEXTS.get("value.no");
+            case ON_OFF -> flag.yes() ? TEXTS.get("value.on") : TEXTS.get("value.off");
+        };
     }
 
     /**

@@ -2,13 +2,22 @@ package majic.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Locale;
 import majic.bot.Unit;
 import majic.bot.Value;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class ReadingTextTest {
+    private final Locale before = Locale.getDefault();
+
+    @AfterEach
+    void restoreLanguage() {
+        Locale.setDefault(before);
+    }
+
     @ParameterizedTest
     @CsvSource({
         "headPan, head pan",
@@ -30,6 +39,17 @@ class ReadingTextTest {
     @Test
     void otherUnitsStayAsInCommands() {
         assertThat(ReadingText.of(Value.of(512, Unit.MM))).isEqualTo("512 mm");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"en, no, on, clear", "de, nein, an, frei"})
+    void wordsOfValuesAreInTheUsersLanguage(String language, String no, String on, String clear) {
+        Locale.setDefault(Locale.forLanguageTag(language));
+
+        assertThat(ReadingText.of(Value.yesNo(false))).isEqualTo(no);
+        assertThat(ReadingText.of(Value.onOff(true))).isEqualTo(on);
+        assertThat(ReadingText.of(Value.CLEAR)).isEqualTo(clear);
+        assertThat(ReadingText.of(Value.text("stand"))).isEqualTo("stand");
     }
 
     @ParameterizedTest

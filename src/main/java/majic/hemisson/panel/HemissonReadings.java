@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import majic.bot.Value;
 import majic.hemisson.line.LinkQuality;
 import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
@@ -35,7 +36,7 @@ final class HemissonReadings {
                 .with("y", view -> about("mm", view.state().pose().yMm()))
                 .with("heading", view -> about("deg", view.state().pose().headingDeg()))
                 .with("switches", HemissonReadings::switches)
-                .with("beep", view -> view.buzzing() ? "on" : "off")
+                .with("beep", view -> ReadingText.of(Value.onOff(view.buzzing())))
                 .with("roundTrip", view -> roundTrip(view.line().quality()))
                 .with("missedAnswers", view -> missed(view.line().quality()))
                 .with("repeated", view -> String.valueOf(view.line().quality().repeats()))
@@ -48,7 +49,7 @@ final class HemissonReadings {
             return ReadingsPanel.NONE;
         }
         OptionalDouble mm = from.apply(seen);
-        return mm.isPresent() ? about("mm", mm.getAsDouble()) : "clear";
+        return mm.isPresent() ? about("mm", mm.getAsDouble()) : ReadingText.of(Value.CLEAR);
     }
 
     private static String switches(HemissonScene view) {
