@@ -26,6 +26,9 @@ final class BeamsDrawing {
     private static final double HALF_BAR_DEG = 18;
     private static final double NEAR_MM = 250;
 
+    /** How much the background of a label covers the dog. */
+    private static final double LABEL_COVER = 0.8;
+
     /** In smaller drawings the rings' numbers would cover the dog. */
     private static final double LEAST_REACH_PX = 75;
 
@@ -56,6 +59,16 @@ final class BeamsDrawing {
         dog.frontMm().ifPresent(mm -> paintBar(pen, mm));
         dog.infraRed().chestMm().ifPresent(mm -> paintChest(pen, mm));
         seen.ifPresent(mm -> paintHit(pen, pan, mm));
+    }
+
+    /** Writes the distance that the head measures; over the dog, which hides the hit when it looks to the side. */
+    void paintLabel(Graphics2D pen) {
+        double pan = dog.senses().number(Sensor.HEAD_PAN).orElse(0.0);
+        dog.infraRed().headMm().ifPresent(mm -> {
+            double x = -radius(mm) * Math.sin(Math.toRadians(pan));
+            double y = -radius(mm) * Math.cos(Math.toRadians(pan));
+            label(pen, Math.round(mm) + " mm", x, y);
+        });
     }
 
     private double radius(double mm) {
@@ -99,7 +112,6 @@ final class BeamsDrawing {
         double half = 4;
         pen.setColor(colors.accent());
         pen.fill(new Ellipse2D.Double(x - half, y - half, 2 * half, 2 * half));
-        label(pen, Math.round(mm) + " mm", x, y);
     }
 
     private void paintChest(Graphics2D pen, double mm) {
@@ -125,8 +137,11 @@ final class BeamsDrawing {
         double width = metrics.stringWidth(text) + 8.0;
         boolean toTheRight = x >= 0 ? x + width <= reachPx : x - width < -reachPx;
         double base = Math.max(y + metrics.getAscent() / 2.0, metrics.getAscent() - reachPx);
+        double left = toTheRight ? x + 8 : x - width;
+        pen.setColor(DrawingColors.translucent(colors.paper(), LABEL_COVER));
+        pen.fill(new Rectangle2D.Double(left - 2, base - metrics.getAscent(), width - 4, metrics.getHeight()));
         pen.setColor(colors.line());
-        pen.drawString(text, (float) (toTheRight ? x + 8 : x - width), (float) base);
+        pen.drawString(text, (float) left, (float) base);
     }
 
     /** Around the origin; the middle counts from ahead, counterclockwise. */

@@ -203,11 +203,15 @@ final class DogDrawing extends JPanel {
         double size = Math.min(width, height);
         double scale = HEAD_AT * size / BEHIND_HEAD_MM;
         pen.translate(width / 2, (height + size) / 2 - HEAD_AT * size);
-        new BeamsDrawing(dog, colors(), REACH * size, scale * NOSE_MM).paint(pen);
+        BeamsDrawing beams = new BeamsDrawing(dog, colors(), REACH * size, scale * NOSE_MM);
+        beams.paint(pen);
+        Graphics2D above = (Graphics2D) pen.create();
         pen.scale(scale, -scale);
         FigureDrawing figure = new FigureDrawing(dog, Projection.ABOVE, colors(), isEnabled());
         pen.translate(0, -figure.skeleton().neckFoot().x());
         figure.paint(pen);
+        beams.paintLabel(above);
+        above.dispose();
     }
 
     private void paintFace(Graphics2D pen, Dimension room) {
