@@ -18,7 +18,7 @@ import majic.text.Texts;
  * @param name its name and type
  * @param condition whether it moves; if it is not connected, the state of its connection
  * @param problem what needs attention, in a few words; empty if nothing does
- * @param activity the running time of the act and its name, or what else owns or holds the robot; empty if nothing does
+ * @param activity the name of the act and its running time, or what else owns or holds the robot; empty if nothing does
  * @param battery its charge
  * @param bars the quality of its connection, 0 to 3
  * @param isLost whether it can be reconnected
@@ -83,7 +83,7 @@ record RobotSummary(
     }
 
     private static String activity(Member member, RunningAct act) {
-        return act.update().map(owner -> act.time() + "  " + owner.name()).orElseGet(() -> BotStatus.user(member));
+        return act.update().map(owner -> owner.name() + "  " + act.time()).orElseGet(() -> BotStatus.user(member));
     }
 
     /** Returns the most important text of a card with room for one line beside the name. */

@@ -17,12 +17,12 @@ class RobotSummaryTest {
     void theShorterTheCardTheMoreImportantIsWhatItShows() {
         assertThat(summary("", "").line()).isEqualTo("moving");
         assertThat(summary("", "").shortest()).isEqualTo("Pioneer");
-        assertThat(summary("", "00:07  Wander").line()).isEqualTo("00:07  Wander");
-        assertThat(summary("connection lost", "00:07  Wander").shortest()).isEqualTo("connection lost");
+        assertThat(summary("", "Wander  00:07").line()).isEqualTo("Wander  00:07");
+        assertThat(summary("connection lost", "Wander  00:07").shortest()).isEqualTo("connection lost");
     }
 
     @Test
     void theDescriptionHasEverythingOnce() {
-        assertThat(summary("", "00:07  Wander").description()).isEqualTo("Pioneer, moving, 00:07  Wander, battery 80%");
+        assertThat(summary("", "Wander  00:07").description()).isEqualTo("Pioneer, moving, Wander  00:07, battery 80%");
     }
 }
