@@ -26,7 +26,7 @@ public final class ReadingsPanel<S> extends JPanel {
     private static final int LEAST_ROWS = 3;
 
     /** Maximum width of a column, as a factor of the width needed: figures far from their names are hard to read. */
-    private static final double WIDEST = 1.4;
+    private static final double WIDEST = 1.6;
 
     /** Reserve in pixels: text may be slightly wider than measured on a screen of another scale. */
     private static final int SLACK = 4;
