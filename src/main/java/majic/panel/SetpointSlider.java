@@ -24,6 +24,10 @@ import org.jspecify.annotations.Nullable;
 public final class SetpointSlider extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int KNOB_ROOM = 48;
+
+    /** Pixels by which text may be wider on a screen of another scale than measured. */
+    private static final int TEXT_RESERVE = 4;
+
     private static final Texts TEXTS = Texts.of(SetpointSlider.class);
 
     private final String unit;
@@ -73,7 +77,7 @@ public final class SetpointSlider extends JPanel {
         reading.setName(parameter.name());
         reading.setFocusable(true);
         PlotLink.install(reading, List.of(parameter.name()));
-        add(name);
+        add(name, "growx");
         add(slider);
         add(reading);
     }
@@ -98,7 +102,7 @@ public final class SetpointSlider extends JPanel {
         int names = 0;
         int readings = 0;
         for (SetpointSlider one : sliders) {
-            names = Math.max(names, one.name.getPreferredSize().width);
+            names = Math.max(names, one.name.getPreferredSize().width + TEXT_RESERVE);
             readings = Math.max(readings, one.widestReading());
         }
         AC columns = new AC()
@@ -121,7 +125,7 @@ public final class SetpointSlider extends JPanel {
         FontMetrics metrics = reading.getFontMetrics(reading.getFont());
         int end = Math.max(
                 metrics.stringWidth(inUnit(slider.getMinimum())), metrics.stringWidth(inUnit(slider.getMaximum())));
-        return end + 4;
+        return end + TEXT_RESERVE;
     }
 
     private String inUnit(int value) {
