@@ -91,7 +91,8 @@ final class BrokerPool {
     private synchronized Entry enter(BrokerAddress address, Object user, BotEnvironment environment) {
         Entry entry = entries.computeIfAbsent(key(address), key -> {
             Sender by = sender.get();
-            BrokerConnection made = opener.open(address, ConnectOptions.of("majic-user-" + by.session(), environment));
+            BrokerConnection made =
+                    opener.open(address, ConnectOptions.of("majic-user-" + by.sessionHash(), environment));
             return new Entry(new PooledBroker(made, by, requests));
         });
         entry.sitesOfUsers.put(user, address.site());

@@ -251,7 +251,7 @@ public final class MajicShared extends BotDriver {
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
         RobotState.Holder holder = holder();
-        if (holder != null && !holder.session().equals(toDesk().session())) {
+        if (holder != null && !toDesk().isSender(holder)) {
             throw new BotException(name() + " is held by " + holderText());
         }
         motions.drive(mmPerSec, degPerSec);
@@ -323,7 +323,7 @@ public final class MajicShared extends BotDriver {
 
     private boolean isHeldHere() {
         RobotState.Holder holder = holder();
-        return holder != null && holder.session().equals(toDesk().session());
+        return holder != null && toDesk().isSender(holder);
     }
 
     private String holderText() {

@@ -29,6 +29,7 @@ final class PooledBroker implements BrokerConnection.Watcher {
 
     private final BrokerConnection connection;
     private final Sender sender;
+    private final String sessionHash;
     private final Map<String, List<BrokerConnection.Handler>> handlers = new ConcurrentHashMap<>();
     private final Map<String, PendingReply> pending = new ConcurrentHashMap<>();
     private final Set<String> sitesWithReplies = ConcurrentHashMap.newKeySet();
@@ -45,6 +46,7 @@ final class PooledBroker implements BrokerConnection.Watcher {
     PooledBroker(BrokerConnection connection, Sender sender, AtomicLong requests) {
         this.connection = connection;
         this.sender = sender;
+        this.sessionHash = sender.sessionHash();
         this.requests = requests;
         this.changes = connection.time().signal();
         connection.watch(this);
@@ -68,6 +70,11 @@ final class PooledBroker implements BrokerConnection.Watcher {
 
     Sender sender() {
         return sender;
+    }
+
+    /** Returns what others see in place of the session of the sender. */
+    String sessionHash() {
+        return sessionHash;
     }
 
     /** Returns the number for another request. */
@@ -130,7 +137,7 @@ final class PooledBroker implements BrokerConnection.Watcher {
     void expectReplies(SiteTopics topics) {
         if (sitesWithReplies.add(topics.site())) {
             try {
-                subscribe(topics.replies(sender.session()), Quality.AT_LEAST_ONCE, this::replied);
+                subscribe(topics.replies(sessionHash), Quality.AT_LEAST_ONCE, this::replied);
             } catch (RuntimeException e) {
                 sitesWithReplies.remove(topics.site());
                 throw e;
@@ -164,7 +171,7 @@ final class PooledBroker implements BrokerConnection.Watcher {
      * @throws BotException while there is no connection; nothing was sent
      */
     void publish(BrokerMessage message, SiteTopics topics, PendingReply reply) {
-        connection.publish(message.answeredAt(topics.replies(sender.session()), reply.correlationData()), problem -> {
+        connection.publish(message.answeredAt(topics.replies(sessionHash), reply.correlationData()), problem -> {
             if (problem != null) {
                 reply.refused(String.valueOf(problem.getMessage()));
             }

@@ -8,6 +8,7 @@ import majic.shared.broker.Quality;
 import majic.shared.message.HoldMessage;
 import majic.shared.message.Request;
 import majic.shared.message.RequestedAction;
+import majic.shared.message.RobotState;
 import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
 import majic.shared.message.SpeedMessage;
@@ -119,8 +120,8 @@ final class RobotCommands {
         return feed.isOver();
     }
 
-    /** Returns the session that holds the robots that are moved by this. */
-    String session() {
-        return broker.sender().session();
+    /** Returns whether a holder is this program. */
+    boolean isSender(RobotState.Holder holder) {
+        return holder.sessionHash().equals(broker.sessionHash());
     }
 }

@@ -167,7 +167,7 @@ public final class DeskSharing implements AutoCloseable {
                 presence.received(there);
             } else if (there.state() != Presence.State.ONLINE) {
                 String how = there.state() == Presence.State.OFFLINE ? " has ended" : " has no connection any more";
-                halt(hold -> hold.isOf(there.sender()), name + how);
+                halt(hold -> hold.holder().sessionHash().equals(there.sender().session()), name + how);
             }
         } catch (UnusableMessageException e) {
             if (strays.allows() && message.payload().length > 0) {

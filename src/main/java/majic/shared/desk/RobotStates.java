@@ -80,12 +80,12 @@ final class RobotStates {
     private static RobotState.@Nullable Holder holder(Member member, Sender desk, @Nullable RobotHold hold) {
         if (hold != null && !hold.hasEnded()) {
             Sender holder = hold.holder();
-            return new RobotState.Holder(holder.desk(), holder.person(), holder.session(), "");
+            return new RobotState.Holder(holder.desk(), holder.person(), holder.sessionHash(), "");
         }
         Owner owner = member.owner();
         return owner == null || owner.kind() == Owner.Kind.REMOTE
                 ? null
-                : new RobotState.Holder(desk.desk(), desk.person(), desk.session(), owner.occupation());
+                : new RobotState.Holder(desk.desk(), desk.person(), desk.sessionHash(), owner.occupation());
     }
 
     private static Map<String, JsonNode> values(MajicBot bot) {

@@ -124,10 +124,10 @@ public record RobotState(
      *
      * @param desk where the holder is; that of the robot itself for its own users, acts and scripts
      * @param person the holder
-     * @param session the holder's session
+     * @param sessionHash by which the holder recognises itself ({@link Sender#sessionHash})
      * @param work what the holder runs; empty if that is not known
      */
-    public record Holder(String desk, String person, String session, String work) {
+    public record Holder(String desk, String person, String sessionHash, String work) {
         /** Returns the name in messages: {@code Anna at desk1}. */
         @Override
         public String toString() {
@@ -184,7 +184,7 @@ public record RobotState(
             json.putObject("holder")
                     .put("desk", holder.desk)
                     .put("person", holder.person)
-                    .put("session", holder.session)
+                    .put("sessionHash", holder.sessionHash)
                     .put("work", holder.work);
         }
         json.put("stop", stopProblem);
@@ -235,6 +235,6 @@ public record RobotState(
 
     private static Holder holder(JsonObject json) {
         return new Holder(
-                json.text("desk", ""), json.text("person", ""), json.text("session", ""), json.text("work", ""));
+                json.text("desk", ""), json.text("person", ""), json.text("sessionHash", ""), json.text("work", ""));
     }
 }

@@ -1,13 +1,18 @@
 package majic.shared.message;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
 import java.util.UUID;
 import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.text.VisibleText;
 
 /**
- * The sender of a message: one run of one program, with the names of its desk and user. Immutable.
+ * The sender of a message: one run of one program, with the names of its desk and user. The session is the proof that a
+ * program holds a robot, and is sent to the desk of the robot only; all others see its hash. Immutable.
  *
  * @param desk the name of the desk; a program that shares nothing has one too
  * @param person the name that is shown to others
@@ -16,6 +21,7 @@ import majic.text.VisibleText;
 public record Sender(String desk, String person, String session) {
     private static final int LONGEST = 64;
     private static final int LONGEST_PERSON = 40;
+    private static final int HASH_BYTES = 8;
     private static final Pattern DESK = Pattern.compile("\\p{L}[\\p{L}\\d_-]{0,19}");
     private static final Pattern SESSION = Pattern.compile("[\\w-]{1," + LONGEST + "}");
 
@@ -55,6 +61,20 @@ public record Sender(String desk, String person, String session) {
         return DESK.matcher(text).matches();
     }
 
+    /**
+     * Returns what others see in place of the session, from which the session cannot be derived.
+     *
+     * @return the first 8 bytes of the SHA-256 hash of the session in UTF-8, as 16 hexadecimal digits in lower case
+     */
+    public String sessionHash() {
+        try {
+            byte[] hash = MessageDigest.getInstance("SHA-256").digest(session.getBytes(StandardCharsets.UTF_8));
+            return HexFormat.of().formatHex(hash, 0, HASH_BYTES);
+        } catch (NoSuchAlgorithmException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
     /** Returns the name in messages: {@code Anna at desk1}. */
     @Override
     public String toString() {
@@ -75,8 +95,12 @@ public record Sender(String desk, String person, String session) {
         if (from.has("desk") && !isDesk(desk)) {
             throw from.wrong("desk", "it is a letter, then letters, digits, - and _, at most 20 characters in all");
         }
-        String known = desk.isEmpty() ? "session " + session.substring(0, Math.min(8, session.length())) : desk;
-        return new Sender(known, shown(from.text("person", "")), session);
+        Sender sender = new Sender(desk, shown(from.text("person", "")), session);
+        return desk.isEmpty() ? sender.named("session " + sender.sessionHash().substring(0, 8)) : sender;
+    }
+
+    private Sender named(String newDesk) {
+        return new Sender(newDesk, person, session);
     }
 
     private static String shown(String person) {

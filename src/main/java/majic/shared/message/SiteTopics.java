@@ -131,11 +131,11 @@ public record SiteTopics(String site) {
     /**
      * Returns the topic of the answers to one program.
      *
-     * @param session the session of the program that asks
+     * @param program a text that only the program that asks uses; not its session, because others can read the topic
      * @return the topic
      */
-    public String replies(String session) {
-        return site + VERSION + "replies/" + session;
+    public String replies(String program) {
+        return site + VERSION + "replies/" + program;
     }
 
     private Optional<Matcher> match(Pattern pattern, String topic) {

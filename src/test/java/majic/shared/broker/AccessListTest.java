@@ -5,7 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import majic.environment.BotEnvironment;
 import org.junit.jupiter.api.AfterAll;
@@ -14,6 +16,7 @@ import org.junit.jupiter.api.condition.EnabledIf;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the access list in {@code examples/mosquitto} with Mosquitto, where it is installed. */
 @EnabledIf("isInstalled")
@@ -89,6 +92,34 @@ class AccessListTest {
     })
     void whatARoleMayDoIsAccepted(String user, String topic) throws Exception {
         assertThat(answer(user, topic)).isEqualTo("accepted");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"olga", "dirk"})
+    void onlyDesksReceiveWhatIsSentToTheirRobots(String user) throws Exception {
+        List<String> received = new CopyOnWriteArrayList<>();
+        CompletableFuture<Void> end = new CompletableFuture<>();
+        try (BrokerConnection reader = as(user);
+                BrokerConnection desk = as("desk2")) {
+            reader.subscribe(TOPICS + "#", Quality.AT_LEAST_ONCE, message -> {
+                received.add(message.topic().substring(TOPICS.length()));
+                if (message.topic().endsWith("messages")) {
+                    end.complete(null);
+                }
+            });
+            for (String part :
+                    List.of("request", "speed", "hold", "stop", "description", "state", "changes", "messages")) {
+                desk.publish(BrokerMessage.json(TOPICS + "desks/desk2/robots/9/" + part, "{}", Quality.AT_LEAST_ONCE));
+            }
+            end.get(PATIENCE_S, TimeUnit.SECONDS);
+        }
+
+        assertThat(received)
+                .containsExactly(
+                        "desks/desk2/robots/9/description",
+                        "desks/desk2/robots/9/state",
+                        "desks/desk2/robots/9/changes",
+                        "desks/desk2/robots/9/messages");
     }
 
     @ParameterizedTest

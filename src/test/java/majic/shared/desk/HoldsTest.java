@@ -141,8 +141,24 @@ class HoldsTest {
     private BrokerMessage presenceOfAnna(String state) {
         return BrokerMessage.json(
                 "lab/majic/1/desks/desk1/presence",
-                "{\"state\":\"" + state + "\",\"session\":\"" + anna.sender.session() + "\",\"desk\":\"desk1\"}",
+                "{\"state\":\"" + state + "\",\"session\":\"" + anna.sender.sessionHash() + "\",\"desk\":\"desk1\"}",
                 Quality.AT_LEAST_ONCE);
+    }
+
+    @Test
+    void onlyTheDeskOfTheRobotReceivesTheSessionOfTheHolder() {
+        moving();
+        anna.until(state -> state.holder() != null);
+
+        assertThat(anna.state().holder())
+                .extracting(Holder::sessionHash)
+                .isEqualTo(anna.sender.sessionHash())
+                .isNotEqualTo(anna.sender.session());
+        assertThat(rig.broker.published("#"))
+                .filteredOn(message -> (message.topic() + message.text()).contains(anna.sender.session()))
+                .extracting(BrokerMessage::topic)
+                .isNotEmpty()
+                .allMatch(topic -> topic.matches("lab/majic/1/desks/desk2/robots/1/(request|hold)"));
     }
 
     @Test

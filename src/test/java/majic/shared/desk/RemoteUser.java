@@ -45,7 +45,7 @@ final class RemoteUser {
         this.sender = Sender.ofThisRun(desk, person);
         this.connection = rig.broker.open(ConnectOptions.of(
                 desk + "-" + sender.session(), new BotEnvironment(rig.clock.time(), Settings.inMemory())));
-        connection.subscribe(topics.replies(sender.session()), Quality.AT_LEAST_ONCE, this::answered);
+        connection.subscribe(topics.replies(sender.sessionHash()), Quality.AT_LEAST_ONCE, this::answered);
         connection.subscribe(topic(1, Part.STATE), Quality.AT_MOST_ONCE, message -> {
             if (message.payload().length > 0) {
                 stateNanos = rig.clock.time().nanos();
@@ -141,7 +141,7 @@ final class RemoteUser {
                 correlation.isEmpty()
                         ? message
                         : message.answeredAt(
-                                topics.replies(sender.session()), correlation.getBytes(StandardCharsets.UTF_8)));
+                                topics.replies(sender.sessionHash()), correlation.getBytes(StandardCharsets.UTF_8)));
     }
 
     /** All answers to a request so far. */

@@ -142,7 +142,8 @@ class UnwantedMessagesTest {
     void aRequestForARobotThatIsNotThereIsRefused() {
         String topic = "lab/majic/1/desks/desk2/robots/9/request";
         anna.connection.publish(BrokerMessage.json(topic, "{}", Quality.AT_LEAST_ONCE)
-                .answeredAt("lab/majic/1/replies/" + anna.sender.session(), "nine".getBytes(StandardCharsets.UTF_8)));
+                .answeredAt(
+                        "lab/majic/1/replies/" + anna.sender.sessionHash(), "nine".getBytes(StandardCharsets.UTF_8)));
 
         assertThat(anna.outcome("nine").message()).isEqualTo("desk2 has no robot 9 (it shares 1)");
     }

@@ -90,7 +90,7 @@ class SchemasTest {
                 new RobotState.Movement(new Pose(1, 2, 3), true, 4, 5, true, 6),
                 true,
                 3,
-                connected ? new RobotState.Holder("desk1", "Anna", "s-1", "WanderDog") : null,
+                connected ? new RobotState.Holder("desk1", "Anna", "0123456789abcdef", "WanderDog") : null,
                 connected ? null : "not confirmed within 0.8 s",
                 Map.of(
                         "voltage", ValueJson.of(Value.about(12.6, Unit.V)),

@@ -38,6 +38,11 @@ class SharedMessagesTest {
     }
 
     @Test
+    void theHashOfASessionCanBeDerivedInAnyLanguage() {
+        assertThat(ANNA.sessionHash()).isEqualTo("6a840baf5d8c3ff2");
+    }
+
+    @Test
     void everyActionOfARequestIsReadAsItWasWritten() {
         List<RequestedAction> actions = List.of(
                 new RequestedAction.Move(-300.5, "distanceFront < 300 mm"),
@@ -127,7 +132,7 @@ class SharedMessagesTest {
                 new RobotState.Movement(new Pose(1, 2, 3), true, 4, 5, true, 6),
                 true,
                 3,
-                new RobotState.Holder("desk1", "Anna", "s-1", "WanderDog"),
+                new RobotState.Holder("desk1", "Anna", "0123456789abcdef", "WanderDog"),
                 "not confirmed within 0.8 s",
                 Map.of("voltage", ValueJson.of(Value.of(12.6, Unit.V))));
         assertThat(RobotState.parse(state.toJson())).isEqualTo(state);
