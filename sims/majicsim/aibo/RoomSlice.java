@@ -61,8 +61,8 @@ final class RoomSlice {
         if (!wall.found()) {
             return VisibleSurface.of(VisibleSurface.Kind.HAZE, FAR_MM, heightMm);
         }
-        double slant = Math.cos(Math.toRadians(wall.incidenceDeg()));
-        return new VisibleSurface(VisibleSurface.Kind.WALL, wall.distanceMm(), heightMm, slant, wall.reflectivity(), 0);
+        return new VisibleSurface(
+                VisibleSurface.Kind.WALL, wall.distanceMm(), heightMm, wall.squareness(), wall.reflectivity(), 0);
     }
 
     private static VisibleSurface robot(BodyInSlice part, double levelMm, double heightMm, double slant) {

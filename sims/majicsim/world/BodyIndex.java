@@ -2,14 +2,13 @@ package majicsim.world;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 
 /**
- * Lists the bodies in each large square of the floor, so that a ray or a body is compared with those near it only, and counts
+ * Lists the bodies in each square of the floor, so that a ray or a body is compared with those near it only, and counts
  * the movements in each square, so that what was computed from them can be kept while nothing moves.
  */
 final class BodyIndex {
-    private static final double SQUARE_MM = 5000;
+    private static final double SQUARE_MM = 2500;
 
     private final Bounds bounds;
     private final int columns;
@@ -47,8 +46,8 @@ final class BodyIndex {
         }
     }
 
-    /** Passes on all bodies of which a part may be within this distance; also some that are farther. */
-    void near(double xMm, double yMm, double withinMm, Consumer<Body> visitor) {
+    /** Adds all bodies of which a part may be within this distance; also some that are farther. */
+    void near(double xMm, double yMm, double withinMm, List<Body> found) {
         double look = withinMm + largestReachMm;
         int lastRow = row(yMm + look);
         int lastColumn = column(xMm + look);
@@ -58,7 +57,28 @@ final class BodyIndex {
                 for (int i = 0; i < square.size(); i++) {
                     Body body = square.get(i);
                     if (body.mayReach(xMm, yMm, withinMm)) {
-                        visitor.accept(body);
+                        found.add(body);
+                    }
+                }
+            }
+        }
+    }
+
+    /**
+     * Adds all bodies of which a part may be in the cone; also some that are not.
+     *
+     * @param around the bounds of the cone
+     */
+    void in(Bounds around, Cone cone, List<Body> found) {
+        int lastRow = row(around.maxY() + largestReachMm);
+        int lastColumn = column(around.maxX() + largestReachMm);
+        for (int row = row(around.minY() - largestReachMm); row <= lastRow; row++) {
+            for (int column = column(around.minX() - largestReachMm); column <= lastColumn; column++) {
+                List<Body> square = squares.get(row * columns + column);
+                for (int i = 0; i < square.size(); i++) {
+                    Body body = square.get(i);
+                    if (cone.mayMeet(body)) {
+                        found.add(body);
                     }
                 }
             }

@@ -34,10 +34,6 @@ public final class Cone {
         return new Point(axis.xMm(), axis.yMm());
     }
 
-    double lengthMm() {
-        return lengthMm;
-    }
-
     /** A rectangle along the axes of the room with everything that the sensor sees. */
     Bounds bounds() {
         double x = axis.xMm();
@@ -53,12 +49,13 @@ public final class Cone {
                 Math.max(y, Math.max(leftY, rightY)) + Bounds.SLACK_MM);
     }
 
-    /** Whether a ray in the cone may meet the body, however long it is; sometimes true although none does. */
+    /** Whether a ray in the cone may meet the body; sometimes true although none does. */
     boolean mayMeet(Body body) {
         double farthest = body.reachMm() + Bounds.SLACK_MM;
         Pose place = body.pose();
         return beyondLeftMm(place.xMm(), place.yMm()) <= farthest
-                && beyondRightMm(place.xMm(), place.yMm()) <= farthest;
+                && beyondRightMm(place.xMm(), place.yMm()) <= farthest
+                && body.mayReach(axis.xMm(), axis.yMm(), lengthMm);
     }
 
     /** Whether a ray in the cone may meet the wall; as for a body. */

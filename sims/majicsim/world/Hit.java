@@ -5,14 +5,10 @@ package majicsim.world;
  * reflectivity is 0.
  *
  * @param distanceMm mm from the ray's start
- * @param incidenceDeg 0 (square on) to 90 (grazing)
+ * @param squareness the cosine of the angle of incidence: 1 (square on) to 0 (grazing); 1 if nothing was met
  * @param reflectivity of the surface; white paper is 1; always above 0 when something was met
  */
-public record Hit(double distanceMm, double incidenceDeg, double reflectivity) {
-
-    static Hit nothing(double maxMm) {
-        return new Hit(maxMm, 0, 0);
-    }
+public record Hit(double distanceMm, double squareness, double reflectivity) {
 
     /**
      * Whether the ray met something.
@@ -21,5 +17,14 @@ public record Hit(double distanceMm, double incidenceDeg, double reflectivity) {
      */
     public boolean found() {
         return reflectivity > 0;
+    }
+
+    /**
+     * The angle between the ray and the line perpendicular to the surface.
+     *
+     * @return degrees, 0 (square on) to 90 (grazing)
+     */
+    public double incidenceDeg() {
+        return Math.toDegrees(Math.acos(squareness));
     }
 }

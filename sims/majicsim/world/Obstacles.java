@@ -1,5 +1,8 @@
 package majicsim.world;
 
+import java.util.ArrayList;
+import java.util.List;
+
 /** What is in a body's way: the walls near it and the other bodies. */
 final class Obstacles {
     /** Walls farther than this are not looked at one by one. */
@@ -9,6 +12,7 @@ final class Obstacles {
 
     private final Room room;
     private final BodyIndex bodies;
+    private final List<Body> found = new ArrayList<>();
 
     Obstacles(Room room, BodyIndex bodies) {
         this.room = room;
@@ -46,13 +50,15 @@ final class Obstacles {
     }
 
     private boolean areBodiesClearOf(Body body, Pose at) {
-        boolean[] clear = {true};
-        bodies.near(at.xMm(), at.yMm(), body.reachMm(), other -> {
-            if (clear[0] && isNear(body, other, at, 1)) {
-                clear[0] = Gap.between(body.shapeAt(at), other.shape()).mm() > 0;
+        List<Body> others = bodiesNear(at, body.reachMm());
+        for (int i = 0; i < others.size(); i++) {
+            Body other = others.get(i);
+            if (isNear(body, other, at, 1)
+                    && Gap.between(body.shapeAt(at), other.shape()).mm() <= 0) {
+                return false;
             }
-        });
-        return clear[0];
+        }
+        return true;
     }
 
     private Gap wallGap(Body body, Shape shape, Pose at, double withinMm) {
@@ -68,13 +74,20 @@ final class Obstacles {
     }
 
     private Gap bodyGap(Body body, Shape shape, Pose at, double withinMm) {
-        Gap[] best = {FAR};
-        bodies.near(at.xMm(), at.yMm(), body.reachMm() + withinMm, other -> {
+        Gap best = FAR;
+        for (Body other : bodiesNear(at, body.reachMm() + withinMm)) {
             if (isNear(body, other, at, withinMm)) {
-                best[0] = Gap.nearer(best[0], Gap.between(shape, other.shape()));
+                best = Gap.nearer(best, Gap.between(shape, other.shape()));
             }
-        });
-        return best[0];
+        }
+        return best;
+    }
+
+    /** The same list at each call, because this is called for each step of each moving body. */
+    private List<Body> bodiesNear(Pose at, double withinMm) {
+        found.clear();
+        bodies.near(at.xMm(), at.yMm(), withinMm, found);
+        return found;
     }
 
     private static boolean isNear(Body body, Body other, Pose at, double withinMm) {

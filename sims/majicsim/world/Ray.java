@@ -6,23 +6,26 @@ final class Ray {
     private final double y;
     private final double dx;
     private final double dy;
-    private Hit hit;
+    private double lengthMm;
+    private double squareness = 1;
+    private double reflectivity;
 
-    Ray(Pose from, double maxMm) {
-        x = from.xMm();
-        y = from.yMm();
-        dx = Math.cos(Math.toRadians(from.headingDeg()));
-        dy = Math.sin(Math.toRadians(from.headingDeg()));
-        hit = Hit.nothing(maxMm);
+    Ray(double xMm, double yMm, double directionDeg, double maxMm) {
+        double angle = Math.toRadians(Pose.normalised(directionDeg));
+        x = xMm;
+        y = yMm;
+        dx = Math.cos(angle);
+        dy = Math.sin(angle);
+        lengthMm = maxMm;
     }
 
     Hit hit() {
-        return hit;
+        return new Hit(lengthMm, squareness, reflectivity);
     }
 
     /** To what it meets first, as far as it was compared. */
     double lengthMm() {
-        return hit.distanceMm();
+        return lengthMm;
     }
 
     double xAt(double alongMm) {
@@ -44,20 +47,20 @@ final class Ray {
         double toX = place.xMm() - x;
         double toY = place.yMm() - y;
         double along = toX * dx + toY * dy;
-        return Math.abs(toX * dy - toY * dx) <= reachMm && along >= -reachMm && along <= hit.distanceMm() + reachMm;
+        return Math.abs(toX * dy - toY * dx) <= reachMm && along >= -reachMm && along <= lengthMm + reachMm;
     }
 
-    void meet(Shape shape, double reflectivity) {
+    void meet(Shape shape, double reflects) {
         if (shape.corners() == 1) {
-            meetDisc(shape, reflectivity);
+            meetDisc(shape, reflects);
             return;
         }
         for (int i = 0; i < shape.edges(); i++) {
-            meetEdge(shape, i, reflectivity);
+            meetEdge(shape, i, reflects);
         }
     }
 
-    private void meetDisc(Shape disc, double reflectivity) {
+    private void meetDisc(Shape disc, double reflects) {
         double toX = disc.xs[0] - x;
         double toY = disc.ys[0] - y;
         double along = toX * dx + toY * dy;
@@ -66,12 +69,13 @@ final class Ray {
             return;
         }
         double distance = along - Math.sqrt(disc.roundMm * disc.roundMm - aside * aside);
-        if (distance >= 0 && distance < hit.distanceMm()) {
-            hit = new Hit(distance, Math.toDegrees(Math.asin(Math.abs(aside) / disc.roundMm)), reflectivity);
+        if (distance >= 0 && distance < lengthMm) {
+            double sine = aside / disc.roundMm;
+            end(distance, Math.sqrt(1 - sine * sine), reflects);
         }
     }
 
-    private void meetEdge(Shape shape, int i, double reflectivity) {
+    private void meetEdge(Shape shape, int i, double reflects) {
         int j = shape.next(i);
         double ex = shape.xs[j] - shape.xs[i];
         double ey = shape.ys[j] - shape.ys[i];
@@ -81,11 +85,18 @@ final class Ray {
         }
         double toX = shape.xs[i] - x;
         double toY = shape.ys[i] - y;
-        double distance = (toX * ey - toY * ex) / determinant;
         double alongEdge = (toX * dy - toY * dx) / determinant;
-        if (distance >= 0 && distance < hit.distanceMm() && alongEdge >= 0 && alongEdge <= 1) {
-            double square = Math.min(1, Math.abs(determinant) / Math.sqrt(ex * ex + ey * ey));
-            hit = new Hit(distance, Math.toDegrees(Math.acos(square)), reflectivity);
+        if (alongEdge >= 0 && alongEdge <= 1) {
+            double distance = (toX * ey - toY * ex) / determinant;
+            if (distance >= 0 && distance < lengthMm) {
+                end(distance, Math.min(1, Math.abs(determinant) / Math.sqrt(ex * ex + ey * ey)), reflects);
+            }
         }
+    }
+
+    private void end(double distance, double square, double reflects) {
+        lengthMm = distance;
+        squareness = square;
+        reflectivity = reflects;
     }
 }

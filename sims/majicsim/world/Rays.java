@@ -1,6 +1,5 @@
 package majicsim.world;
 
-import java.util.List;
 import java.util.function.IntConsumer;
 
 /** Finds what a ray meets first. */
@@ -19,24 +18,18 @@ final class Rays {
     /** What rays from there may meet. */
     View view(Body viewer, Point from, double withinMm) {
         View view = new View(this, from, null);
-        bodies.near(from.xMm(), from.yMm(), withinMm, body -> {
-            if (body != viewer) {
-                view.add(body);
-            }
-        });
+        bodies.near(from.xMm(), from.yMm(), withinMm, view.bodies());
+        view.bodies().remove(viewer);
         return view;
     }
 
     /** What rays in a cone may meet. */
     View view(Body viewer, Cone cone) {
-        Point from = cone.tip();
-        List<Integer> walls = room.wallsIn(cone);
-        View view = new View(this, from, walls.size() > MOST_WALLS ? null : walls);
-        bodies.near(from.xMm(), from.yMm(), cone.lengthMm(), body -> {
-            if (body != viewer && cone.mayMeet(body)) {
-                view.add(body);
-            }
-        });
+        Bounds around = cone.bounds();
+        WallsInCone walls = room.wallsIn(cone, around);
+        View view = new View(this, cone.tip(), walls.count() > MOST_WALLS ? null : walls);
+        bodies.in(around, cone, view.bodies());
+        view.bodies().remove(viewer);
         return view;
     }
 
@@ -45,7 +38,7 @@ final class Rays {
     }
 
     Hit castAtWalls(Pose from, double maxMm) {
-        return meetWalls(new Ray(from, maxMm));
+        return meetWalls(new Ray(from.xMm(), from.yMm(), from.headingDeg(), maxMm));
     }
 
     /** Goes along the ray cell by cell and ends with the first cell that holds the hit. */
@@ -66,8 +59,8 @@ final class Rays {
     }
 
     /** Compares the ray with these walls only. */
-    Hit meetWalls(Ray ray, List<Integer> walls) {
-        for (int i = 0; i < walls.size(); i++) {
+    Hit meetWalls(Ray ray, WallsInCone walls) {
+        for (int i = 0; i < walls.count(); i++) {
             int wall = walls.get(i);
             ray.meet(room.wallShape(wall), room.reflectivity(wall));
         }

@@ -11,7 +11,6 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -216,16 +215,19 @@ public final class Room {
         return reflectivities[wall];
     }
 
-    /** The numbers of all walls that a ray in the cone may meet; also of some that none does, and some twice. */
-    List<Integer> wallsIn(Cone cone) {
-        List<Integer> found = new ArrayList<>();
-        Bounds around = cone.bounds();
-        coarseIndex.near(around.minX(), around.minY(), around.maxX(), around.maxY(), wall -> {
-            if (cone.mayMeet(walls.get(wall))) {
-                found.add(wall);
-            }
-        });
+    /**
+     * All walls that a ray in the cone may meet; also some that none does.
+     *
+     * @param around the bounds of the cone
+     */
+    WallsInCone wallsIn(Cone cone, Bounds around) {
+        WallsInCone found = new WallsInCone(cone, walls);
+        coarseIndex.near(around.minX(), around.minY(), around.maxX(), around.maxY(), found);
         return found;
+    }
+
+    Segment wall(int number) {
+        return walls.get(number);
     }
 
     /** Passes on all ends of walls within this distance; also some that are farther. */

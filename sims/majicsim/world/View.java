@@ -10,23 +10,24 @@ public final class View {
     private final Rays rays;
     private final double xMm;
     private final double yMm;
-    private final @Nullable List<Integer> walls;
+    private final @Nullable WallsInCone walls;
     private final List<Body> bodies = new ArrayList<>();
 
     /**
      * A view from a place.
      *
-     * @param walls the numbers of those that a ray may meet; null if they are looked up for each ray
+     * @param walls those that a ray may meet; null if they are looked up for each ray
      */
-    View(Rays rays, Point from, @Nullable List<Integer> walls) {
+    View(Rays rays, Point from, @Nullable WallsInCone walls) {
         this.rays = rays;
         this.xMm = from.xMm();
         this.yMm = from.yMm();
         this.walls = walls;
     }
 
-    void add(Body body) {
-        bodies.add(body);
+    /** The bodies that a ray may meet, to be filled. */
+    List<Body> bodies() {
+        return bodies;
     }
 
     /**
@@ -37,7 +38,7 @@ public final class View {
      * @return the hit; nothing met is a hit that is not {@link Hit#found()}
      */
     public Hit ray(double directionDeg, double maxMm) {
-        Ray ray = new Ray(new Pose(xMm, yMm, directionDeg), maxMm);
+        Ray ray = new Ray(xMm, yMm, directionDeg, maxMm);
         for (int i = 0; i < bodies.size(); i++) {
             ray.meet(bodies.get(i));
         }
@@ -51,8 +52,10 @@ public final class View {
      * @param visitor receives the corners
      */
     public void cornersNear(double withinMm, Consumer<Point> visitor) {
-        if (walls == null || !walls.isEmpty()) {
+        if (walls == null) {
             rays.room().cornersNear(xMm, yMm, withinMm, visitor);
+        } else {
+            endsNear(walls, withinMm, visitor);
         }
         for (int i = 0; i < bodies.size(); i++) {
             Body body = bodies.get(i);
@@ -60,5 +63,21 @@ public final class View {
                 body.outline().forEach(visitor);
             }
         }
+    }
+
+    private void endsNear(WallsInCone some, double withinMm, Consumer<Point> visitor) {
+        for (int i = 0; i < some.count(); i++) {
+            Segment wall = rays.room().wall(some.get(i));
+            if (isNear(wall.x1(), wall.y1(), withinMm)) {
+                visitor.accept(new Point(wall.x1(), wall.y1()));
+            }
+            if (isNear(wall.x2(), wall.y2(), withinMm)) {
+                visitor.accept(new Point(wall.x2(), wall.y2()));
+            }
+        }
+    }
+
+    private boolean isNear(double x, double y, double withinMm) {
+        return Math.abs(x - xMm) <= withinMm && Math.abs(y - yMm) <= withinMm;
     }
 }

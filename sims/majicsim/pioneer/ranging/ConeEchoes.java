@@ -1,5 +1,6 @@
 package majicsim.pioneer.ranging;
 
+import java.util.function.Consumer;
 import majicsim.world.Body;
 import majicsim.world.Cone;
 import majicsim.world.Hit;
@@ -12,7 +13,7 @@ import majicsim.world.World;
  * What there is in the cone of one disc to throw sound back: the surfaces that a few rays meet, and the nearest corner in sight.
  * It holds until something near moves.
  */
-final class ConeEchoes {
+final class ConeEchoes implements Consumer<Point> {
     private static final double HALF_CONE_DEG = 15;
     private static final double BETWEEN_RAYS_DEG = 5;
     private static final int RAYS = 1 + (int) (2 * HALF_CONE_DEG / BETWEEN_RAYS_DEG);
@@ -23,7 +24,7 @@ final class ConeEchoes {
     private final Pose axis;
     private final View view;
     private final double[] surfaceMm = new double[RAYS];
-    private final double[] incidenceDeg = new double[RAYS];
+    private final double[] squareness = new double[RAYS];
     private double edgeMm;
 
     /** Looks from a disc's place in its direction, as far as this. */
@@ -35,23 +36,26 @@ final class ConeEchoes {
             double direction = axis.headingDeg() - HALF_CONE_DEG + i * BETWEEN_RAYS_DEG;
             Hit hit = view.ray(direction, farthestMm);
             surfaceMm[i] = hit.distanceMm();
-            incidenceDeg[i] = hit.incidenceDeg();
+            squareness[i] = hit.squareness();
         }
-        view.cornersNear(EDGE_HEARD_MM, this::look);
+        view.cornersNear(EDGE_HEARD_MM, this);
     }
 
-    /** The distance of the nearest echo, if surfaces send one back up to this angle from perpendicular. */
+    /** The distance of the nearest echo, if surfaces send one back up to this angle from perpendicular, 0 to 180. */
     double nearestMm(double heardWithinDeg) {
+        double least = Math.cos(Math.toRadians(heardWithinDeg));
         double nearest = edgeMm;
         for (int i = 0; i < RAYS; i++) {
-            if (incidenceDeg[i] <= heardWithinDeg) {
+            if (squareness[i] >= least) {
                 nearest = Math.min(nearest, surfaceMm[i]);
             }
         }
         return nearest;
     }
 
-    private void look(Point edge) {
+    /** Records an edge, if it is in sight and the nearest so far. */
+    @Override
+    public void accept(Point edge) {
         double dx = edge.xMm() - axis.xMm();
         double dy = edge.yMm() - axis.yMm();
         double square = dx * dx + dy * dy;

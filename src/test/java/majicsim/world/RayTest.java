@@ -13,7 +13,7 @@ class RayTest {
 
     @Test
     void aRaySeesTheWallSquareOn() {
-        assertThat(world.ray(viewer, 0, 0, 0, 5000)).isEqualTo(new Hit(2000, 0, 1));
+        assertThat(world.ray(viewer, 0, 0, 0, 5000)).isEqualTo(new Hit(2000, 1, 1));
     }
 
     @ParameterizedTest
