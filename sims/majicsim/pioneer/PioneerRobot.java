@@ -169,10 +169,11 @@ public final class PioneerRobot implements Firmware {
 
     @Override
     public long restNanos() {
-        if (!serialPort.wire.isIdle()) {
+        long rest = board.restNanos();
+        if (rest == 0 || !serialPort.wire.isIdle()) {
             return 0;
         }
-        return session == null ? board.restNanos() : Math.min(board.restNanos(), session.restNanos());
+        return session == null ? rest : Math.min(rest, session.restNanos());
     }
 
     @Override

@@ -212,8 +212,8 @@ public final class Board {
     }
 
     private void applyBumpers() {
-        int which = devices.settings().get(Setting.BUMPSTALL);
-        if (bumpers.stall(which, drive.plannedMmPerSec())) {
+        if (body.contact().touching()
+                && bumpers.stall(devices.settings().get(Setting.BUMPSTALL), drive.plannedMmPerSec())) {
             drive.bumped();
         }
     }

@@ -22,8 +22,7 @@ final class JoyDrive {
     }
 
     void step(boolean hasClient) {
-        boolean allowed = !hasClient || settings.isOn(Setting.JOYDRIVE);
-        if (allowed && joystick.isFiring()) {
+        if (joystick.isFiring() && (!hasClient || settings.isOn(Setting.JOYDRIVE))) {
             push(hasClient);
         } else if (driving) {
             release(hasClient);

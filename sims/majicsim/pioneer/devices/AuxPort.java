@@ -61,7 +61,11 @@ public final class AuxPort {
     }
 
     void step(double seconds) {
-        readyBytes = outgoing.isEmpty() ? 0 : readyBytes + seconds * bitsPerSecond() / BITS_PER_BYTE;
+        if (outgoing.isEmpty()) {
+            readyBytes = 0;
+            return;
+        }
+        readyBytes += seconds * bitsPerSecond() / BITS_PER_BYTE;
         int count = Math.min(outgoing.size(), (int) readyBytes);
         if (count > 0) {
             readyBytes -= count;

@@ -31,6 +31,10 @@ final class Axis {
 
     /** Lets it run, no lower than {@code lowest}. */
     void step(double seconds, double lowest) {
+        if (direction == 0) {
+            position = Math.max(lowest, position);
+            return;
+        }
         double running = Math.min(seconds, leftSeconds);
         leftSeconds -= running;
         position = Math.max(lowest, Math.min(1, position + direction * running / fullTravelSeconds));

@@ -41,8 +41,11 @@ public final class Bumpers {
 
     /** The segment of a row that is touched, the row being so far from the turning centre, the touch so far off its middle. */
     private int bits(int segments, double reachMm, double offMiddleDeg) {
+        if (!body.contact().touching() || segments == 0) {
+            return 0;
+        }
         double cornerDeg = Math.toDegrees(Math.atan2(model.halfWidthMm(), reachMm));
-        if (!body.contact().touching() || segments == 0 || Math.abs(offMiddleDeg) > cornerDeg + ROUND_THE_CORNER_DEG) {
+        if (Math.abs(offMiddleDeg) > cornerDeg + ROUND_THE_CORNER_DEG) {
             return 0;
         }
         double alongDeg = Math.max(-cornerDeg, Math.min(cornerDeg, offMiddleDeg));

@@ -1,14 +1,18 @@
 package majicsim.pioneer.model;
 
-import java.util.EnumMap;
-import java.util.Map;
-
 /** The working values of all {@link Setting}s; the stored ones until a command changes them. */
 public final class Settings {
-    private final Map<Setting, Integer> changed = new EnumMap<>(Setting.class);
+    private static final Setting[] ALL = Setting.values();
+
+    private final int[] values = new int[ALL.length];
+
+    /** Begins with the stored values. */
+    public Settings() {
+        restore();
+    }
 
     public int get(Setting setting) {
-        return changed.getOrDefault(setting, setting.stored());
+        return values[setting.ordinal()];
     }
 
     public boolean isOn(Setting setting) {
@@ -16,11 +20,13 @@ public final class Settings {
     }
 
     public void set(Setting setting, int value) {
-        changed.put(setting, value);
+        values[setting.ordinal()] = value;
     }
 
     /** All stored values again, as at the end of a session (ARCOS sheet 5.1). */
     public void restore() {
-        changed.clear();
+        for (Setting setting : ALL) {
+            values[setting.ordinal()] = setting.stored();
+        }
     }
 }

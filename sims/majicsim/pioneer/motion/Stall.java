@@ -36,7 +36,9 @@ public final class Stall {
     }
 
     void step(double seconds) {
-        pauseSeconds = Math.max(0, pauseSeconds - seconds);
+        if (pauseSeconds > 0) {
+            pauseSeconds = Math.max(0, pauseSeconds - seconds);
+        }
     }
 
     /** Whether the motors have no power because of a stall a moment ago. */

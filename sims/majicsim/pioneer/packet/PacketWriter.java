@@ -1,15 +1,18 @@
 package majicsim.pioneer.packet;
 
-import java.io.ByteArrayOutputStream;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /** Builds one packet to the client: numbers low byte first, strings ended by NUL, checksum high byte first (ARCOS sheet 2, 3). */
 public final class PacketWriter {
     private static final int HEADER = 3;
-    private static final int AROUND_CONTENT = HEADER + 2;
+    private static final int CHECKSUM = 2;
     private static final int USUAL_BYTES = 64;
 
-    private final ByteArrayOutputStream body = new ByteArrayOutputStream(USUAL_BYTES);
+    /** The packet from its first byte, with place for the header. */
+    private byte[] packet = new byte[USUAL_BYTES];
+
+    private int end = HEADER;
 
     public PacketWriter(int type) {
         uint8(type);
@@ -17,7 +20,8 @@ public final class PacketWriter {
 
     /** Adds the low 8 bits. */
     public PacketWriter uint8(int value) {
-        body.write(value);
+        reserve(1);
+        packet[end++] = (byte) value;
         return this;
     }
 
@@ -38,21 +42,28 @@ public final class PacketWriter {
     }
 
     public PacketWriter text(String text) {
-        body.writeBytes(text.getBytes(StandardCharsets.US_ASCII));
+        byte[] bytes = text.getBytes(StandardCharsets.US_ASCII);
+        reserve(bytes.length);
+        System.arraycopy(bytes, 0, packet, end, bytes.length);
+        end += bytes.length;
         return uint8(0);
     }
 
     /** The whole packet with header, count and checksum, for one write. */
     public byte[] toBytes() {
-        byte[] content = body.toByteArray();
-        int checksum = Checksum.of(content, 0, content.length);
-        byte[] whole = new byte[content.length + AROUND_CONTENT];
+        int checksum = Checksum.of(packet, HEADER, end);
+        byte[] whole = Arrays.copyOf(packet, end + CHECKSUM);
         whole[0] = (byte) 0xFA;
         whole[1] = (byte) 0xFB;
-        whole[2] = (byte) (content.length + 2);
-        System.arraycopy(content, 0, whole, HEADER, content.length);
-        whole[HEADER + content.length] = (byte) (checksum >> 8);
-        whole[HEADER + content.length + 1] = (byte) checksum;
+        whole[2] = (byte) (end - HEADER + CHECKSUM);
+        whole[end] = (byte) (checksum >> 8);
+        whole[end + 1] = (byte) checksum;
         return whole;
+    }
+
+    private void reserve(int bytes) {
+        if (end + bytes > packet.length) {
+            packet = Arrays.copyOf(packet, 2 * packet.length + bytes);
+        }
     }
 }

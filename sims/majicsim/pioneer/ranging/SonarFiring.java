@@ -97,7 +97,9 @@ public final class SonarFiring {
     /** The readings since the last call, in the order of firing. */
     public List<SonarReading> takeFresh() {
         List<SonarReading> readings = new ArrayList<>(fresh.size());
-        fresh.forEach((disc, range) -> readings.add(new SonarReading(disc, range)));
+        for (Map.Entry<Integer, Integer> reading : fresh.entrySet()) {
+            readings.add(new SonarReading(reading.getKey(), reading.getValue()));
+        }
         fresh.clear();
         return readings;
     }

@@ -1,28 +1,27 @@
 package majicsim.pioneer.report;
 
 import java.util.ArrayList;
-import java.util.EnumMap;
+import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import majicsim.pioneer.board.Board;
 import majicsim.pioneer.devices.AuxPort;
 
 /** The packets for one client in each cycle: the SIP, other requested packets, and bytes from the AUX ports. */
 public final class Reports {
+    private static final Report[] ALL = Report.values();
+
     private final Board board;
-    private final Map<Report, Subscription> subscriptions = new EnumMap<>(Report.class);
+    private final Subscription[] subscriptions = new Subscription[ALL.length];
 
     public Reports(Board board) {
         this.board = board;
-        for (Report report : Report.values()) {
-            subscriptions.put(report, new Subscription());
-        }
+        Arrays.setAll(subscriptions, report -> new Subscription());
         ask(Report.SIP, Subscription.EVERY_CYCLE);
     }
 
     /** Requests a packet: 0 none, 1 once, 2 or more every cycle. */
     public void ask(Report report, int argument) {
-        subscriptions.get(report).ask(argument);
+        subscriptions[report.ordinal()].ask(argument);
     }
 
     /** GYRO: its packets with every SIP or none, where there is a gyro. */
@@ -34,11 +33,11 @@ public final class Reports {
     /** The packets of this cycle, each for a write of its own. */
     public List<byte[]> next() {
         List<byte[]> packets = new ArrayList<>();
-        subscriptions.forEach((report, subscription) -> {
-            if (subscription.isDue()) {
+        for (Report report : ALL) {
+            if (subscriptions[report.ordinal()].isDue()) {
                 packets.add(report.of(board));
             }
-        });
+        }
         for (AuxPort port : board.devices().auxPorts()) {
             byte[] packet = port.nextPacket();
             if (packet != null) {

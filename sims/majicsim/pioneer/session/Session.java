@@ -223,8 +223,14 @@ public final class Session {
         sinceSipNanos += nanos;
         if (sinceSipNanos >= SIP_CYCLE_NANOS) {
             sinceSipNanos -= SIP_CYCLE_NANOS;
-            reports.next().forEach(this::send);
-            simulation.packets().forEach(this::send);
+            sendAll(reports.next());
+            sendAll(simulation.packets());
+        }
+    }
+
+    private void sendAll(List<byte[]> packets) {
+        for (byte[] packet : packets) {
+            send(packet);
         }
     }
 
