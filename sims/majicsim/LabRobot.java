@@ -34,11 +34,12 @@ record LabRobot(
     }
 
     void step(long labNanos) {
-        if (!isSharing) {
-            clock.step(labNanos);
+        if (isSharing) {
+            return;
         }
-        for (Port port : ownPorts()) {
-            port.step(labNanos);
+        clock.step(labNanos);
+        for (int i = 0; i < ports.size(); i++) {
+            ports.get(i).step(labNanos);
         }
     }
 

@@ -2,6 +2,7 @@ package majicsim.net;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicLong;
 import majicsim.world.Noise;
 
 /**
@@ -23,7 +24,8 @@ public final class Faults {
     private volatile long outageUntilNanos = Long.MIN_VALUE;
     private volatile double jitterFromMs;
     private volatile double jitterToMs;
-    private volatile long labNanos;
+    /** Set without a fence, because that would cost more than the rest of a step. */
+    private final AtomicLong labNanos = new AtomicLong();
 
     /**
      * No faults yet.
@@ -91,7 +93,7 @@ public final class Faults {
      * @param seconds from now
      */
     public void outage(double seconds) {
-        outageUntilNanos = labNanos + (long) (seconds * 1e9);
+        outageUntilNanos = nowNanos() + (long) (seconds * 1e9);
         changed();
     }
 
@@ -137,14 +139,14 @@ public final class Faults {
 
     void tick(long nowNanos) {
         boolean wasOut = isOutage();
-        labNanos = nowNanos;
+        labNanos.lazySet(nowNanos);
         if (wasOut != isOutage()) {
             changed();
         }
     }
 
     long nowNanos() {
-        return labNanos;
+        return labNanos.get();
     }
 
     boolean isReading() {
@@ -156,7 +158,7 @@ public final class Faults {
     }
 
     boolean isOutage() {
-        return labNanos < outageUntilNanos;
+        return nowNanos() < outageUntilNanos;
     }
 
     boolean isHalving() {

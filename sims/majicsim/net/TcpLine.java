@@ -18,6 +18,7 @@ final class TcpLine extends RobotLine {
     private final SelectionKey key;
     private final ArrayDeque<ByteBuffer> unsent = new ArrayDeque<>();
     private int unsentBytes;
+    private volatile boolean waits;
 
     TcpLine(SocketChannel channel, SelectionKey key, Wiring wiring) throws IOException {
         super(
@@ -60,7 +61,10 @@ final class TcpLine extends RobotLine {
             unsent.clear();
             unsentBytes = 0;
         }
-        wakeIfWaiting();
+        waits = !unsent.isEmpty();
+        if (waits) {
+            key.selector().wakeup();
+        }
     }
 
     @Override
@@ -79,8 +83,12 @@ final class TcpLine extends RobotLine {
         key.selector().wakeup();
     }
 
+    /** May be called without the lock: bytes that have to wait later wake the port's selector. */
     void setInterest(boolean reading) {
-        key.interestOps((reading ? SelectionKey.OP_READ : 0) | (isFlushed() ? 0 : SelectionKey.OP_WRITE));
+        int wanted = (reading ? SelectionKey.OP_READ : 0) | (waits ? SelectionKey.OP_WRITE : 0);
+        if (key.interestOps() != wanted) {
+            key.interestOps(wanted);
+        }
     }
 
     SelectionKey key() {
@@ -100,12 +108,6 @@ final class TcpLine extends RobotLine {
             channel.close();
         } catch (IOException e) {
             LOG.log(Level.DEBUG, "closing {0}: {1}", peer(), e.getMessage());
-        }
-    }
-
-    private void wakeIfWaiting() {
-        if (!unsent.isEmpty()) {
-            key.selector().wakeup();
         }
     }
 }

@@ -36,7 +36,8 @@ final class TcpService implements Runnable {
 
     void step(long labNanos) {
         wiring.faults().tick(labNanos);
-        for (TcpLine line : lines) {
+        for (int i = 0; i < lines.size(); i++) {
+            TcpLine line = lines.get(i);
             line.release();
             if (line.isOver()) {
                 wakeup();
@@ -90,7 +91,7 @@ final class TcpService implements Runnable {
 
     private void setInterest(TcpLine line) {
         if (line.key().isValid()) {
-            wiring.locked(() -> line.setInterest(wiring.faults().isReading()));
+            line.setInterest(wiring.faults().isReading());
         }
     }
 
@@ -127,13 +128,18 @@ final class TcpService implements Runnable {
         wiring.locked(line::clientLeft);
     }
 
+    /** Takes the lab's lock only for lines that have ended: a line that ends later wakes this thread again. */
     private void endThoseThatAreOver() {
         for (TcpLine line : lines) {
-            wiring.locked(() -> {
-                if (line.isOver()) {
-                    end(line);
-                }
-            });
+            if (!line.isOpen()) {
+                wiring.locked(() -> endIfOver(line));
+            }
+        }
+    }
+
+    private void endIfOver(TcpLine line) {
+        if (line.isOver()) {
+            end(line);
         }
     }
 
