@@ -33,6 +33,8 @@ public class ConnectFailed extends BotException {
         NO_SUCH_PORT,
         /** The user may not use the serial port. */
         NOT_ALLOWED,
+        /** The user name or the password is missing or wrong. */
+        WRONG_LOGIN,
         /** Another reason, which the message gives. */
         OTHER
     }

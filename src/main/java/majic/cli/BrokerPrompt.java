@@ -26,7 +26,7 @@ final class BrokerPrompt {
                 connecting.run();
                 return;
             } catch (ConnectFailed e) {
-                if (e.reason() != Reason.NOT_ALLOWED
+                if (e.reason() != Reason.WRONG_LOGIN
                         || terminal == null
                         || attempt > ATTEMPTS
                         || !asked(terminal, broker)) {

@@ -9,6 +9,7 @@ import java.nio.charset.Charset;
 import java.util.List;
 import java.util.function.Consumer;
 import majic.log.Line;
+import majic.log.SessionListener;
 import majic.program.Failures;
 import majic.program.Program;
 import majic.script.MajicParser;
@@ -32,6 +33,14 @@ public final class Console {
 
         /** Shows a line, from any thread. */
         void show(String line);
+
+        /**
+         * Offers to ask for the user name and the password of a broker that refused those it was given, from any thread.
+         *
+         * @param address an address at the broker
+         * @param again the line that is to be run then; {@link #next} returns it
+         */
+        default void offerLogin(String address, String again) {}
 
         /** Returns whether a user enters the lines interactively. */
         boolean interactive();
@@ -67,7 +76,7 @@ public final class Console {
      * @return the exit status: 0 only if every line succeeded
      */
     public int run(List<String> adding, List<String> lines) {
-        program.session().addListener(this::show);
+        program.session().addListener(new Listener());
         program.announce();
         if (source.interactive()) {
             start("adding robots", () -> add(adding));
@@ -133,9 +142,18 @@ public final class Console {
         }
     }
 
-    private void show(Line line) {
-        if (line.kind() != Line.Kind.COMMAND) {
-            source.show(line.text());
+    /** Shows the answers of the session, and passes its requests for a password on. */
+    private final class Listener implements SessionListener {
+        @Override
+        public void line(Line line) {
+            if (line.kind() != Line.Kind.COMMAND) {
+                source.show(line.text());
+            }
+        }
+
+        @Override
+        public void loginRefused(String address, String again) {
+            source.offerLogin(address, again);
         }
     }
 

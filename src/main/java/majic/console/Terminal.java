@@ -3,6 +3,7 @@ package majic.console;
 import java.io.IOException;
 import java.util.List;
 import majic.program.Program;
+import majic.program.ProgramSharing;
 import majic.script.MajicParser;
 import majic.script.help.Completion;
 import majic.script.help.Completions;
@@ -23,6 +24,7 @@ final class Terminal implements Console.Source {
 
     private final org.jline.terminal.Terminal terminal;
     private final LineReader reader;
+    private final LoginQuestion login;
 
     /**
      * Opens the terminal for reading lines.
@@ -44,6 +46,40 @@ final class Terminal implements Console.Source {
                 .variable(LineReader.HISTORY_FILE, program.folder().file("history"))
                 .option(LineReader.Option.DISABLE_EVENT_EXPANSION, true)
                 .build();
+        login = new LoginQuestion(
+                new Answers(LineReaderBuilder.builder().terminal(terminal).build(), completions, program.sharing()));
+    }
+
+    /** Reads answers, which are neither completed nor kept in the history. */
+    private record Answers(LineReader answers, MajicParser parser, ProgramSharing sharing)
+            implements LoginQuestion.Prompts {
+        @Override
+        public @Nullable String text(String prompt) {
+            try {
+                return answers.readLine(prompt);
+            } catch (UserInterruptException | EndOfFileException e) {
+                return null;
+            }
+        }
+
+        @Override
+        public char @Nullable [] secret(String prompt) {
+            try {
+                return answers.readLine(prompt, '\0').toCharArray();
+            } catch (UserInterruptException | EndOfFileException e) {
+                return null;
+            }
+        }
+
+        @Override
+        public boolean isStop(String answer) {
+            return parser.isStop(answer);
+        }
+
+        @Override
+        public void use(String address, String user, char[] password) {
+            sharing.useLogin(address, user, password);
+        }
     }
 
     private static void complete(MajicParser completions, ParsedLine typed, List<Candidate> found) {
@@ -71,7 +107,8 @@ final class Terminal implements Console.Source {
     @Override
     public @Nullable String next() {
         try {
-            return reader.readLine(PROMPT);
+            String line = reader.readLine(PROMPT);
+            return line.isBlank() ? login.ask() : line;
         } catch (UserInterruptException | EndOfFileException e) {
             return null;
         }
@@ -80,6 +117,11 @@ final class Terminal implements Console.Source {
     @Override
     public void show(String line) {
         reader.printAbove(line);
+    }
+
+    @Override
+    public void offerLogin(String address, String again) {
+        login.note(address, again).ifPresent(this::show);
     }
 
     @Override

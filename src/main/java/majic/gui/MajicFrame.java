@@ -27,6 +27,7 @@ import majic.gui.kit.FileDrop;
 import majic.gui.kit.Icons;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
+import majic.gui.kit.RobotSharing;
 import majic.gui.kit.StopButton;
 import majic.gui.plot.Plots;
 import majic.gui.plot.data.LiveSource;
@@ -101,7 +102,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         stopKeys = new StopKeys(this::stopAll);
         helpKey = new HelpKey(dialogs::help);
         place();
-        listen();
+        listen(parser);
     }
 
     /**
@@ -157,8 +158,12 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         WindowPreloader.preparePanels();
     }
 
-    private void listen() {
+    private void listen(MajicParser parser) {
         session.addListener(commands.messages());
+        RobotSharing sharing = services.sharing();
+        if (sharing != null) {
+            session.addListener(new FrameLogins(this, sharing, parser, channel));
+        }
         stopKeys.install();
         helpKey.install();
         team.start();

@@ -1,6 +1,6 @@
 package majic.log;
 
-/** Receives the lines of a session. */
+/** Receives the lines of a session, and the additions of robots that a password would allow. */
 @FunctionalInterface
 public interface SessionListener {
     /**
@@ -10,4 +10,13 @@ public interface SessionListener {
      * @param line the line
      */
     void line(Line line);
+
+    /**
+     * Reports that a robot could not be added because the user name or the password is missing or wrong. The line that
+     * fails follows. Called like {@link #line}; does nothing unless it is overridden.
+     *
+     * @param address the address of the robot
+     * @param again a line of MAJIC Script that adds it
+     */
+    default void loginRefused(String address, String again) {}
 }

@@ -9,6 +9,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** Writes each line of a session to its log and passes it to all listeners, in one order for all. Thread-safe. */
@@ -75,7 +76,14 @@ public final class SessionOutput {
         Line line = new Line(kind, text, asker);
         synchronized (order) {
             log.write(kind.name().toLowerCase(Locale.ROOT), line.text());
-            listeners.forEach(thread -> thread.pass(line));
+            listeners.forEach(thread -> thread.pass(listener -> listener.line(line)));
+        }
+    }
+
+    /** Reports to all listeners what {@link SessionListener#loginRefused} describes; never waits. */
+    public void loginRefused(String address, String again) {
+        synchronized (order) {
+            listeners.forEach(thread -> thread.pass(listener -> listener.loginRefused(address, again)));
         }
     }
 
@@ -106,10 +114,10 @@ public final class SessionOutput {
             return listener == other;
         }
 
-        /** Queues a line; returns at once. If the listener is far too slow, lines are dropped. */
-        void pass(Line line) {
-            if (!waiting.offer(() -> listener.line(line))) {
-                LOG.log(Level.DEBUG, "a listener is too far behind for: {0}", line);
+        /** Queues a task; returns at once. If the listener is far too slow, tasks are dropped. */
+        void pass(Consumer<SessionListener> event) {
+            if (!waiting.offer(() -> event.accept(listener))) {
+                LOG.log(Level.DEBUG, "a listener of the session is too far behind");
             }
         }
 

@@ -35,9 +35,9 @@ final class FakeSharing implements RobotSharing {
         if (wanted.broker().contains("nowhere")) {
             throw new BotException("there is no computer of the name nowhere");
         }
-        if (wanted.broker().contains("strict") && !login.equals("anna:secret")) {
+        if (wanted.broker().contains("strict") && !isAnna()) {
             throw new ConnectFailed(
-                    ConnectFailed.Reason.NOT_ALLOWED, "the broker refuses the user name or the password");
+                    ConnectFailed.Reason.WRONG_LOGIN, "the broker refuses the user name or the password");
         }
         place = wanted;
     }
@@ -45,6 +45,11 @@ final class FakeSharing implements RobotSharing {
     @Override
     public void useLogin(String broker, String user, char[] password) {
         login = user + ":" + new String(password);
+    }
+
+    /** Returns whether the right user name and password were typed. */
+    boolean isAnna() {
+        return login.equals("anna:secret");
     }
 
     @Override

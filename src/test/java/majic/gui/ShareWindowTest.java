@@ -51,16 +51,13 @@ class ShareWindowTest {
     @Test
     void aBrokerThatRefusesTheUserIsTriedAgainWithAnother() {
         share("mqtt://strict/lab");
-        window.await(
-                "the question for the user",
-                () -> window.find("shareUser", JTextField.class).isShowing());
+        window.awaitDialog("User and Password");
 
         window.run(() -> {
-            window.find("shareUser", JTextField.class).setText("anna");
-            window.find("sharePassword", JPasswordField.class).setText("secret");
+            window.find("loginUser", JTextField.class).setText("anna");
+            window.find("loginPassword", JPasswordField.class).setText("secret");
         });
-        window.await("another attempt to be possible", () -> window.isEnabled("shareBegin"));
-        window.push("shareBegin");
+        window.push("loginOk");
 
         window.await("the addresses", () -> window.text("shareState").contains("mqtt://strict/lab/desk1/1"));
     }

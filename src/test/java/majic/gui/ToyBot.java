@@ -10,6 +10,7 @@ import javax.swing.JLabel;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
+import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
 import majic.bot.Parameter;
 import majic.bot.Pose;
@@ -32,6 +33,7 @@ public final class ToyBot extends BotDriver {
 
     public final List<String> told = new CopyOnWriteArrayList<>();
     public final CountDownLatch closed = new CountDownLatch(1);
+    private final ToyType type;
     private final String address;
     private volatile CountDownLatch jam = new CountDownLatch(0);
     private volatile boolean deaf;
@@ -40,6 +42,7 @@ public final class ToyBot extends BotDriver {
 
     ToyBot(ToyType type, String address, BotEnvironment environment) {
         super(type, PROFILE, environment);
+        this.type = type;
         this.address = address;
         if (address.contains("charged")) {
             table().add(
@@ -63,6 +66,10 @@ public final class ToyBot extends BotDriver {
     protected void open() {
         if (address.contains("silent")) {
             awaitClosing();
+        }
+        if (address.contains("strict") && !type.isUnlocked()) {
+            throw new ConnectFailed(
+                    ConnectFailed.Reason.WRONG_LOGIN, "the broker refuses the user name or the password");
         }
         if (refuses || address.contains("absent")) {
             throw new BotException("nothing answers at " + address);

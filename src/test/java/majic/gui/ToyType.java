@@ -2,6 +2,7 @@ package majic.gui;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
@@ -11,6 +12,7 @@ public final class ToyType implements BotType {
     public final List<ToyBot> made = new CopyOnWriteArrayList<>();
     private final List<Reach> reaches;
     private volatile int port = 4242;
+    private volatile BooleanSupplier unlocked = () -> false;
 
     public ToyType(Reach... reaches) {
         this.reaches = List.of(reaches);
@@ -20,6 +22,15 @@ public final class ToyType implements BotType {
     public ToyType at(int newPort) {
         port = newPort;
         return this;
+    }
+
+    /** Sets what tells whether the password of toys is known whose addresses contain "strict". */
+    void unlockedIf(BooleanSupplier known) {
+        unlocked = known;
+    }
+
+    boolean isUnlocked() {
+        return unlocked.getAsBoolean();
     }
 
     @Override

@@ -14,6 +14,7 @@ import javax.swing.Timer;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.gui.kit.HelpTopic;
+import majic.gui.kit.LoginDialog;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.ProgramServices;
@@ -77,6 +78,7 @@ public final class AddBotDialog extends MajicDialog {
             deck.add(input, name);
             input.addPropertyChangeListener(
                     AddressInput.PROBLEM, event -> message.show(String.valueOf(event.getNewValue()), true));
+            input.onRefusal(this::askLogin);
         });
         type.addActionListener(event -> {
             cards.show(deck, chosen());
@@ -150,12 +152,16 @@ public final class AddBotDialog extends MajicDialog {
             String address = input().address();
             busy(true);
             message.show(TEXTS.get("connecting", address), false);
-            attempt = new ConnectAttempt(session, address, new Ending());
+            attempt = new ConnectAttempt(session, address, new Ending(address));
             attempt.start();
             giveUp.restart();
         } catch (BotException e) {
             message.show(String.valueOf(e.getMessage()), true);
         }
+    }
+
+    private void askLogin(BotException refusal, String address, Runnable again) {
+        LoginDialog.askIfRefused(this, refusal, address, services.sharing(), again);
     }
 
     private void giveUp() {
@@ -190,6 +196,12 @@ public final class AddBotDialog extends MajicDialog {
 
     /** Receives the result of the running attempt. */
     private final class Ending implements ConnectAttempt.Outcome {
+        private final String address;
+
+        Ending(String address) {
+            this.address = address;
+        }
+
         @Override
         public void joined(Member member) {
             attempt = null;
@@ -198,11 +210,12 @@ public final class AddBotDialog extends MajicDialog {
         }
 
         @Override
-        public void failed(String reason) {
+        public void failed(BotException reason) {
             giveUp.stop();
             attempt = null;
             busy(false);
-            message.show(Advice.after(reason, input().advice()), true);
+            message.show(Advice.after(String.valueOf(reason.getMessage()), input().advice()), true);
+            askLogin(reason, address, AddBotDialog.this::connect);
         }
     }
 }

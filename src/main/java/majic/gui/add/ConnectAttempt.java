@@ -35,9 +35,9 @@ final class ConnectAttempt {
          * Reports that the robot is not connected. A new robot is closed and not in the team; a robot that had lost its
          * connection stays in the team unchanged.
          *
-         * @param reason one sentence
+         * @param reason why; its message is one sentence
          */
-        void failed(String reason);
+        void failed(BotException reason);
     }
 
     private final Session session;
@@ -112,7 +112,7 @@ final class ConnectAttempt {
 
     private void fail(BotException e) {
         if (phase.get() != Phase.CANCELLED) {
-            EventThread.later(() -> outcome.failed(e.getMessage()));
+            EventThread.later(() -> outcome.failed(e));
         }
     }
 }

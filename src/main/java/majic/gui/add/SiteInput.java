@@ -27,6 +27,7 @@ final class SiteInput extends AddressInput {
 
     private final transient BotType type;
     private final transient BotFactory factory;
+    private transient RefusalListener refusals = (refusal, address, again) -> {};
     private final JTextField host = new JTextField(16);
     private final JTextField port = new JTextField(6);
     private final JCheckBox secure = new JCheckBox(TEXTS.get("site.tls"));
@@ -116,13 +117,27 @@ final class SiteInput extends AddressInput {
             EventThread.background(
                     "listing " + address,
                     () -> {
-                        Map<String, String> found = factory.robotsAt(address);
+                        Map<String, String> found = robotsAt(address);
                         EventThread.later(() -> show(address, found));
                     },
                     this::fail);
         } catch (BotException e) {
             fail(String.valueOf(e.getMessage()));
         }
+    }
+
+    private Map<String, String> robotsAt(String address) {
+        try {
+            return factory.robotsAt(address);
+        } catch (BotException e) {
+            EventThread.later(() -> refusals.refused(e, address, this::listRobots));
+            throw e;
+        }
+    }
+
+    @Override
+    void onRefusal(RefusalListener listener) {
+        refusals = listener;
     }
 
     /** Offers the robots as {@code desk2/1 (Sony Aibo ERS-7)}. */

@@ -4,13 +4,12 @@ import java.awt.Window;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JPanel;
-import javax.swing.JPasswordField;
 import javax.swing.JTextField;
 import javax.swing.Timer;
 import majic.bot.BotException;
-import majic.bot.ConnectFailed;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
+import majic.gui.kit.LoginDialog;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.RobotSharing;
@@ -28,9 +27,6 @@ public final class ShareDialog extends MajicDialog {
     private final JTextField broker = field("shareBroker", 28);
     private final JTextField desk = field("shareDesk", 12);
     private final JTextField person = field("sharePerson", 12);
-    private final JTextField user = field("shareUser", 12);
-    private final JPasswordField password = new JPasswordField(12);
-    private final JPanel login = new JPanel(new MigLayout("insets 0, gap 8 10, hidemode 3", "[][grow, fill]", ""));
     private final Paragraph state = new Paragraph("shareState", 4, 42);
     private final JButton share = button(TEXTS.get("share"), this::begin);
     private final JButton end = button(TEXTS.get("share.end"), this::end);
@@ -53,15 +49,10 @@ public final class ShareDialog extends MajicDialog {
         person.setText(place.person());
         share.setName("shareBegin");
         end.setName("shareEnd");
-        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10, hidemode 3", "[][grow, fill]", ""));
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
         add(content, "share.broker", broker);
         add(content, "share.desk", desk);
         add(content, "share.person", person);
-        password.setName("sharePassword");
-        add(login, "share.user", user);
-        add(login, "share.password", password);
-        login.setVisible(false);
-        content.add(login, "spanx 2, growx, wrap");
         content.add(state, "spanx 2, growx, wmin 0");
         fill(content, share, end, closing(TEXTS.get("share.close")));
         state.showFaint(TEXTS.get("share.advice"));
@@ -101,14 +92,7 @@ public final class ShareDialog extends MajicDialog {
             broker.requestFocusInWindow();
             return;
         }
-        String name = user.getText().strip();
-        char[] secret = password.getPassword();
-        run(TEXTS.get("share.connecting", place.broker()), () -> {
-            if (!name.isEmpty()) {
-                sharing.useLogin(place.broker(), name, secret);
-            }
-            sharing.start(place);
-        });
+        run(TEXTS.get("share.connecting", place.broker()), () -> sharing.start(place));
     }
 
     private void end() {
@@ -147,11 +131,7 @@ public final class ShareDialog extends MajicDialog {
     /** Shows why the sharing did not begin; asks for the user name and the password if the broker refuses them. */
     private void refused(BotException refusal) {
         state.show(String.valueOf(refusal.getMessage()), true);
-        if (refusal instanceof ConnectFailed failed && failed.reason() == ConnectFailed.Reason.NOT_ALLOWED) {
-            login.setVisible(true);
-            pack();
-            user.requestFocusInWindow();
-        }
+        LoginDialog.askIfRefused(this, refusal, broker.getText().strip(), sharing, this::begin);
     }
 
     private void showNow() {

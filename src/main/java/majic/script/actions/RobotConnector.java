@@ -6,6 +6,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.bot.MajicBot;
 import majic.log.Line;
 import majic.log.SessionOutput;
@@ -41,6 +42,18 @@ public final class RobotConnector {
      * @throws BotException if it cannot be reached or taken in; nothing new is left open
      */
     Member add(String address, OptionalInt number) {
+        try {
+            return addOrConnect(address, number);
+        } catch (BotException e) {
+            if (e.getCause() instanceof ConnectFailed failed && failed.reason() == ConnectFailed.Reason.WRONG_LOGIN) {
+                String as = number.isPresent() ? " as " + number.getAsInt() : "";
+                output.loginRefused(address, "add " + address + as);
+            }
+            throw e;
+        }
+    }
+
+    private Member addOrConnect(String address, OptionalInt number) {
         Optional<Member> there = alreadyThere(address, number).or(() -> connectedMeanwhile(address, number));
         if (there.isPresent()) {
             output.send(Line.Kind.ANSWER, there.get().number() + ": at " + address + ", connected already");

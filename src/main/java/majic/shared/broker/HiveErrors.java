@@ -72,7 +72,7 @@ final class HiveErrors {
         return switch (answer.getReasonCode()) {
             case BAD_USER_NAME_OR_PASSWORD, NOT_AUTHORIZED, BAD_AUTHENTICATION_METHOD, BANNED ->
                 new ConnectFailed(
-                        Reason.NOT_ALLOWED,
+                        Reason.WRONG_LOGIN,
                         address + ": the broker refuses the user name or the password" + said
                                 + "; write them into the file brokers.properties of the user's folder, or into the"
                                 + " environment as MAJIC_MQTT_USER and MAJIC_MQTT_PASSWORD",

@@ -7,6 +7,7 @@ import java.util.concurrent.ArrayBlockingQueue;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.TimeUnit;
 import majic.act.NoActs;
+import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.MajicBot.Connection;
 import majic.environment.Settings;
@@ -86,8 +87,8 @@ class ConnectAttemptTest {
             }
 
             @Override
-            public void failed(String reason) {
-                heard.add("failed: " + reason);
+            public void failed(BotException reason) {
+                heard.add("failed: " + reason.getMessage());
             }
         });
     }

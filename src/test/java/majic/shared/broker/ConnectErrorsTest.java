@@ -75,7 +75,7 @@ class ConnectErrorsTest {
     void aRefusedUserLearnsWhereThePasswordIsWritten() {
         ConnectFailed failure = answered("mqtt", refusing(NOT_AUTHORIZED));
 
-        assertThat(failure.reason()).isEqualTo(Reason.NOT_ALLOWED);
+        assertThat(failure.reason()).isEqualTo(Reason.WRONG_LOGIN);
         assertThat(failure).hasMessageContaining("brokers.properties").hasMessageContaining("MAJIC_MQTT_USER");
     }
 

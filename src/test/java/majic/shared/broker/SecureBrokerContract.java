@@ -59,7 +59,7 @@ abstract class SecureBrokerContract {
     void aWrongPasswordIsRefused() throws IOException {
         ConnectFailed refusal = refusal(TRUSTED, NAME, "broker.localhost.password=guessed");
 
-        assertThat(refusal.reason()).isEqualTo(Reason.NOT_ALLOWED);
+        assertThat(refusal.reason()).isEqualTo(Reason.WRONG_LOGIN);
         assertThat(refusal)
                 .hasMessageContaining("the user name or the password")
                 .hasMessageNotContaining("guessed");
@@ -67,7 +67,7 @@ abstract class SecureBrokerContract {
 
     @Test
     void aConnectionWithoutAUserIsRefused() throws IOException {
-        assertThat(refusal(TRUSTED).reason()).isEqualTo(Reason.NOT_ALLOWED);
+        assertThat(refusal(TRUSTED).reason()).isEqualTo(Reason.WRONG_LOGIN);
     }
 
     @Test
