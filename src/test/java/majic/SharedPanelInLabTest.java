@@ -111,7 +111,7 @@ class SharedPanelInLabTest {
         assertThat(shown(panel(anna.bot), "holder")).isEqualTo("Carl at desk3");
 
         anna.connection().cut();
-        desks.pass(2);
+        desks.pass(3.5);
 
         assertThat(shown(panel(anna.bot), "link")).isEqualTo("link lost");
     }

@@ -217,7 +217,7 @@ class SharedRobotInLabTest {
         desks.pass(2);
 
         anna.connection().cut();
-        desks.pass(2.5);
+        desks.pass(1.5);
 
         assertThat(desks.movesWithin(2)).isLessThan(1);
         assertThat(anna.bot.connection()).isEqualTo(Connection.LOST);
@@ -226,6 +226,31 @@ class SharedRobotInLabTest {
         anna.bot.connect();
         assertThat(desks.movesWithin(3)).isLessThan(1);
         assertThat(anna.run("1 move 100")).anySatisfy(line -> assertThat(line).contains("1 move 100: done"));
+    }
+
+    @Test
+    void aProgramThatStallsForTwoSecondsLosesItsHoldAndNotItsConnection() throws InterruptedException {
+        anna.say("1 move 4500");
+        desks.pass(2);
+
+        anna.connection().cut();
+        desks.pass(2);
+        anna.connection().restore();
+        desks.pass(0.5);
+
+        assertThat(anna.bot.connection()).isEqualTo(Connection.CONNECTED);
+        assertThat(anna.said()).anySatisfy(line -> assertThat(line).contains("1 move 4500: stopped"));
+        assertThat(desks.movesWithin(3)).isLessThan(1);
+        assertThat(anna.run("1 move 100")).anySatisfy(line -> assertThat(line).contains("1 move 100: done"));
+    }
+
+    @Test
+    void aDeskWhoseNetworkIsCutIsLostWithinThreeSeconds() throws InterruptedException {
+        desks.ofDesk2.get(0).holdBack();
+
+        desks.pass(3);
+
+        assertThat(anna.bot.connection()).isEqualTo(Connection.LOST);
     }
 
     @Test

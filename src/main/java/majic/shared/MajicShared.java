@@ -60,8 +60,11 @@ public final class MajicShared extends BotDriver {
     /** A program that has just been started on a busy computer needs seconds to read its first messages. */
     private static final double FIRST_STATE_S = 8;
 
-    private static final double SILENCE_S = 3;
     private static final double TICK_S = 0.25;
+
+    /** Without a state for longer than this the connection is lost, after 3 s at most. */
+    private static final double SILENCE_S = 3 - TICK_S;
+
     private static final long NO_STOPS_KNOWN = -1;
 
     /** Parameters that the desk does not have, or that have other values there. */

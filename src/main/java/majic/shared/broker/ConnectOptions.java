@@ -17,8 +17,11 @@ import org.jspecify.annotations.Nullable;
  */
 public record ConnectOptions(
         String clientId, @Nullable BrokerMessage will, int keepAliveSeconds, BotEnvironment environment) {
-    /** The keep alive unless another is chosen, s: a peer that is gone is noticed within 1.5 to 2 s. */
-    public static final int KEEP_ALIVE_SECONDS = 1;
+    /** The keep alive of a client without a last will, s: it keeps its connection if it stalls for less than 3 s. */
+    public static final int KEEP_ALIVE_SECONDS = 2;
+
+    /** The keep alive of a client with a last will, s: others depend on the will, which is due after 1.5 s. */
+    public static final int KEEP_ALIVE_WITH_WILL_SECONDS = 1;
 
     /**
      * Checks the parts.
@@ -34,24 +37,24 @@ public record ConnectOptions(
     }
 
     /**
-     * Options without a last will.
+     * Options without a last will, with a keep alive of {@value #KEEP_ALIVE_SECONDS} s.
      *
      * @param clientId the name of this client
      * @param environment the clock and the settings
-     * @return the options, with the usual keep alive
+     * @return the options
      */
     public static ConnectOptions of(String clientId, BotEnvironment environment) {
         return new ConnectOptions(clientId, null, KEEP_ALIVE_SECONDS, environment);
     }
 
     /**
-     * Returns the same options with a last will.
+     * Returns the same options with a last will, and a keep alive of {@value #KEEP_ALIVE_WITH_WILL_SECONDS} s.
      *
      * @param lastWill what the broker publishes when the connection is lost
      * @return the options
      */
     public ConnectOptions withWill(BrokerMessage lastWill) {
-        return new ConnectOptions(clientId, lastWill, keepAliveSeconds, environment);
+        return new ConnectOptions(clientId, lastWill, KEEP_ALIVE_WITH_WILL_SECONDS, environment);
     }
 
     /**
