@@ -131,6 +131,15 @@ public final class Member implements TeamMembership {
     }
 
     /**
+     * Returns since when the robot has had its {@link #owner}.
+     *
+     * @return a time on the robot's clock; of no meaning while there is no owner
+     */
+    public long ownedSinceNanos() {
+        return ownership.heldSinceNanos();
+    }
+
+    /**
      * Returns the owner that gets the robot back when a loan ends.
      *
      * @return the owner of a robot that is lent; null if it is not lent, or has no owner

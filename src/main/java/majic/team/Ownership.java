@@ -28,12 +28,13 @@ final class Ownership {
     private final PermittedControl control;
     private final CommandQueue queue;
     private @Nullable Owner owner;
+    private long ownedSinceNanos;
     private @Nullable Loan loan;
     private int pendingStops;
     private boolean removed;
 
     /** A robot that its owner has lent: the borrower, what revokes the loan, and how the borrower's commands run. */
-    private record Loan(Owner borrower, Permit permit, PermittedControl control, CommandQueue queue) {}
+    private record Loan(Owner borrower, long sinceNanos, Permit permit, PermittedControl control, CommandQueue queue) {}
 
     /**
      * The consequences of a stop, to be announced once the stop has been written to every connection and no lock is
@@ -71,6 +72,11 @@ final class Ownership {
     /** The borrower, otherwise the owner; null if there is neither. */
     synchronized @Nullable Owner holder() {
         return loan != null ? loan.borrower : owner;
+    }
+
+    /** Since when {@link #holder} has had the robot, on the robot's clock; of no meaning while there is none. */
+    synchronized long heldSinceNanos() {
+        return loan != null ? loan.sinceNanos : ownedSinceNanos;
     }
 
     /** The owner of a robot that is lent; null if it is not lent, or has no owner. */
@@ -180,7 +186,10 @@ final class Ownership {
      */
     synchronized void claim(Owner newOwner) {
         refuseOthers(newOwner);
-        owner = newOwner;
+        if (owner != newOwner) {
+            owner = newOwner;
+            ownedSinceNanos = bot.time().nanos();
+        }
     }
 
     /** Removes the owner; false if the robot is not owned by it. */
@@ -196,6 +205,7 @@ final class Ownership {
     void lend(Owner to, Permit permit, @Nullable Owner by) {
         Loan begun = new Loan(
                 to,
+                bot.time().nanos(),
                 permit,
                 new PermittedControl(bot, permit),
                 new CommandQueue(robot, bot.time(), events, this, () -> mayWork(to)));

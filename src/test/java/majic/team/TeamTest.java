@@ -255,6 +255,25 @@ class TeamTest {
     }
 
     @Test
+    void theTimeOfAnOwnerCountsFromItsFirstClaimAndThatOfABorrowerFromTheLoan() throws InterruptedException {
+        join();
+        Member robot = team.member(1);
+        Owner script = new Owner(Owner.Kind.SCRIPT, "square", () -> {});
+        Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
+        robot.claim(script);
+        long claimed = robot.ownedSinceNanos();
+
+        clock.time().signal().await(() -> false, 2);
+        robot.claim(script);
+        assertThat(robot.ownedSinceNanos()).isEqualTo(claimed);
+
+        robot.lend(act, new Permit(), script);
+        assertThat(clock.time().secondsSince(robot.ownedSinceNanos())).isZero();
+        robot.takeBack(act);
+        assertThat(robot.ownedSinceNanos()).isEqualTo(claimed);
+    }
+
+    @Test
     void aStopEndsTheOwner() {
         join();
         List<String> ended = new ArrayList<>();

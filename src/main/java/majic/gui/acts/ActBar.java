@@ -58,7 +58,7 @@ public final class ActBar extends JPanel {
 
     /** Shows the act that runs now. */
     public void update() {
-        Optional<Owner> owner = act.update();
+        Optional<Owner> owner = act.now();
         setVisible(owner.isPresent());
         if (owner.isPresent() && isDisplayable()) {
             tick.start();

@@ -83,7 +83,7 @@ record RobotSummary(
     }
 
     private static String activity(Member member, RunningAct act) {
-        return act.update().map(owner -> owner.name() + "  " + act.time()).orElseGet(() -> BotStatus.user(member));
+        return act.now().map(owner -> owner.name() + "  " + act.time()).orElseGet(() -> BotStatus.user(member));
     }
 
     /** Returns the most important text of a card with room for one line beside the name. */
