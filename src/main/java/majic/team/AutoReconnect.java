@@ -146,7 +146,7 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
         }
 
         Optional<Status> status() {
-            return status;
+            return cancelled ? Optional.empty() : status;
         }
 
         void cancel() {

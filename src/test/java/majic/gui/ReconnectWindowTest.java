@@ -25,9 +25,10 @@ class ReconnectWindowTest {
         ToyBot bot = window.add("//one");
         bot.refuseConnections();
         bot.loseLink();
-        window.await("the countdown", () -> window.isShowing("reconnecting1"));
-        assertThat(window.text("reconnecting1")).startsWith("reconnecting");
-        window.await("a pause between attempts", () -> window.isShowing("cancelReconnect1"));
+        window.await(
+                "the countdown",
+                () -> window.isShowing("reconnecting1")
+                        && window.text("reconnecting1").startsWith("reconnecting in"));
         window.push("cancelReconnect1");
         window.await("the end of the countdown", () -> !window.isShowing("reconnecting1"));
         assertThat(window.isShowing("reconnect1")).isTrue();

@@ -27,7 +27,10 @@ final class ReconnectCountdown extends JPanel {
         cancel.setName("cancelReconnect" + member.number());
         cancel.setToolTipText(TEXTS.get("retry.cancel.tip"));
         cancel.getAccessibleContext().setAccessibleName(TEXTS.get("retry.cancel.name", member.number()));
-        cancel.addActionListener(event -> actions.cancelReconnect(member));
+        cancel.addActionListener(event -> {
+            actions.cancelReconnect(member);
+            update();
+        });
         setOpaque(false);
         add(text);
         add(cancel, "hmax pref");
@@ -38,10 +41,7 @@ final class ReconnectCountdown extends JPanel {
     void update() {
         Optional<AutoReconnect.Status> status = actions.attempts(member);
         setVisible(status.isPresent());
-        status.ifPresent(now -> {
-            text.setText(text(now));
-            cancel.setVisible(!now.connecting());
-        });
+        status.ifPresent(now -> text.setText(text(now)));
     }
 
     /** Puts the state of the attempts into a few words, for a card. */
