@@ -117,7 +117,6 @@ public final class MajicAibo extends BotDriver {
     @Override
     protected void open() {
         lostBecause = null;
-        dog.forgetReadings();
         AiboSession opening = new AiboSession(transports, new RobotWait(time(), changes()), dog, new SessionEvents());
         session = opening;
         try {

@@ -3,8 +3,10 @@ package majic.aibo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import majic.aibo.session.AiboSession;
+import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -49,6 +51,19 @@ class LostDogTest {
         assertThat(dog.received("stop walk").size()).isGreaterThan(before);
         assertThat(dog.received("stop mj")).isNotEmpty();
         assertThat(dog.received("robot.walk(")).hasSize(1);
+    }
+
+    @Test
+    void theLastReadingsAreShownUntilTheDogIsConnectedAgain() {
+        dog.hangUp();
+        driven.until(() -> !aibo.isConnected());
+        Map<String, String> last = aibo.displayState();
+        dog.trouble(STOP, ScriptedDog.Trouble.HANGS_UP);
+
+        assertThatThrownBy(aibo::connect).isInstanceOf(ConnectFailed.class);
+
+        assertThat(last).isNotEmpty();
+        assertThat(aibo.displayState()).isEqualTo(last);
     }
 
     @Test

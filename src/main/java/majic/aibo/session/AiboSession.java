@@ -77,6 +77,7 @@ public final class AiboSession {
     /** Connects, sets up guard and readings; moves nothing. Leaves nothing open when it throws. */
     public void open() {
         connections.open();
+        dog.forgetReadings();
         try {
             dog.takeStopCommands().ifPresent(connections.stop()::send);
             if (!guard.install()) {
