@@ -29,8 +29,8 @@ final class BeamsDrawing {
     /** How much the background of a label covers the dog. */
     private static final double LABEL_COVER = 0.8;
 
-    /** In smaller drawings the rings' numbers would cover the dog. */
-    private static final double LEAST_REACH_PX = 75;
+    /** In drawings that are smaller than this many lines of text the rings' numbers would cover the dog. */
+    private static final double LEAST_REACH_LINES = 5;
 
     private final DogState dog;
     private final DrawingColors colors;
@@ -81,7 +81,7 @@ final class BeamsDrawing {
         for (int mm = FARTHEST_MM; mm > 0; mm -= RING_MM) {
             pen.setColor(colors.grey(0.25));
             pen.draw(arc(radius(mm), 0, 90, Arc2D.OPEN));
-            if (reachPx >= LEAST_REACH_PX) {
+            if (reachPx >= LEAST_REACH_LINES * pen.getFontMetrics().getHeight()) {
                 free = paintNumber(pen, Value.plain(mm / 1000.0) + (mm == FARTHEST_MM ? " m" : ""), radius(mm), free);
             }
         }
