@@ -23,7 +23,7 @@ record BatteryLevel(String parameter, OptionalInt percent, String text) {
     static BatteryLevel read(MajicBot bot) {
         if (read(bot, CHARGE) instanceof Value.Number charge) {
             int percent = (int) Math.round(Math.max(0, Math.min(100, charge.amount())));
-            return new BatteryLevel(CHARGE, OptionalInt.of(percent), percent + "%");
+            return new BatteryLevel(CHARGE, OptionalInt.of(percent), percent + " %");
         }
         return read(bot, VOLTAGE) instanceof Value.Number volts
                 ? new BatteryLevel(VOLTAGE, OptionalInt.empty(), String.format(Locale.ROOT, "%.1f V", volts.amount()))

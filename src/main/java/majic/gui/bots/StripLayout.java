@@ -15,7 +15,7 @@ import javax.swing.JViewport;
  * together.
  */
 final class StripLayout implements LayoutManager {
-    private static final int WIDTH = 256;
+    private static final int WIDTH = 268;
     private static final int LEAST_WIDTH = 96;
     private static final int BADGE_WIDTH = 45;
     private static final int GAP = 3;

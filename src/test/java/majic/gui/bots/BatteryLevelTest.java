@@ -23,7 +23,7 @@ class BatteryLevelTest {
     @Test
     void theChargeIsShownInPercent() {
         assertThat(BatteryLevel.read(reporting("battery", 80.4, Unit.PERCENT)))
-                .isEqualTo(new BatteryLevel("battery", OptionalInt.of(80), "80%"));
+                .isEqualTo(new BatteryLevel("battery", OptionalInt.of(80), "80 %"));
     }
 
     @Test

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 class RobotSummaryTest {
     private static RobotSummary summary(String problem, String activity) {
-        BatteryLevel battery = new BatteryLevel("battery", OptionalInt.of(80), "80%");
+        BatteryLevel battery = new BatteryLevel("battery", OptionalInt.of(80), "80 %");
         return new RobotSummary(
                 StateIcon.MOVING, "Pioneer", "moving", problem, activity, battery, LinkMeter.MOST_BARS, false, false);
     }
@@ -23,6 +23,7 @@ class RobotSummaryTest {
 
     @Test
     void theDescriptionHasEverythingOnce() {
-        assertThat(summary("", "Wander  00:07").description()).isEqualTo("Pioneer, moving, Wander  00:07, battery 80%");
+        assertThat(summary("", "Wander  00:07").description())
+                .isEqualTo("Pioneer, moving, Wander  00:07, battery 80 %");
     }
 }
