@@ -36,8 +36,9 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Makes pictures of the window with each robot in each state, light and dark, to look at: {@code mvn -Pstates test}, on a
- * machine with a display. {@code -Dmajic.language=de} sets the language, {@code -Dmajic.scale=1.5} the scale of the
- * system, {@code -Dflatlaf.uiScale=1.5} that of the texts, which needs a display as much larger than 1280 × 800.
+ * machine with a display. {@code -Dmajic.language=de} sets the language, {@code -Dmajic.scale=2} the scale of the
+ * system, a whole number where Java takes no other from it (X11), {@code -Dflatlaf.uiScale=1.5} that of the texts. Both
+ * need a display as much larger than 1280 × 800.
  */
 class StatePictures {
     private static final Path FOLDER =
@@ -50,6 +51,7 @@ class StatePictures {
     private static final double OUTAGE_S = 600;
 
     static {
+        System.setProperty("sun.java2d.uiScale", String.valueOf(SCALE));
         Locale.setDefault(Locale.forLanguageTag(System.getProperty("majic.language", "en")));
     }
 
