@@ -6,6 +6,7 @@ import majic.shared.message.RequestReply;
 import majic.shared.message.RequestReply.Outcome;
 import majic.shared.message.RequestedAction;
 import majic.text.VisibleText;
+import org.jspecify.annotations.Nullable;
 
 /** A request that is being carried out, and its answers: perhaps that it is accepted, then exactly one other. Thread-safe. */
 final class IncomingRequest {
@@ -16,20 +17,30 @@ final class IncomingRequest {
     private final SeenRequests seen;
     private final Request request;
     private final BrokerMessage message;
+    private final @Nullable RobotHold held;
     private boolean answered;
 
     /**
      * @param seen keeps the answers for a second delivery
+     * @param held the hold of the sender; null if the robot has to be claimed for what moves it
      */
-    IncomingRequest(DeskContext desk, SeenRequests seen, Request request, BrokerMessage message) {
+    IncomingRequest(
+            DeskContext desk, SeenRequests seen, Request request, BrokerMessage message, @Nullable RobotHold held) {
         this.desk = desk;
         this.seen = seen;
         this.request = request;
         this.message = message;
+        this.held = held;
     }
 
     Request request() {
         return request;
+    }
+
+    /** The hold under which it was received; null if it is not known whether the sender holds the robot. */
+    @Nullable
+    RobotHold held() {
+        return held;
     }
 
     RequestedAction action() {

@@ -21,11 +21,13 @@ import majic.shared.message.UnusableMessageException;
 import majic.team.Answer;
 import majic.team.QueuedCommand;
 import majic.text.VisibleText;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Carries out the requests to one robot: checks each, passes it to the robot's queue in the name of its sender, and
- * answers it. Used by the worker of the desk; answers come from the worker of the robot.
+ * answers it. Used by the worker of the desk, for motions of the holder also by the thread of the connection; answers come from
+ * the worker of the robot.
  */
 final class RequestRunner {
     private final DeskContext desk;
@@ -43,15 +45,34 @@ final class RequestRunner {
         this.seen = seen;
     }
 
-    /** Handles a message to the topic for requests. */
+    /** Handles a message to the topic for requests, on the worker of the desk. */
     void received(BrokerMessage message) {
-        Request request;
         try {
-            request = Request.parse(message.payload());
+            received(Request.parse(message.payload()), message, null);
         } catch (UnusableMessageException e) {
             refuse(message, String.valueOf(e.getMessage()));
-            return;
         }
+    }
+
+    /**
+     * Handles a motion of the holder, without blocking, on the thread of the connection.
+     *
+     * @return false if it is no motion of the holder; nothing was done then
+     */
+    boolean receivedFrom(RobotHold held, BrokerMessage message) {
+        try {
+            Request request = Request.parse(message.payload());
+            boolean isMotion = request.action() instanceof RequestedAction.Motion && held.isOf(request.sender());
+            if (isMotion) {
+                WaitPolicy.without(() -> received(request, message, held));
+            }
+            return isMotion;
+        } catch (UnusableMessageException e) {
+            return false;
+        }
+    }
+
+    private void received(Request request, BrokerMessage message, @Nullable RobotHold held) {
         if (message.responseTopic() != null && !desk.isAnswerable(message)) {
             robot.complainOfMistake(
                     "a request of " + request.sender() + " is ignored: its response topic has to begin with "
@@ -62,7 +83,7 @@ final class RequestRunner {
         if (before != null) {
             desk.reply(message, before);
         } else {
-            begin(new IncomingRequest(desk, seen, request, message));
+            begin(new IncomingRequest(desk, seen, request, message, held));
         }
     }
 
@@ -193,7 +214,7 @@ final class RequestRunner {
 
     /** Puts a command into the robot's queue; one that moves claims the robot first. */
     private void submit(IncomingRequest incoming, boolean moves, Work work) {
-        RobotHold hold = moves ? robot.claim(incoming.request().sender(), false) : null;
+        RobotHold hold = moves ? holdFor(incoming) : null;
         QueuedCommand command = command(incoming, moves, hold, work);
         if (hold == null) {
             robot.member().submit(command, null);
@@ -201,6 +222,11 @@ final class RequestRunner {
             submit(command, hold);
         }
         incoming.accept();
+    }
+
+    private RobotHold holdFor(IncomingRequest incoming) {
+        RobotHold held = incoming.held();
+        return held == null ? robot.claim(incoming.request().sender(), false) : held;
     }
 
     private void submit(QueuedCommand command, RobotHold hold) {

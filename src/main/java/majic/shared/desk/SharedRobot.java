@@ -5,6 +5,8 @@ import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
+import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.shared.broker.BrokerMessage;
@@ -30,6 +32,9 @@ final class SharedRobot implements StoppableRobot {
     private static final int SPEEDS_PER_S = 100;
     private static final int HEARTBEATS_PER_S = 50;
 
+    /** Reading a longer message takes too long for the thread of the connection. */
+    private static final int LONGEST_AT_ONCE_BYTES = 1024;
+
     /** A robot that has more to say is not read by anybody. */
     private static final int LINES_PER_S = 20;
 
@@ -40,6 +45,7 @@ final class SharedRobot implements StoppableRobot {
     private final ReclaimPause pause;
     private final RobotPublisher publisher;
     private final StopRequests stops;
+    private final RobotInbox inbox;
     private final RequestRunner requests;
     private final SpeedDriver speeds;
     private final MessageLimit requestLimit;
@@ -55,6 +61,7 @@ final class SharedRobot implements StoppableRobot {
         this.pause = new ReclaimPause(desk.connection().time());
         this.publisher = new RobotPublisher(desk, member, this::hold);
         this.stops = new StopRequests(desk, member, publisher::publishState);
+        this.inbox = new RobotInbox(desk.worker());
         this.requests = new RequestRunner(desk, this, seen);
         this.speeds = new SpeedDriver(desk, member.number());
         this.requestLimit = new MessageLimit(desk.connection().time(), REQUESTS_PER_S);
@@ -93,14 +100,31 @@ final class SharedRobot implements StoppableRobot {
         switch (part) {
             case STOP -> stop(message);
             case HOLD -> heartbeat(message);
-            case REQUEST -> forward(requestLimit, message, () -> requests.received(message));
-            case SPEED -> forward(speedLimit, message, () -> speed(message));
+            case REQUEST ->
+                forward(
+                        requestLimit,
+                        message,
+                        held -> requests.receivedFrom(held, message),
+                        () -> requests.received(message));
+            case SPEED -> forward(speedLimit, message, held -> speedFrom(held, message), () -> speed(message));
             case DESCRIPTION, STATE, CHANGES, MESSAGES -> {}
         }
     }
 
-    private void forward(MessageLimit limit, BrokerMessage message, Runnable work) {
-        if (!limit.allows() || !desk.worker().submit(work)) {
+    /**
+     * Handles a message of the holder at once, if that is possible, and everything else on the worker of the desk: claiming the
+     * robot calls the listeners of the team, which may block.
+     *
+     * @param atOnce handles it without blocking; returns false, having done nothing, if it is no motion of the holder
+     * @param onWorker handles any message
+     */
+    private void forward(MessageLimit limit, BrokerMessage message, Predicate<RobotHold> atOnce, Runnable onWorker) {
+        if (!limit.allows()) {
+            reportFlood(limit, message.topic());
+            return;
+        }
+        RobotHold now = message.payload().length > LONGEST_AT_ONCE_BYTES || !inbox.isEmpty() ? null : hold();
+        if ((now == null || !atOnce.test(now)) && !inbox.add(onWorker)) {
             reportFlood(limit, message.topic());
         }
     }
@@ -186,21 +210,49 @@ final class SharedRobot implements StoppableRobot {
     private void speed(BrokerMessage message) {
         try {
             SpeedMessage speed = SpeedMessage.parse(message.payload());
-            desk.clock().check(speed.validUntil());
-            if (seen.isVoid(speed.sender().session(), speed.number())) {
-                return;
-            }
-            bot().checkDrive(speed.mmPerSec(), speed.degPerSec(), 1);
-            RobotHold before = hold();
-            RobotHold now = claim(speed.sender(), true);
-            if (now != before) {
-                member.notice("driven by " + now.holder());
-            }
-            now.beat();
-            speeds.drive(now, speed, message, seen);
+            drive(speed, message, () -> claimToDrive(speed.sender()));
         } catch (BotException e) {
-            desk.reply(message, RequestReply.of(Outcome.REFUSED, String.valueOf(e.getMessage())));
+            refuseSpeed(message, e);
         }
+    }
+
+    /** Handles a speed of the holder without blocking; returns false, having done nothing, if it is not of the holder. */
+    private boolean speedFrom(RobotHold held, BrokerMessage message) {
+        try {
+            SpeedMessage speed = SpeedMessage.parse(message.payload());
+            boolean isOfHolder = held.isOf(speed.sender());
+            if (isOfHolder) {
+                drive(speed, message, () -> held);
+            }
+            return isOfHolder;
+        } catch (BotException e) {
+            refuseSpeed(message, e);
+            return true;
+        }
+    }
+
+    private void refuseSpeed(BrokerMessage message, BotException why) {
+        desk.reply(message, RequestReply.of(Outcome.REFUSED, String.valueOf(why.getMessage())));
+    }
+
+    private void drive(SpeedMessage speed, BrokerMessage message, Supplier<RobotHold> hold) {
+        desk.clock().check(speed.validUntil());
+        if (seen.isVoid(speed.sender().session(), speed.number())) {
+            return;
+        }
+        bot().checkDrive(speed.mmPerSec(), speed.degPerSec(), 1);
+        RobotHold now = hold.get();
+        now.beat();
+        speeds.drive(now, speed, message, seen);
+    }
+
+    private RobotHold claimToDrive(Sender sender) {
+        RobotHold before = hold();
+        RobotHold now = claim(sender, true);
+        if (now != before) {
+            member.notice("driven by " + now.holder());
+        }
+        return now;
     }
 
     /**
