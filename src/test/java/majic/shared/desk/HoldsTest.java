@@ -190,6 +190,21 @@ class HoldsTest {
     }
 
     @Test
+    void aSessionThatLostItsHoldWaitsEvenIfAnotherOneLosesItToo() {
+        RemoteUser carl = rig.user("desk3", "Carl").beat();
+        moving();
+        rig.team.stop(List.of(member), null);
+        rig.clock.until(() -> member.isIdle() && member.owner() == null);
+        carl.outcome(carl.ask(new RequestedAction.Hold()));
+        rig.team.stop(List.of(member), null);
+        rig.clock.until(() -> member.owner() == null);
+
+        RequestReply reclaimed = anna.outcome(anna.ask(new RequestedAction.Move(100, "")));
+
+        assertThat(reclaimed.message()).startsWith("the robot was stopped; it can be claimed again in");
+    }
+
+    @Test
     void aLocalMotionIsRefusedWithTheHolder() {
         anna.outcome(anna.ask(new RequestedAction.Hold()));
 
