@@ -11,6 +11,7 @@ import majic.bot.MajicBot;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.shared.broker.BrokerMessage;
+import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -193,6 +194,25 @@ class SharedRobotInLabTest {
     void aScriptOfTheDeskThatUsesTheRobotEndsWhenItIsStoppedThere() throws InterruptedException {
         anna.sayBlock("repeat 20", "1 move 100", "wait 8s", "end");
         desks.pass(2.5);
+        assertThat(anna.said()).anySatisfy(line -> assertThat(line).contains("1 move 100: done"));
+
+        desks.desk2.run("1 stop");
+
+        assertThat(desks.movesWithin(20)).isLessThan(1);
+    }
+
+    @Test
+    void aStopWhoseAnswerWasLostHidesNoLaterStopOfOthers() throws InterruptedException {
+        anna.connection().holdBack();
+        WaitPolicy.without(() -> {
+            anna.bot.drive(100, 0);
+            anna.bot.stop();
+        });
+        anna.connection().drop();
+        desks.pass(2.5);
+        anna.bot.connect();
+        anna.sayBlock("repeat 20", "1 move 100", "wait 8s", "end");
+        desks.pass(3);
         assertThat(anna.said()).anySatisfy(line -> assertThat(line).contains("1 move 100: done"));
 
         desks.desk2.run("1 stop");

@@ -140,6 +140,7 @@ public final class MajicShared extends BotDriver {
             feed = opening;
             commands = new RobotCommands(broker, address, opening, waiting);
             motions.reset();
+            stop.reset();
             stopsAtDesk = NO_STOPS_KNOWN;
             delay.begin();
             opening.open();

@@ -38,6 +38,12 @@ final class RemoteStop {
         this.title = title;
     }
 
+    /** Forgets the stops of an earlier connection, whose answers will not arrive. */
+    void reset() {
+        ahead.set(null);
+        last = null;
+    }
+
     /** Publishes the first copy of a stop. Waits for nothing. */
     void sendAhead() {
         String id = UUID.randomUUID().toString();
