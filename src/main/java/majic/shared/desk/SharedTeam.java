@@ -61,6 +61,7 @@ final class SharedTeam implements TeamListener {
     }
 
     private void end(SharedRobot robot) {
+        robot.bot().removeListener(new Reports(robot));
         robot.remove();
         removeVehicle(robot);
         if (presence.isActive()) {
@@ -81,6 +82,9 @@ final class SharedTeam implements TeamListener {
         }
         SharedRobot robot = new SharedRobot(desk, member);
         SharedRobot before = robots.put(member.number(), robot);
+        if (before != null) {
+            before.bot().removeListener(new Reports(before));
+        }
         if (before != null && before.member() != member) {
             before.remove();
             removeVehicle(before);
@@ -162,7 +166,7 @@ final class SharedTeam implements TeamListener {
         }
     }
 
-    /** Passes on that a robot has reported something. */
+    /** Passes on that a robot has reported something. Equal to the other one of the same robot, so that it can be removed. */
     private record Reports(SharedRobot robot) implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {
