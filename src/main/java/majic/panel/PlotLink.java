@@ -176,7 +176,7 @@ public final class PlotLink {
             if (event.isPopupTrigger()) {
                 showMenu(event.getPoint());
             } else if (SwingUtilities.isLeftMouseButton(event) && component.contains(event.getPoint())) {
-                plot(parametersAt.apply(event.getPoint()), event.isControlDown());
+                plot(parametersAt.apply(event.getPoint()), event.isControlDown() || event.isMetaDown());
             }
         }
     }

@@ -31,7 +31,7 @@ final class MessageMenu extends JPopupMenu {
      */
     MessageMenu(MessageArea area, Runnable find, IntConsumer sized, Runnable timesChanged) {
         this.area = area;
-        copy = item("copy", "ctrl C", () -> area.text().copy());
+        copy = item("copy", MessagePane.MENU_KEY + "C", () -> area.text().copy());
         onlyRobot = item("robot.this", "", this::showOnlyRobot);
         times.setName("messageTimes");
         times.addActionListener(event -> {
@@ -40,13 +40,13 @@ final class MessageMenu extends JPopupMenu {
         });
         add(copy);
         add(item("copyAll", "", this::copyAll));
-        add(item("find", "ctrl F", find));
+        add(item("find", MessagePane.MENU_KEY + "F", find));
         addSeparator();
         add(onlyRobot);
         add(times);
-        add(item("larger", "ctrl PLUS", () -> sized.accept(1)));
-        add(item("smaller", "ctrl MINUS", () -> sized.accept(-1)));
-        add(item("usual", "ctrl 0", () -> sized.accept(0)));
+        add(item("larger", MessagePane.MENU_KEY + "PLUS", () -> sized.accept(1)));
+        add(item("smaller", MessagePane.MENU_KEY + "MINUS", () -> sized.accept(-1)));
+        add(item("usual", MessagePane.MENU_KEY + "0", () -> sized.accept(0)));
         addSeparator();
         add(item("clear", "", area::clear));
         addPopupMenuListener(new Opening());

@@ -1,5 +1,6 @@
 package majic.gui.command;
 
+import com.formdev.flatlaf.util.SystemInfo;
 import java.awt.BorderLayout;
 import java.util.List;
 import javax.swing.JPanel;
@@ -11,6 +12,10 @@ import majic.gui.kit.KeyAction;
 /** The messages with their controls and keys. The size of the text and the times of day are kept in the settings. */
 final class MessagePane extends JPanel {
     private static final long serialVersionUID = 1L;
+
+    /** The start of the keys that menus show, as {@code KeyStroke} reads it. */
+    static final String MENU_KEY = SystemInfo.isMacOS ? "meta " : "ctrl ";
+
     private static final String SIZE = "window.messages.larger";
     private static final String TIMES = "window.messages.times";
 
@@ -33,16 +38,16 @@ final class MessagePane extends JPanel {
         area.showTimes(settings.get(TIMES).filter("yes"::equals).isPresent());
         add(bar, BorderLayout.NORTH);
         add(area, BorderLayout.CENTER);
-        bind("ctrl F", bar::startFind);
+        bind(MENU_KEY + "F", bar::startFind);
         bind("F3", () -> bar.move(-1));
         bind("shift F3", () -> bar.move(1));
         for (String key : List.of("PLUS", "EQUALS", "ADD")) {
-            bind("ctrl " + key, () -> resize(1));
+            bind(MENU_KEY + key, () -> resize(1));
         }
         for (String key : List.of("MINUS", "SUBTRACT")) {
-            bind("ctrl " + key, () -> resize(-1));
+            bind(MENU_KEY + key, () -> resize(-1));
         }
-        bind("ctrl 0", () -> resize(0));
+        bind(MENU_KEY + "0", () -> resize(0));
     }
 
     MessageArea area() {
