@@ -31,7 +31,7 @@ import org.junit.jupiter.api.parallel.Isolated;
 @Isolated("replaces the trust store of this Java")
 class TlsLinkTest {
     private static final char[] PASSWORD = "for the test".toCharArray();
-    private static final int TIMEOUT_MS = 20_000;
+    private static final int TIMEOUT_MS = 60_000;
 
     @TempDir
     private static Path folder;

@@ -6,7 +6,7 @@ import java.util.Arrays;
 
 /** A client that has opened the robot's pseudo-terminal as a serial port, at the 9600 baud of a robot just switched on. */
 final class SerialClientWire implements Wire {
-    private static final int TIMEOUT_MS = 20_000;
+    private static final int TIMEOUT_MS = 60_000;
 
     private final SerialPort port;
     private final String path;
