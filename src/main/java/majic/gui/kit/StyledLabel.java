@@ -1,5 +1,6 @@
 package majic.gui.kit;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Font;
 import javax.swing.UIManager;
 
@@ -17,7 +18,7 @@ public final class StyledLabel extends PlainLabel {
      * Creates a label.
      *
      * @param style one of the styles of {@link Font}, such as {@link Font#BOLD}
-     * @param larger points by which the text is larger than usual; negative if smaller
+     * @param larger points by which the text is larger than usual, at the usual text size; negative if smaller
      */
     public StyledLabel(String name, String text, int style, float larger) {
         super(name, text);
@@ -35,7 +36,7 @@ public final class StyledLabel extends PlainLabel {
     private void chooseFont() {
         Font usual = UIManager.getFont("Label.font");
         if (usual != null) {
-            setFont(usual.deriveFont(style, usual.getSize2D() + larger));
+            setFont(usual.deriveFont(style, usual.getSize2D() + UIScale.scale(larger)));
         }
     }
 }
