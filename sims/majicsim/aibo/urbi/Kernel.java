@@ -206,7 +206,7 @@ public final class Kernel implements Server {
         for (ClientConnection connection : List.copyOf(connections)) {
             connection.cycle();
         }
-        for (Variable variable : memory.variables().all()) {
+        for (Variable variable : memory.variables().moving()) {
             variable.sample(CYCLE_MS / 1000);
         }
         flush();

@@ -2,6 +2,7 @@ package majicsim.hemisson.firmware;
 
 import java.util.Locale;
 import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
 import majicsim.hemisson.board.CommandBuffer;
 import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.InfraRedSensors;
@@ -21,6 +22,10 @@ public final class Commands implements Interpreter {
             + "E-Mail : info@hemisson.com" + Reply.EOL + Reply.EOL;
     private static final String GREETING = "HemiOS V1.50" + GREETING_END;
     private static final String UNKNOWN = "Unknown Command ?!";
+
+    /** The numbers that replies usually contain, since each reply of sensors has many of them. */
+    private static final String[] THREE_DIGITS =
+            IntStream.range(0, 1000).mapToObj(Commands::formatted).toArray(String[]::new);
 
     /** The time of command D without the interrupt (sheet 15: 0.31 ms to the end of its answer). */
     private static final double SPEEDS_SECONDS = 22e-6;
@@ -89,6 +94,10 @@ public final class Commands implements Interpreter {
     }
 
     static String threeDigits(int value) {
+        return value >= 0 && value < THREE_DIGITS.length ? THREE_DIGITS[value] : formatted(value);
+    }
+
+    private static String formatted(int value) {
         return String.format(Locale.ROOT, "%03d", value);
     }
 

@@ -196,11 +196,13 @@ public final class Variable {
         return measured;
     }
 
-    /** Takes a sample for the derivatives. */
+    /** Whether it has derivatives. */
+    boolean moves() {
+        return hardware != null && hardware.moves();
+    }
+
+    /** Takes a sample for the derivatives, of a variable that moves. */
     public void sample(double seconds) {
-        if (hardware == null || !hardware.moves()) {
-            return;
-        }
         if (target instanceof Value.Num num && read() instanceof Value.Num now) {
             profile.sample(num.number(), seconds);
             measured.sample(now.number(), seconds);

@@ -31,6 +31,9 @@ public final class Variables {
     private final Map<String, Variable> system = new LinkedHashMap<>();
     private final Groups groups;
     private final ObjectTable objects;
+    /** Those that move, in the order of all; null if they have to be found again. */
+    private @Nullable List<Variable> moving;
+
     private boolean strict;
     private long weight;
     private long weighedInPass = -1;
@@ -59,6 +62,7 @@ public final class Variables {
 
     /** Removes everything that is not part of the system. */
     void forget() {
+        moving = null;
         all.clear();
         system.values().forEach(Variable::restore);
         all.putAll(system);
@@ -85,11 +89,24 @@ public final class Variables {
      * @param variable for all connections
      */
     public void put(Variable variable) {
-        all.put(variable.name(), variable);
+        Variable before = all.put(variable.name(), variable);
+        if (variable.moves() || before != null && before.moves()) {
+            moving = null;
+        }
     }
 
     public Collection<Variable> all() {
         return all.values();
+    }
+
+    /** The joints, whose derivatives are measured in each cycle. */
+    public List<Variable> moving() {
+        List<Variable> found = moving;
+        if (found == null) {
+            found = all.values().stream().filter(Variable::moves).toList();
+            moving = found;
+        }
+        return found;
     }
 
     public @Nullable Variable find(Scope scope, String key) {
@@ -238,6 +255,7 @@ public final class Variables {
 
     /** Removes a variable; returns false if there was none. */
     public boolean remove(Scope scope, String key) {
+        moving = null;
         return all.remove(fullName(scope, key)) != null;
     }
 
@@ -253,6 +271,7 @@ public final class Variables {
     }
 
     void removeAllOf(String connectionId) {
+        moving = null;
         all.keySet().removeIf(name -> name.startsWith(connectionId + "."));
         system.keySet().removeIf(name -> name.startsWith(connectionId + "."));
     }

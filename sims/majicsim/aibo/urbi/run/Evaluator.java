@@ -63,7 +63,8 @@ public final class Evaluator implements Expr.Evaluation {
     public Value variable(Name name) throws Failure {
         String key = key(name);
         Memory memory = context.memory();
-        if (memory.variables().find(context.scope(), key) == null) {
+        Variable known = memory.variables().find(context.scope(), key);
+        if (known == null) {
             String full = memory.variables().fullName(context.scope(), key);
             if (memory.events().isKnown(full)) {
                 return Value.of(memory.events().current(full) != null);
@@ -76,7 +77,7 @@ public final class Evaluator implements Expr.Evaluation {
                 return item(list, key);
             }
         }
-        return suffixed(known(key, Failure.of()), name.suffix());
+        return suffixed(known == null ? known(key, Failure.of()) : known, name.suffix());
     }
 
     @Override
@@ -130,6 +131,9 @@ public final class Evaluator implements Expr.Evaluation {
         String text = name.computed() == null
                 ? name.text()
                 : name.computed().value(this).join();
+        if (name.index().isEmpty()) {
+            return text;
+        }
         StringBuilder key = new StringBuilder(text);
         for (Value index : values(name.index())) {
             key.append(INDEX).append(index.join());
