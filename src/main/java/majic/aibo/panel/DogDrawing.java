@@ -4,7 +4,9 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Rectangle;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -55,8 +57,11 @@ final class DogDrawing extends JPanel {
 
     private static final List<String> FACE_LEDS =
             LedNames.all().stream().filter(FaceDrawing::isOnlyThere).toList();
+    private static final List<String> BACK_LEDS =
+            LedNames.all().stream().filter(led -> led.startsWith("ledB")).toList();
     private static final List<String> OTHER_LEDS_AND_EARS = Stream.concat(
-                    LedNames.all().stream().filter(led -> !FaceDrawing.isOnlyThere(led)), Stream.of("earL", "earR"))
+                    LedNames.all().stream().filter(led -> !FACE_LEDS.contains(led) && !BACK_LEDS.contains(led)),
+                    Stream.of("earL", "earR"))
             .toList();
 
     /** A change that is too small to be seen: degrees, tenths of an LED, mm of a distance. */
@@ -66,6 +71,7 @@ final class DogDrawing extends JPanel {
     private final transient Painted figure = new Painted();
     private final transient Painted beams = new Painted();
     private final transient Painted faceLeds = new Painted();
+    private final transient Painted backLeds = new Painted();
 
     DogDrawing(DogState dog) {
         this.dog = dog;
@@ -82,6 +88,7 @@ final class DogDrawing extends JPanel {
         boolean all = figure.change(figure());
         boolean above = beams.change(beams());
         boolean faceOnly = faceLeds.change(leds(FACE_LEDS));
+        boolean backOnly = backLeds.change(leds(BACK_LEDS));
         if (all) {
             repaint();
             return;
@@ -92,6 +99,19 @@ final class DogDrawing extends JPanel {
         if (faceOnly) {
             repaint(views().face());
         }
+        if (backOnly) {
+            repaintBack(Projection.SIDE, views().side(), sideFrame(views().side()));
+            repaintBack(Projection.ABOVE, views().above(), aboveFrame(views().above()));
+        }
+    }
+
+    /** Paints the LEDs of the back anew, which shine in turn while nothing else changes. */
+    private void repaintBack(Projection from, Rectangle view, AffineTransform frame) {
+        Rectangle2D leds = new FigureDrawing(dog, from, colors(), isEnabled()).backLeds();
+        Rectangle area = frame.createTransformedShape(leds).getBounds();
+        area.translate(view.x, view.y);
+        area.grow(1, 1);
+        repaint(area);
     }
 
     /** Returns what all views depend on. */
@@ -185,16 +205,32 @@ final class DogDrawing extends JPanel {
     }
 
     private void paintSide(Graphics2D pen, Dimension room) {
-        double width = room.getWidth();
-        double height = room.getHeight();
-        double length = FigureDrawing.AHEAD_MM + FigureDrawing.REAR_MM;
-        double scale = Math.min(width / length, height / (FigureDrawing.HIGH_MM + 16));
-        pen.translate(width / 2 + (FigureDrawing.REAR_MM - length / 2) * scale, height - 10 * scale);
-        pen.scale(scale, -scale);
+        pen.transform(sideFrame(new Rectangle(room)));
         pen.setColor(colors().grey(0.35));
         pen.setStroke(DrawingColors.stroke(2.5));
         pen.draw(new Line2D.Double(-FigureDrawing.REAR_MM, 0, FigureDrawing.AHEAD_MM, 0));
         new FigureDrawing(dog, Projection.SIDE, colors(), isEnabled()).paint(pen);
+    }
+
+    /** The frame of the view from its right, in mm. */
+    private static AffineTransform sideFrame(Rectangle room) {
+        double length = FigureDrawing.AHEAD_MM + FigureDrawing.REAR_MM;
+        double scale = Math.min(room.width / length, room.height / (FigureDrawing.HIGH_MM + 16));
+        AffineTransform frame = AffineTransform.getTranslateInstance(
+                room.width / 2.0 + (FigureDrawing.REAR_MM - length / 2) * scale, room.height - 10 * scale);
+        frame.scale(scale, -scale);
+        return frame;
+    }
+
+    /** The frame of the view from above, in mm. */
+    private AffineTransform aboveFrame(Rectangle room) {
+        double size = Math.min(room.width, room.height);
+        double scale = HEAD_AT * size / BEHIND_HEAD_MM;
+        AffineTransform frame =
+                AffineTransform.getTranslateInstance(room.width / 2.0, (room.height + size) / 2 - HEAD_AT * size);
+        frame.scale(scale, -scale);
+        frame.translate(0, -new Skeleton(dog.senses()).neckFoot().x());
+        return frame;
     }
 
     private void paintAbove(Graphics2D pen, Dimension room) {
@@ -202,16 +238,14 @@ final class DogDrawing extends JPanel {
         double height = room.getHeight();
         double size = Math.min(width, height);
         double scale = HEAD_AT * size / BEHIND_HEAD_MM;
+        Graphics2D figure = (Graphics2D) pen.create();
+        figure.transform(aboveFrame(new Rectangle(room)));
         pen.translate(width / 2, (height + size) / 2 - HEAD_AT * size);
         BeamsDrawing beams = new BeamsDrawing(dog, colors(), REACH * size, scale * NOSE_MM);
         beams.paint(pen);
-        Graphics2D above = (Graphics2D) pen.create();
-        pen.scale(scale, -scale);
-        FigureDrawing figure = new FigureDrawing(dog, Projection.ABOVE, colors(), isEnabled());
-        pen.translate(0, -figure.skeleton().neckFoot().x());
-        figure.paint(pen);
-        beams.paintLabel(above);
-        above.dispose();
+        new FigureDrawing(dog, Projection.ABOVE, colors(), isEnabled()).paint(figure);
+        figure.dispose();
+        beams.paintLabel(pen);
     }
 
     private void paintFace(Graphics2D pen, Dimension room) {

@@ -2,6 +2,7 @@ package majic.aibo.panel;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import majic.aibo.body.BodyPoint;
 import majic.aibo.body.DogState;
@@ -21,6 +22,7 @@ final class FigureDrawing {
     private static final List<String> PLACES = List.of("F", "M", "R");
     private static final List<Color> COLOURS = List.of(LedDrawing.BLUE, LedDrawing.ORANGE, LedDrawing.RED);
     private static final List<Sensor> PADS = List.of(Sensor.BACK_FRONT, Sensor.BACK_MIDDLE, Sensor.BACK_REAR);
+    private static final double FIRST_PAD_MM = 38;
     private static final double PAD_STEP_MM = 40;
     private static final int TAIL_PIECES = 6;
 
@@ -40,10 +42,6 @@ final class FigureDrawing {
         this.view = view;
         this.colors = colors;
         this.live = live;
-    }
-
-    Skeleton skeleton() {
-        return skeleton;
     }
 
     void paint(Graphics2D pen) {
@@ -79,20 +77,41 @@ final class FigureDrawing {
 
     /** A pad to stroke, and beneath it a coloured and a white LED. */
     private void addBack(PartsDrawing parts, int place) {
-        double x = 38 - place * PAD_STEP_MM;
+        double x = FIRST_PAD_MM - place * PAD_STEP_MM;
         boolean pressed = dog.senses().isPressed(PADS.get(place));
         parts.pad(skeleton.body(new BodyPoint(x - 9, 0, 51)), skeleton.body(new BodyPoint(x + 9, 0, 51)), 15, pressed);
         String name = "ledB" + PLACES.get(place);
-        double height = view == Projection.SIDE ? 31 : 48;
-        parts.led(
-                skeleton.body(new BodyPoint(x - 8, -24, height)),
-                COLOURS.get(place),
-                dog.leds().amount(name + "C"));
+        parts.led(colouredLed(x), COLOURS.get(place), dog.leds().amount(name + "C"));
+        parts.led(whiteLed(x), LedDrawing.WHITE, dog.leds().amount(name + "W"));
+    }
+
+    private BodyPoint colouredLed(double x) {
+        return skeleton.body(new BodyPoint(x - 8, -24, ledHeight()));
+    }
+
+    private BodyPoint whiteLed(double x) {
         double left = view == Projection.SIDE ? -24 : 24;
         double further = view == Projection.SIDE ? 8 : -8;
-        parts.led(
-                skeleton.body(new BodyPoint(x + further, left, height)),
-                LedDrawing.WHITE,
-                dog.leds().amount(name + "W"));
+        return skeleton.body(new BodyPoint(x + further, left, ledHeight()));
+    }
+
+    private double ledHeight() {
+        return view == Projection.SIDE ? 31 : 48;
+    }
+
+    /** The area in which the LEDs of the back shine, in mm of the view. */
+    Rectangle2D backLeds() {
+        Rectangle2D area = around(colouredLed(FIRST_PAD_MM));
+        for (int place = 0; place < PLACES.size(); place++) {
+            double x = FIRST_PAD_MM - place * PAD_STEP_MM;
+            area.add(around(colouredLed(x)));
+            area.add(around(whiteLed(x)));
+        }
+        return area;
+    }
+
+    private Rectangle2D around(BodyPoint led) {
+        double reach = PartsDrawing.LED_REACH_MM;
+        return new Rectangle2D.Double(view.across(led) - reach, view.up(led) - reach, 2 * reach, 2 * reach);
     }
 }

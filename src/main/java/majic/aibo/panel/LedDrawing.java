@@ -14,7 +14,8 @@ final class LedDrawing {
     static final Color RED = new Color(0xFF4034);
     static final Color GREEN = new Color(0x3CC465);
 
-    private static final double GLOW = 2.1;
+    /** How far the light reaches, in radii. */
+    static final double GLOW = 2.1;
 
     private final DrawingColors colors;
     private final double radius;

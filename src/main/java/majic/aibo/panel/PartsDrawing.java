@@ -16,6 +16,9 @@ final class PartsDrawing {
     private static final double OUTLINE_MM = 5;
     private static final double LED_MM = 5;
 
+    /** How far an LED shines around its place. */
+    static final double LED_REACH_MM = LedDrawing.GLOW * LED_MM;
+
     /** What faces away is a little darker. */
     private static final double SHADE = 0.0012;
 

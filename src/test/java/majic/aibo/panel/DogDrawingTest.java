@@ -2,7 +2,7 @@ package majic.aibo.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Dimension;
+import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
@@ -105,7 +105,7 @@ class DogDrawingTest {
 
     @Test
     void onlyAChangeThatIsSeenIsPainted() {
-        Dimension all = new Dimension(WIDTH, HEIGHT);
+        Rectangle all = new Rectangle(WIDTH, HEIGHT);
 
         assertThat(paintedFor(Sensor.HEAD_PAN, 10, 10.2, 10.4)).containsExactly(all, all);
     }
@@ -130,13 +130,29 @@ class DogDrawingTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"earL", "ledHC", "ledBFC"})
+    @ValueSource(strings = {"earL", "ledHC"})
     void whatSeveralViewsShowPaintsAllOfThem(String device) {
         drawing.refresh();
 
         assertThat(paintedFor(amount -> shine(device, amount), 0.2, 0.9))
                 .hasSize(2)
-                .containsOnly(new Dimension(WIDTH, HEIGHT));
+                .containsOnly(new Rectangle(WIDTH, HEIGHT));
+    }
+
+    static Stream<String> backLeds() {
+        return LedNames.all().stream().filter(led -> led.startsWith("ledB"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("backLeds")
+    void anLedOfTheBackIsPaintedOnlyWhereItShinesInTwoViews(String led) {
+        drawing.refresh();
+
+        List<Rectangle> areas = paintedFor(amount -> shine(led, amount), 1);
+
+        assertThat(areas).hasSize(2).allMatch(area -> area.width < WIDTH / 3 && area.height < HEIGHT / 3);
+        assertThat(differing()).isGreaterThan(30);
+        assertThat(differingOutside(areas)).isZero();
     }
 
     @ParameterizedTest
@@ -149,18 +165,18 @@ class DogDrawingTest {
                 .allMatch(area -> area.width < WIDTH && area.height < HEIGHT);
     }
 
-    private List<Dimension> paintedFor(Sensor sensor, double... readings) {
+    private List<Rectangle> paintedFor(Sensor sensor, double... readings) {
         return paintedFor(reading -> put(sensor, reading), readings);
     }
 
     /** Returns the areas that are to be painted again after each reading. */
-    private List<Dimension> paintedFor(DoubleConsumer reported, double... readings) {
+    private List<Rectangle> paintedFor(DoubleConsumer reported, double... readings) {
         RepaintManager usual = RepaintManager.currentManager(drawing);
-        List<Dimension> painted = new ArrayList<>();
+        List<Rectangle> painted = new ArrayList<>();
         RepaintManager.setCurrentManager(new RepaintManager() {
             @Override
             public void addDirtyRegion(JComponent component, int x, int y, int width, int height) {
-                painted.add(new Dimension(width, height));
+                painted.add(new Rectangle(x, y, width, height));
             }
         });
         try {
@@ -188,6 +204,14 @@ class DogDrawingTest {
         int[] after = painted();
         return IntStream.range(0, after.length)
                 .filter(pixel -> after[pixel] != before[pixel])
+                .count();
+    }
+
+    private long differingOutside(List<Rectangle> areas) {
+        int[] after = painted();
+        return IntStream.range(0, after.length)
+                .filter(pixel -> after[pixel] != before[pixel])
+                .filter(pixel -> areas.stream().noneMatch(area -> area.contains(pixel % WIDTH, pixel / WIDTH)))
                 .count();
     }
 
