@@ -23,6 +23,7 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
     private final PictureView view = new PictureView(WIDTH, HEIGHT);
     private volatile Seen newest = new Seen(null, TEXTS.get("camera.none"));
     private Seen shown = newest;
+    private volatile Caption caption = new Caption(0, "");
 
     /** A picture with its caption, or in words why there is none. */
     private record Seen(@Nullable BufferedImage image, String words) {}
@@ -43,16 +44,23 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
     public void see(UrbiValue picture, double perSecond) {
         try {
             BufferedImage image = CameraPicture.of(picture);
-            publish(new Seen(image, caption(perSecond)));
+            publish(new Seen(image, captionOf(Math.round(10 * perSecond))));
         } catch (UrbiRefusal e) {
             miss(String.valueOf(e.getMessage()));
         }
     }
 
-    /** The first picture has no rate. */
-    private static String caption(double perSecond) {
-        return perSecond > 0 ? TEXTS.get("camera.rate", String.format(Locale.ROOT, "%.1f", perSecond)) : "";
+    /** Formats only another rate than that of the last picture. The first picture has no rate. */
+    private String captionOf(long tenths) {
+        if (caption.tenths() != tenths) {
+            String rate = String.format(Locale.ROOT, "%.1f", tenths / 10.0);
+            caption = new Caption(tenths, tenths > 0 ? TEXTS.get("camera.rate", rate) : "");
+        }
+        return caption.words();
     }
+
+    /** The words for a rate, in tenths of a picture a second. */
+    private record Caption(long tenths, String words) {}
 
     @Override
     public void miss(String why) {
