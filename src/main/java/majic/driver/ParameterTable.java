@@ -1,6 +1,7 @@
 package majic.driver;
 
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -23,7 +24,7 @@ import org.jspecify.annotations.Nullable;
 public final class ParameterTable {
     private final Map<String, Entry> entries = Collections.synchronizedMap(new LinkedHashMap<>());
     private volatile Map<String, Entry> renewed = Map.of();
-    private volatile @Nullable List<Entry> merged;
+    private volatile @Nullable Merged merged;
     private volatile Finder finder = name -> Optional.empty();
 
     /** Made by {@link MajicBot}, one for each robot. */
@@ -162,7 +163,7 @@ public final class ParameterTable {
      * @throws ParameterException if there is none of that name; the message suggests one
      */
     Entry find(String bot, String name) {
-        Entry found = renewed.getOrDefault(key(name), entries.get(key(name)));
+        Entry found = merged().find(name);
         if (found == null) {
             found = finder.find(name)
                     .map(other -> add(other.parameter(), other.reader()))
@@ -176,18 +177,38 @@ public final class ParameterTable {
         return found;
     }
 
-    /** Returns all; called often, so the entries are merged only after a change. */
+    /** Returns all. */
     List<Parameter> all() {
-        List<Entry> present = merged;
+        return merged().entries().stream().map(Entry::parameter).toList();
+    }
+
+    /** Called for each value that is read, so the entries are merged only after a change. */
+    private Merged merged() {
+        Merged present = merged;
         if (present == null) {
             synchronized (entries) {
                 Map<String, Entry> all = new LinkedHashMap<>(entries);
                 all.putAll(renewed);
-                present = List.copyOf(all.values());
+                present = Merged.of(all);
                 merged = present;
             }
         }
-        return present.stream().map(Entry::parameter).toList();
+        return present;
+    }
+
+    /** All entries in their order, and under their names, both as they are described and in lower case. */
+    private record Merged(List<Entry> entries, Map<String, Entry> byName) {
+        static Merged of(Map<String, Entry> byKey) {
+            Map<String, Entry> byName = new HashMap<>(byKey);
+            byKey.values().forEach(entry -> byName.put(entry.parameter().name(), entry));
+            return new Merged(List.copyOf(byKey.values()), byName);
+        }
+
+        @Nullable
+        Entry find(String name) {
+            Entry exact = byName.get(name);
+            return exact == null ? byName.get(key(name)) : exact;
+        }
     }
 
     private static String key(String name) {

@@ -30,6 +30,7 @@ final class RobotSampler {
     private final RecordedRobot robot;
     private final Map<String, Value> values = new HashMap<>();
     private final Map<Kind, Map<String, String>> texts = new EnumMap<>(Kind.class);
+    private final Map<String, String> reports = new HashMap<>();
     private volatile boolean forgotten = true;
     private volatile boolean reported = true;
     private double sampledS = Double.NEGATIVE_INFINITY;
@@ -63,6 +64,7 @@ final class RobotSampler {
             forgotten = false;
             values.clear();
             texts.clear();
+            reports.clear();
             lines.append(RecordingFormat.robot(robot));
         }
         MajicBot bot = member.bot();
@@ -71,7 +73,7 @@ final class RobotSampler {
                 sample(lines, parameter, read(bot, parameter));
             }
         }
-        bot.displayState().forEach((name, text) -> note(lines, Kind.REPORT, name, VisibleText.of(text)));
+        bot.displayState().forEach((name, text) -> report(lines, name, text));
         note(lines, Kind.STATUS, "connection", bot.connection().name().toLowerCase(Locale.ROOT));
         note(lines, Kind.STATUS, "placed", bot.placedAt().isPresent() ? "yes" : "");
         note(lines, Kind.STATUS, "owner", owner(member.owner()));
@@ -80,6 +82,13 @@ final class RobotSampler {
                 Kind.STATUS,
                 "stop",
                 VisibleText.of(stops.problem(robot.number()).orElse("")));
+    }
+
+    /** Makes only changed texts visible, because most stay the same. */
+    private void report(StringBuilder lines, String name, String text) {
+        if (!text.equals(reports.put(name, text))) {
+            note(lines, Kind.REPORT, name, VisibleText.of(text));
+        }
     }
 
     private static Value read(MajicBot bot, Parameter parameter) {
