@@ -113,6 +113,26 @@ class SharedRobotInLabTest {
     }
 
     @Test
+    void stopReachesADeskThatHasRemovedSomeOfItsRobotsOrAll() throws InterruptedException {
+        desks.desk2.add("aibo");
+        desks.pass(1);
+        try (MajicBot dog = robotAt("mqtt://broker/lab/desk2/2")) {
+            dog.connect();
+            anna.run("remove 1");
+            desks.desk2.team().stopAll();
+            desks.pass(1);
+            assertThat(anna.team.isLatched()).isTrue();
+        }
+        anna.run("release");
+        desks.pass(1);
+        assertThat(desks.desk2.team().isLatched()).isFalse();
+        desks.desk2.team().stopAll();
+        desks.pass(1);
+
+        assertThat(anna.team.isLatched()).isTrue();
+    }
+
+    @Test
     void stopAtADeskWithoutRobotsStopsTheSiteThatItHasUsed() throws InterruptedException {
         anna.run("remove 1");
         assertThat(anna.team.members()).isEmpty();

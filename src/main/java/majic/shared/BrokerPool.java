@@ -48,6 +48,11 @@ final class BrokerPool {
         Entry(PooledBroker broker) {
             this.broker = broker;
         }
+
+        /** Compares by content, unlike {@link IdentityHashMap#containsValue}. */
+        boolean isUsed(String site) {
+            return sitesOfUsers.values().stream().anyMatch(site::equals);
+        }
     }
 
     /**
@@ -119,7 +124,7 @@ final class BrokerPool {
 
     /** Returns false for a site whose last user has left meanwhile. */
     private synchronized boolean isKept(Entry entry, String site, AutoCloseable begun) {
-        boolean used = entry.sitesOfUsers.containsValue(site);
+        boolean used = entry.isUsed(site);
         if (used) {
             entry.observers.put(site, begun);
         }
@@ -177,7 +182,7 @@ final class BrokerPool {
             return List.of();
         }
         List<AutoCloseable> unused = new ArrayList<>();
-        if (!entry.sitesOfUsers.containsValue(site)) {
+        if (!entry.isUsed(site)) {
             Optional.ofNullable(entry.observers.remove(site)).ifPresent(unused::add);
         }
         if (entry.sitesOfUsers.isEmpty()) {
