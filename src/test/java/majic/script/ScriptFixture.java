@@ -15,6 +15,7 @@ import majic.bot.FakeType;
 import majic.drivertest.TestClock;
 import majic.environment.Settings;
 import majic.log.Line;
+import majic.log.SessionListener;
 import majic.log.SessionLog;
 import majic.team.BotFactory;
 import majic.team.Team;
@@ -33,6 +34,7 @@ final class ScriptFixture implements AutoCloseable {
     final MajicParser prompt;
     final MajicParser pipe;
     private final List<Line> received = Collections.synchronizedList(new ArrayList<>());
+    private final SessionListener listener = received::add;
 
     ScriptFixture() {
         this(NoActs.here());
@@ -44,7 +46,7 @@ final class ScriptFixture implements AutoCloseable {
         prompt = new MajicParser(session, true);
         pipe = new MajicParser(session, false);
         factory.useLab(new FakeLab(time));
-        session.addListener(received::add);
+        session.addListener(listener);
     }
 
     /** Adds a robot past the script, and returns it. */
@@ -107,6 +109,7 @@ final class ScriptFixture implements AutoCloseable {
 
     @Override
     public void close() {
+        session.removeListener(listener);
         team.close();
         clock.close();
     }
