@@ -5,6 +5,7 @@ import java.util.Optional;
 import majic.bot.Pose;
 import majic.panel.DrawingColors;
 import majic.panel.map.EchoContent;
+import majic.panel.map.RobotDisc;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -78,6 +79,8 @@ final class RosDrawing extends EchoContent<RosDrawing.PlacedScene> {
 
     @Override
     protected void paintBody(Graphics2D pen, PlacedScene placed, DrawingColors colors, double pxPerMm) {
-        new RosBodyDrawing(placed.scene(), colors, pxPerMm).paint(pen);
+        RosScene scene = placed.scene();
+        boolean touches = !scene.contacts().isEmpty() && scene.isConnected();
+        new RobotDisc(scene.robot().radiusMm(), touches).paint(pen, colors, pxPerMm);
     }
 }

@@ -1,4 +1,4 @@
-package majic.ros.panel;
+package majic.panel.map;
 
 import java.awt.Graphics2D;
 import java.awt.Shape;
@@ -7,41 +7,39 @@ import java.awt.geom.Path2D;
 import majic.panel.DrawingColors;
 
 /**
- * The robot itself in its own frame, mm: a disc of its size with an arrow ahead; the disc is outlined in the alarm colour
- * while it touches something. In a map at a small scale only the arrow is drawn, large enough to be found.
+ * A robot in its own frame, mm: a disc of its size with an arrow ahead; the disc is outlined in the alarm colour while it
+ * touches something. In a map at a small scale only the arrow is drawn, large enough to be found. Immutable.
+ *
+ * @param radiusMm above 0
+ * @param touches whether it touches something
  */
-final class RosBodyDrawing {
-    /** A hull narrower than this shows no parts. */
+public record RobotDisc(double radiusMm, boolean touches) {
+    /** A narrower disc shows no parts. */
     private static final double LEAST_PX = 14;
 
     private static final double ARROW_PX = 11;
 
-    private final RosScene scene;
-    private final DrawingColors colors;
-    private final double pxPerMm;
-
-    RosBodyDrawing(RosScene scene, DrawingColors colors, double pxPerMm) {
-        this.scene = scene;
-        this.colors = colors;
-        this.pxPerMm = pxPerMm;
-    }
-
-    void paint(Graphics2D pen) {
-        double radius = scene.robot().radiusMm();
-        if (2 * radius * pxPerMm < LEAST_PX) {
+    /**
+     * Paints it. For the event dispatch thread.
+     *
+     * @param pen in the frame of the robot, mm
+     * @param colors those of a robot that reports, or faded ones
+     * @param pxPerMm the scale of the map
+     */
+    public void paint(Graphics2D pen, DrawingColors colors, double pxPerMm) {
+        if (2 * radiusMm * pxPerMm < LEAST_PX) {
             pen.setColor(colors.line());
             pen.fill(arrow(ARROW_PX / pxPerMm));
             return;
         }
-        boolean touches = !scene.contacts().isEmpty() && scene.isConnected();
-        Shape hull = new Ellipse2D.Double(-radius, -radius, 2 * radius, 2 * radius);
+        Shape hull = new Ellipse2D.Double(-radiusMm, -radiusMm, 2 * radiusMm, 2 * radiusMm);
         pen.setColor(colors.grey(0.15));
         pen.fill(hull);
         pen.setColor(touches ? colors.alarm() : colors.grey(0.85));
         pen.setStroke(DrawingColors.stroke((touches ? 4 : 1.3) / pxPerMm));
         pen.draw(hull);
         pen.setColor(colors.line());
-        pen.fill(arrow(0.6 * radius));
+        pen.fill(arrow(0.6 * radiusMm));
     }
 
     private static Shape arrow(double length) {
