@@ -1,0 +1,52 @@
+package majic.program;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Whole programs, each a process with arguments, input, output and an exit status; closing ends them. */
+final class MajicProcesses implements AutoCloseable {
+    private final List<Process> started = new ArrayList<>();
+
+    /**
+     * Starts MAJIC; its errors are in its output.
+     *
+     * @param home its own folder
+     * @param java options of the Java that runs it
+     * @param arguments its own
+     */
+    Process start(Path home, List<String> java, List<String> arguments) throws IOException {
+        List<String> command = new ArrayList<>();
+        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+        command.addAll(java);
+        command.addAll(List.of(
+                "-XX:TieredStopAtLevel=1",
+                "-cp",
+                System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),
+                "majic.Majic"));
+        command.addAll(arguments);
+        ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().put("MAJIC_HOME", home.toString());
+        Process process = builder.start();
+        started.add(process);
+        return process;
+    }
+
+    /** Types lines and the end of the input, waits for the end of the program and returns all its output. */
+    static String talk(Process process, String input) throws IOException, InterruptedException {
+        try (OutputStream out = process.getOutputStream()) {
+            out.write(input.getBytes(StandardCharsets.UTF_8));
+        }
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        process.waitFor();
+        return said;
+    }
+
+    @Override
+    public void close() {
+        started.forEach(Process::destroyForcibly);
+    }
+}
