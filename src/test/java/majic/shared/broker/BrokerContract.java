@@ -138,7 +138,7 @@ abstract class BrokerContract {
             acknowledged(other, message(topic("news"), "missed"));
             restore(lost);
             assertThat(events.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).isEqualTo(ONLINE);
-            acknowledged(other, message(topic("news"), "after"));
+            acknowledged(lost, message(topic("news"), "after"));
 
             assertThat(next().text()).isEqualTo("after");
         }
