@@ -26,6 +26,20 @@ public final class VisibleText {
                 .replaceAll(found -> Matcher.quoteReplacement(escape(found.group())));
     }
 
+    /**
+     * Cuts a text that may be too long, never inside of a character.
+     *
+     * @param text anything
+     * @param most how many UTF-16 units remain at most, above 0
+     * @return the text, or its beginning
+     */
+    public static String beginning(String text, int most) {
+        if (text.length() <= most) {
+            return text;
+        }
+        return text.substring(0, Character.isHighSurrogate(text.charAt(most - 1)) ? most - 1 : most);
+    }
+
     private static String escape(String unsafe) {
         return switch (unsafe) {
             case "\n" -> "\\n";

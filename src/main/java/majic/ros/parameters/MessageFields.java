@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.text.Suggestion;
+import majic.text.VisibleText;
 
 /** Reads single fields of any message, and lists them, in the units of the robot. */
 final class MessageFields {
@@ -144,6 +145,6 @@ final class MessageFields {
     }
 
     private static String shortened(String text) {
-        return text.length() <= LONGEST_TEXT ? text : text.substring(0, LONGEST_TEXT) + "…";
+        return text.length() <= LONGEST_TEXT ? text : VisibleText.beginning(text, LONGEST_TEXT) + "…";
     }
 }

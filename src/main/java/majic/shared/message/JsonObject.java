@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
@@ -26,6 +27,12 @@ final class JsonObject {
 
     /** Longer texts are cut: no message has a use for them, and they are shown to users. */
     private static final int LONGEST_TEXT = 4000;
+
+    /** How much of a wrong field is repeated. */
+    private static final int LONGEST_SHOWN = 60;
+
+    /** A surrogate without its other half, which no message can contain in UTF-8. */
+    private static final Pattern HALF_CHARACTER = Pattern.compile("\\p{Cs}");
 
     private static final JsonMapper JSON = JsonMapper.builder(JsonFactory.builder()
                     .streamReadConstraints(StreamReadConstraints.builder()
@@ -112,8 +119,8 @@ final class JsonObject {
         if (!node.isTextual()) {
             throw wrong(field, "it is a text");
         }
-        String text = node.textValue();
-        return text.length() > LONGEST_TEXT ? text.substring(0, LONGEST_TEXT) + "…" : text;
+        String text = HALF_CHARACTER.matcher(node.textValue()).replaceAll("\uFFFD");
+        return shortened(text, LONGEST_TEXT);
     }
 
     double number(String field) {
@@ -188,8 +195,12 @@ final class JsonObject {
 
     UnusableMessageException wrong(String field, String right) {
         String shown = VisibleText.of(fields.path(field).toString());
-        String cut = shown.length() > 60 ? shown.substring(0, 60) + "…" : shown;
-        return new UnusableMessageException(what + ": \"" + field + "\" is " + cut + "; " + right);
+        return new UnusableMessageException(
+                what + ": \"" + field + "\" is " + shortened(shown, LONGEST_SHOWN) + "; " + right);
+    }
+
+    private static String shortened(String text, int most) {
+        return text.length() > most ? VisibleText.beginning(text, most) + "…" : text;
     }
 
     private JsonNode required(String field, String kind) {

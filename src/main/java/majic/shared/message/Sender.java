@@ -81,8 +81,12 @@ public record Sender(String desk, String person, String session) {
         return person.isEmpty() ? desk : person + " at " + desk;
     }
 
+    /** Without the desk if its program has named none. */
     void write(ObjectNode to) {
-        to.put("session", session).put("desk", desk).put("person", person);
+        to.put("session", session).put("person", person);
+        if (isDesk(desk)) {
+            to.put("desk", desk);
+        }
     }
 
     /** Reads the fields; {@code desk} and {@code person} may be missing. */
@@ -104,7 +108,7 @@ public record Sender(String desk, String person, String session) {
     }
 
     private static String shown(String person) {
-        String visible = VisibleText.of(person).strip();
-        return visible.length() > LONGEST_PERSON ? visible.substring(0, LONGEST_PERSON) : visible;
+        return VisibleText.beginning(VisibleText.of(person).strip(), LONGEST_PERSON)
+                .strip();
     }
 }

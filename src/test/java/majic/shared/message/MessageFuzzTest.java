@@ -4,6 +4,8 @@ import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.Map;
 import java.util.function.Function;
 import majic.bot.Parameter;
 import majic.bot.Unit;
@@ -26,12 +28,26 @@ class MessageFuzzTest {
         assertReadOrRefused("state", payload, RobotState::parse, MessageFuzzTest::shown);
     }
 
-    /** Every value is shown too, as that of a number. */
+    @FuzzTest
+    void aChangeIsWrittenAsItWasReadOrRefusedInOneSentence(byte[] payload) {
+        assertReadOrRefused("change", payload, StateChange::parse, MessageFuzzTest::shown);
+    }
+
     private static byte[] shown(RobotState state) {
-        assertThat(state.values().values())
+        show(state.values());
+        return state.toJson();
+    }
+
+    private static byte[] shown(StateChange change) {
+        show(change.values());
+        return change.toJson();
+    }
+
+    /** As values of a number. */
+    private static void show(Map<String, JsonNode> values) {
+        assertThat(values.values())
                 .allSatisfy(json ->
                         assertThat(ValueJson.read(json, DISTANCE).toString()).isNotNull());
-        return state.toJson();
     }
 
     @FuzzTest

@@ -18,6 +18,7 @@ import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.shared.message.RequestReply.Outcome;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -196,6 +197,27 @@ class SharedMessagesTest {
 
         assertThat(forged.sender()).hasToString("Eve\\n1: STOP at d");
         assertThat(text(forged.toJson())).doesNotContain("\n");
+    }
+
+    @Test
+    void noAnswerContainsHalfACharacter() {
+        String longNumber = "x".repeat(58) + "\uD83D\uDE00";
+        assertThatThrownBy(() -> Request.parse(bytes("{\"number\":\"" + longNumber + "\"}")))
+                .satisfies(refused ->
+                        RequestReply.of(Outcome.REFUSED, refused.getMessage()).toJson());
+        Request half =
+                Request.parse(bytes("{\"number\":1,\"session\":\"s\",\"do\":\"get\",\"parameter\":\"\\ud83d\"}"));
+        assertThat(half.action()).isEqualTo(new RequestedAction.Get("\uFFFD"));
+        Sender named = Sender.ofThisRun("desk1", "x".repeat(39) + "\uD83D\uDE00");
+        assertThat(named.person()).isEqualTo("x".repeat(39));
+    }
+
+    @Test
+    void aSenderThatNamesNoDeskIsWrittenWithoutOne() {
+        Request unnamed = Request.parse(bytes("{\"number\":1,\"session\":\"s\",\"do\":\"free\"}"));
+
+        assertThat(unnamed.sender().desk()).startsWith("session ");
+        assertThat(Request.parse(unnamed.toJson())).isEqualTo(unnamed);
     }
 
     @Test
