@@ -15,6 +15,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
+import majic.text.IoReason;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -258,8 +259,8 @@ public final class SessionLog implements AutoCloseable {
     private void failed(IOException problem) {
         if (!failing) {
             failing = true;
-            alarm.accept("the session log " + file + " cannot be written (" + problem.getMessage()
-                    + "); make room for it, MAJIC goes on trying");
+            alarm.accept("the session log " + file + " cannot be written (" + IoReason.of(problem)
+                    + "); make room for it or allow writing, MAJIC goes on trying");
         }
     }
 

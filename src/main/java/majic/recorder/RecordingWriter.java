@@ -254,7 +254,7 @@ final class RecordingWriter {
         if (!failing) {
             failing = true;
             alarm.accept("nothing is recorded: " + folder.path() + " cannot be written (" + IoReason.of(problem)
-                    + "); make room there, MAJIC tries again every minute");
+                    + "); make room there or allow writing, MAJIC tries again every minute");
         }
     }
 

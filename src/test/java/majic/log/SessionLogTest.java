@@ -88,7 +88,7 @@ class SessionLogTest {
         log.write("command", "1 move 500");
         log.write("answer", "1 move 500: done");
         log.write("command", "1 move 600");
-        assertThat(alarms.take()).contains(file.toString(), "cannot be written (No space left on device)");
+        assertThat(alarms.take()).contains(file.toString(), "cannot be written (no space left on device)");
         disk.room = 1000;
         assertThat(alarms.take()).contains("is written again");
         log.write("command", "1 move 700");
