@@ -10,36 +10,52 @@ import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerConnections;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.ConnectOptions;
-import majic.shared.broker.Quality;
 
-/** Messages from one connection to another through the broker, with nothing else to do: what commands are compared with. */
+/**
+ * Messages from one connection to another through the broker, with nothing else to do: what commands are compared with. They have
+ * the size of a command, in the topic, the content and the response topic, and its quality of service.
+ */
 final class BareMessages implements AutoCloseable {
-    private final String topic;
+    private final BrokerMessage command;
     private final BrokerConnection sender;
     private final BrokerConnection receiver;
-    private final Quality quality;
     private final List<Double> times = Collections.synchronizedList(new ArrayList<>());
 
-    BareMessages(BrokerAddress broker, Quality quality) {
-        this.quality = quality;
-        topic = broker.site() + "/bare/" + quality;
-        sender = BrokerConnections.open(broker, ConnectOptions.of("bare-sender-" + quality, BotEnvironment.plain()));
-        receiver =
-                BrokerConnections.open(broker, ConnectOptions.of("bare-receiver-" + quality, BotEnvironment.plain()));
-        sender.connect();
-        receiver.connect();
-        receiver.subscribe(topic, quality, this::received);
+    /**
+     * Connects.
+     *
+     * @param like a command to a robot, whose topic nothing else subscribes to
+     */
+    BareMessages(BrokerAddress broker, BrokerMessage like) {
+        command = like;
+        sender = open(broker, "bare-sender-" + like.quality());
+        receiver = open(broker, "bare-receiver-" + like.quality());
+        receiver.subscribe(like.topic(), like.quality(), this::received);
+    }
+
+    private static BrokerConnection open(BrokerAddress broker, String client) {
+        BrokerConnection opened = BrokerConnections.open(broker, ConnectOptions.of(client, BotEnvironment.plain()));
+        opened.connect();
+        return opened;
     }
 
     private void received(BrokerMessage message) {
         times.add((System.nanoTime() - ByteBuffer.wrap(message.payload()).getLong()) / 1e6);
     }
 
-    /** Sends one of a size in bytes. */
-    void send(int size) {
-        ByteBuffer payload = ByteBuffer.allocate(size);
+    /** Sends one. */
+    void send() {
+        ByteBuffer payload = ByteBuffer.allocate(command.payload().length);
         payload.putLong(System.nanoTime());
-        sender.publish(BrokerMessage.json(topic, payload.array(), quality));
+        sender.publish(new BrokerMessage(
+                command.topic(),
+                payload.array(),
+                command.quality(),
+                false,
+                command.responseTopic(),
+                command.correlation(),
+                command.expirySeconds(),
+                command.contentType()));
     }
 
     /** Forgets those so far. */

@@ -190,6 +190,11 @@ final class ChildProgram {
             return process.info().totalCpuDuration().orElseThrow();
         }
 
+        /** Returns the number of its process. */
+        long pid() {
+            return process.pid();
+        }
+
         /** Returns the addresses of its Pioneers. */
         List<String> pioneers() {
             return addresses.stream()

@@ -1,24 +1,33 @@
 package majic.figures;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
+import java.util.concurrent.ExecutionException;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
 import majic.RecordedLine;
 import majic.bot.BotControl;
+import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.environment.Settings;
 import majic.shared.SharedType;
 import majic.shared.broker.BrokerAddress;
+import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.Quality;
 import majic.shared.desk.SiteLatch;
+import majic.shared.message.Request;
+import majic.shared.message.RequestedAction;
+import majic.shared.message.Sender;
+import majic.shared.message.SiteTopics;
+import majic.shared.message.SpeedMessage;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.QueuedCommand;
@@ -34,8 +43,14 @@ final class SharedLoad {
     private static final int MOST_USED = 20;
     private static final int SETTLING_MS = 5000;
     private static final int MEASURED_MS = 10_000;
-    private static final int REQUESTS = 100;
-    private static final int DRIVES = 300;
+    /** Enough for the slowest of a hundred to be more than one command. */
+    private static final int REQUESTS = 300;
+
+    private static final int DRIVES = 1000;
+
+    /** Commands at the beginning, before Java has compiled their code. */
+    private static final int FIRST = 30;
+
     /** The first part of the commands warms up; it is this many times shorter. */
     private static final int WARMING_UP = 3;
 
@@ -44,13 +59,11 @@ final class SharedLoad {
     private static final int MOST_WAIT_MS = 3000;
 
     /** A part that takes longer, because the computer is too slow for so many robots, ends with what it has. */
-    private static final double LONGEST_PART_S = 20;
+    private static final double LONGEST_PART_S = 60;
+
+    private static final long LONGEST_ROW_MS = 600_000;
 
     /** Sizes in bytes of a request for a motion and of a speed, with names of usual length. */
-    private static final int REQUEST_BYTES = 190;
-
-    private static final int SPEED_BYTES = 180;
-
     /** An RVEL packet with a negative rate, without its amount. */
     private static final String RIGHT = "\u00FA\u00FB\u0006\u0015\u001B";
 
@@ -58,11 +71,16 @@ final class SharedLoad {
     private static final String STOP = "\u00FA\u00FB\u0003\u001D\0\u001D";
     private static final double DRIVE_DEG_PER_SEC = 10;
 
+    private static final Sender BARE = Sender.ofThisRun("bare", "figures");
+    private static final long NUMBER = 1000;
+    private static final long CLOCK_MS = 100_000;
+
     private final BrokerAddress broker;
     private final SharedDesks desks;
     private final List<RecordedLine> lines;
     private final Team team = new Team(TimeSource.system(), Team.MOST_BOTS);
     private final BrokerBytes bytes;
+    private String kindsOfThreads = "";
 
     private SharedLoad(BrokerAddress broker, SharedDesks desks, List<RecordedLine> lines) {
         this.broker = broker;
@@ -72,20 +90,54 @@ final class SharedLoad {
     }
 
     /**
-     * Measures, prints one line of figures and ends.
+     * Measures, prints one line of figures and one line with the processor time of its threads, and ends.
      *
-     * @param arguments the broker's address, its process, the number of desks, the addresses of the robots
+     * @param arguments the broker's address, its process, the number of desks, the processes of the robots, the addresses of
+     *     the robots
      */
     public static void main(String[] arguments) {
         BrokerAddress broker = BrokerAddress.parse(arguments[0]);
         long brokerPid = Long.parseLong(arguments[1]);
         int count = Integer.parseInt(arguments[2]);
-        List<String> robots = new ArrayList<>(List.of(arguments).subList(3, arguments.length));
+        List<Long> labPids =
+                Arrays.stream(arguments[3].split(",")).map(Long::valueOf).toList();
+        List<String> robots = new ArrayList<>(List.of(arguments).subList(4, arguments.length));
+        endAfterLongestRow();
         Measurement.run(() -> {
-            List<RecordedLine> lines = record(robots, count);
-            SharedLoad load = new SharedLoad(broker, SharedDesks.share(broker, count, robots), lines);
-            return List.of(load.measure(count, robots.size(), brokerPid));
+            try {
+                List<RecordedLine> lines = record(robots, count);
+                SharedLoad load = new SharedLoad(broker, SharedDesks.share(broker, count, robots), lines);
+                return List.of(load.measure(count, robots.size(), brokerPid, labPids), load.connected());
+            } catch (BotException | ExecutionException e) {
+                return List.of("the computer is too slow for these robots: " + e.getMessage());
+            }
         });
+    }
+
+    /** Ends this program with a sentence if it hangs on a computer that is too slow. */
+    private static void endAfterLongestRow() {
+        Thread limit = new Thread(() -> {
+            try {
+                Thread.sleep(LONGEST_ROW_MS);
+            } catch (InterruptedException e) {
+                return;
+            }
+            System.out.println("the computer is too slow for these robots: no figures after 10 minutes");
+            System.out.flush();
+            Runtime.getRuntime().halt(1);
+        });
+        limit.setDaemon(true);
+        limit.start();
+    }
+
+    /** Returns how many robots are still connected, and what the threads of the desks have used. */
+    private String connected() {
+        List<Member> all =
+                desks.teams().stream().flatMap(one -> one.members().stream()).toList();
+        long connected = all.stream()
+                .filter(one -> one.bot().connection() == MajicBot.Connection.CONNECTED)
+                .count();
+        return connected + " of " + all.size() + " robots connected at the end; CPU of the desks: " + kindsOfThreads;
     }
 
     /** Puts a recorder in front of the robots that will be used, and of one robot of each desk. */
@@ -101,12 +153,12 @@ final class SharedLoad {
     }
 
     /** Returns the figures in the order of the columns of {@link SharedTable}. */
-    private String measure(int count, int robots, long brokerPid) throws Exception {
+    private String measure(int count, int robots, long brokerPid, List<Long> labPids) throws Exception {
         use();
         Thread.sleep(SETTLING_MS);
-        double[] idle = idle(brokerPid, robots);
-        double[] requests = commands(Quality.AT_LEAST_ONCE, REQUESTS, this::requests);
-        double[] drives = commands(Quality.AT_MOST_ONCE, DRIVES, this::drives);
+        double[] idle = idle(brokerPid, labPids, robots);
+        double[] requests = commands(likeRequest(), REQUESTS, this::requests);
+        double[] drives = commands(likeSpeed(), DRIVES, this::drives);
         double[] stops = stops();
         return DoubleStream.of(count, robots)
                 .boxed()
@@ -137,20 +189,24 @@ final class SharedLoad {
         }
     }
 
-    /** Returns the processor time of all desks and of the broker, and the bytes, of each robot and second. */
-    private double[] idle(long brokerPid, int robots) throws InterruptedException {
-        ProcessHandle process = ProcessHandle.of(brokerPid).orElseThrow();
-        long brokerBefore = process.info().totalCpuDuration().orElseThrow().toNanos();
+    /** Returns the processor time of all desks, of the broker and of the robots, and the bytes of each robot and second. */
+    private double[] idle(long brokerPid, List<Long> labPids, int robots) throws InterruptedException {
+        ProcessTimes broker = ProcessTimes.of(List.of(brokerPid));
+        ProcessTimes labs = ProcessTimes.of(labPids);
         long in = bytes.received();
         long out = bytes.sent();
+        ThreadLoads threads = new ThreadLoads();
         ProcessSample before = ProcessSample.now();
         Thread.sleep(MEASURED_MS);
         double percent = ProcessSample.now().percentSince(before);
         double seconds = (System.nanoTime() - before.nanos()) / 1e9;
-        double brokerPercent =
-                (process.info().totalCpuDuration().orElseThrow().toNanos() - brokerBefore) / seconds / 1e7;
+        kindsOfThreads = new ThreadLoads().byKindSince(threads);
         return new double[] {
-            percent, brokerPercent, (bytes.received() - in) / seconds / robots, (bytes.sent() - out) / seconds / robots
+            percent,
+            broker.percent(),
+            labs.percent(),
+            (bytes.received() - in) / seconds / robots,
+            (bytes.sent() - out) / seconds / robots
         };
     }
 
@@ -166,18 +222,18 @@ final class SharedLoad {
         List<Sample> give(BareMessages bare, int count) throws InterruptedException;
     }
 
-    /** Returns median and 99 of 100 of the commands, then of the bare messages beside them, and how many did not arrive. */
-    private double[] commands(Quality quality, int count, Commands commands) throws InterruptedException {
-        try (BareMessages bare = new BareMessages(broker, quality)) {
-            commands.give(bare, count / WARMING_UP);
+    /**
+     * Returns the median of the first commands, median and 99 of 100 of those after the warm-up, then of the bare messages beside
+     * them, and how many did not arrive.
+     */
+    private double[] commands(BrokerMessage like, int count, Commands commands) throws InterruptedException {
+        try (BareMessages bare = new BareMessages(broker, like)) {
+            List<Double> warmingUp = times(commands.give(bare, count / WARMING_UP));
             bare.reset();
             List<Sample> samples = commands.give(bare, count);
-            List<Double> times = samples.stream()
-                    .map(Sample::nanos)
-                    .filter(OptionalLong::isPresent)
-                    .map(nanos -> nanos.getAsLong() / 1e6)
-                    .toList();
+            List<Double> times = times(samples);
             return new double[] {
+                within(warmingUp.subList(0, Math.min(FIRST, warmingUp.size())), 0.5),
                 within(times, 0.5),
                 within(times, 0.99),
                 within(bare.times(), 0.5),
@@ -187,12 +243,40 @@ final class SharedLoad {
         }
     }
 
+    /** Returns a message like the request for a turn. */
+    private BrokerMessage likeRequest() {
+        RequestedAction turn = new RequestedAction.Turn(-2, "");
+        Request request = new Request(BARE, NUMBER, OptionalLong.of(CLOCK_MS), turn);
+        return like(SiteTopics.Part.REQUEST, request.toJson(), Quality.AT_LEAST_ONCE, String.valueOf(NUMBER))
+                .expiringAfter(2);
+    }
+
+    private BrokerMessage likeSpeed() {
+        SpeedMessage speed = new SpeedMessage(BARE, NUMBER, 0, -DRIVE_DEG_PER_SEC, CLOCK_MS);
+        return like(SiteTopics.Part.SPEED, speed.toJson(), Quality.AT_MOST_ONCE, "drive-" + NUMBER);
+    }
+
+    /** No desk has the topic: its robot has the number 0. */
+    private BrokerMessage like(SiteTopics.Part part, byte[] json, Quality quality, String correlation) {
+        SiteTopics topics = new SiteTopics(broker.site());
+        return BrokerMessage.json(topics.robot("bare1", 0, part), json, quality)
+                .answeredAt(topics.replies(BARE.session()), correlation.getBytes(StandardCharsets.UTF_8));
+    }
+
+    private static List<Double> times(List<Sample> samples) {
+        return samples.stream()
+                .map(Sample::nanos)
+                .filter(OptionalLong::isPresent)
+                .map(nanos -> nanos.getAsLong() / 1e6)
+                .toList();
+    }
+
     private List<Sample> requests(BareMessages bare, int count) throws InterruptedException {
         List<Sample> samples = new ArrayList<>();
         long began = System.nanoTime();
         while (samples.size() < count && isInTime(began)) {
             for (int robot = 0; robot < used(); robot++) {
-                bare.send(REQUEST_BYTES);
+                bare.send();
                 Thread.sleep(BETWEEN_MS);
                 samples.add(give(robot, RIGHT, control -> control.turn(-2)));
                 Thread.sleep(BETWEEN_MS);
@@ -207,7 +291,7 @@ final class SharedLoad {
         for (int number = 0; number < count; number++) {
             boolean left = number / used() % 2 == 0;
             double rate = left ? DRIVE_DEG_PER_SEC : -DRIVE_DEG_PER_SEC;
-            bare.send(SPEED_BYTES);
+            bare.send();
             Thread.sleep(BETWEEN_MS / 2);
             samples.add(give(number % used(), left ? LEFT : RIGHT, control -> control.drive(0, rate)));
             Thread.sleep(BETWEEN_MS / 2);

@@ -13,14 +13,17 @@ final class SharedTable {
             "robots",
             "CPU desks %",
             "CPU broker %",
+            "CPU robots %",
             "in B/s",
             "out B/s",
-            "request p50",
+            "request first",
+            "p50",
             "p99",
             "bare p50",
             "p99",
             "lost",
-            "drive p50",
+            "drive first",
+            "p50",
             "p99",
             "bare p50",
             "p99",
@@ -32,8 +35,8 @@ final class SharedTable {
             "lost");
     private static final List<String> FORMATS = List.of(
             "%.0f",
-            "%.0f", "%.1f", "%.1f", "%.0f", "%.0f", "%.2f", "%.2f", "%.2f", "%.2f", "%.0f", "%.2f", "%.2f", "%.2f",
-            "%.2f", "%.0f", "%.1f", "%.1f", "%.1f", "%.1f", "%.0f");
+            "%.0f", "%.1f", "%.1f", "%.1f", "%.0f", "%.0f", "%.2f", "%.2f", "%.2f", "%.2f", "%.2f", "%.0f", "%.2f",
+            "%.2f", "%.2f", "%.2f", "%.2f", "%.0f", "%.1f", "%.1f", "%.1f", "%.1f", "%.0f");
 
     private SharedTable() {}
 

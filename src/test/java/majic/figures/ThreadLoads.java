@@ -10,6 +10,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.stream.Collectors;
 
 /** The processor time of this process, and of its threads, as a share of one core. */
 final class ThreadLoads {
@@ -41,6 +42,20 @@ final class ThreadLoads {
             }
         }
         return nanos;
+    }
+
+    /** Lists the kinds of threads, the busiest first, in one line: threads whose names differ in numbers and addresses are one kind. */
+    String byKindSince(ThreadLoads before) {
+        Map<String, Double> kinds = new HashMap<>();
+        threadNanos.forEach((name, spent) -> kinds.merge(
+                name.replaceAll("[\\d.:/]+", "#"),
+                100.0 * (spent - before.threadNanos.getOrDefault(name, 0L)) / (nanos - before.nanos),
+                Double::sum));
+        return kinds.entrySet().stream()
+                .filter(kind -> kind.getValue() >= LEAST_PERCENT)
+                .sorted(Map.Entry.comparingByValue(Comparator.reverseOrder()))
+                .map(kind -> String.format(Locale.ROOT, "%s %.1f %%", kind.getKey(), kind.getValue()))
+                .collect(Collectors.joining(", "));
     }
 
     /** Lists the process and each thread, the busiest first. */
