@@ -13,26 +13,35 @@ import org.jspecify.annotations.Nullable;
  *     null for none
  * @param keepAliveSeconds after one and a half times this without a sign of life the broker takes the connection for
  *     lost; at least 1
+ * @param timeoutMs how long the broker may take to accept the connection, ms, at least 1
  * @param environment the clock, and the settings, in whose folder the credentials are looked up
  */
 public record ConnectOptions(
-        String clientId, @Nullable BrokerMessage will, int keepAliveSeconds, BotEnvironment environment) {
+        String clientId,
+        @Nullable BrokerMessage will,
+        int keepAliveSeconds,
+        int timeoutMs,
+        BotEnvironment environment) {
     /** The keep alive of a client without a last will, s: it keeps its connection if it stalls for less than 3 s. */
     public static final int KEEP_ALIVE_SECONDS = 2;
 
     /** The keep alive of a client with a last will, s: others depend on the will, which is due after 1.5 s. */
     public static final int KEEP_ALIVE_WITH_WILL_SECONDS = 1;
 
+    /** How long a broker may take unless another time is chosen, ms. */
+    public static final int TIMEOUT_MS = 2_500;
+
     /**
      * Checks the parts.
      *
-     * @throws IllegalArgumentException if the client has no name, or the keep alive is below 1 s
+     * @throws IllegalArgumentException if the client has no name, the keep alive is below 1 s, or the timeout below 1 ms
      */
     public ConnectOptions {
         Objects.requireNonNull(environment, "environment");
-        if (clientId.isEmpty() || keepAliveSeconds < 1) {
+        if (clientId.isEmpty() || keepAliveSeconds < 1 || timeoutMs < 1) {
             throw new IllegalArgumentException(
-                    "a client needs a name and a keep alive of 1 s or more: " + clientId + ", " + keepAliveSeconds);
+                    "a client needs a name, a keep alive of 1 s and a timeout of 1 ms or more: " + clientId + ", "
+                            + keepAliveSeconds + ", " + timeoutMs);
         }
     }
 
@@ -44,7 +53,7 @@ public record ConnectOptions(
      * @return the options
      */
     public static ConnectOptions of(String clientId, BotEnvironment environment) {
-        return new ConnectOptions(clientId, null, KEEP_ALIVE_SECONDS, environment);
+        return new ConnectOptions(clientId, null, KEEP_ALIVE_SECONDS, TIMEOUT_MS, environment);
     }
 
     /**
@@ -54,7 +63,7 @@ public record ConnectOptions(
      * @return the options
      */
     public ConnectOptions withWill(BrokerMessage lastWill) {
-        return new ConnectOptions(clientId, lastWill, KEEP_ALIVE_WITH_WILL_SECONDS, environment);
+        return new ConnectOptions(clientId, lastWill, KEEP_ALIVE_WITH_WILL_SECONDS, timeoutMs, environment);
     }
 
     /**
@@ -64,6 +73,16 @@ public record ConnectOptions(
      * @return the options
      */
     public ConnectOptions withKeepAlive(int seconds) {
-        return new ConnectOptions(clientId, will, seconds, environment);
+        return new ConnectOptions(clientId, will, seconds, timeoutMs, environment);
+    }
+
+    /**
+     * Returns the same options with another timeout.
+     *
+     * @param ms at least 1
+     * @return the options
+     */
+    public ConnectOptions withTimeoutMs(int ms) {
+        return new ConnectOptions(clientId, will, keepAliveSeconds, ms, environment);
     }
 }

@@ -29,7 +29,7 @@ final class HiveSession {
     private static final int RECEIVE_MAXIMUM = 500;
 
     private static final int LARGEST_PACKET_BYTES = 1 << 20;
-    private static final long TIMEOUT_MS = 2_500;
+    private static final long REPORT_MS = 500;
 
     private final Mqtt5AsyncClient client;
     private final OutgoingQueue outgoing = new OutgoingQueue();
@@ -47,7 +47,7 @@ final class HiveSession {
     }
 
     /**
-     * Connects to a broker. Blocks for at most 5 s.
+     * Connects to a broker. Blocks for the timeout and 2.5 s at most, with the usual timeout for 5 s.
      *
      * @param received called for each message, on the executor
      * @param lost called once when an accepted session ends otherwise than by {@link #disconnect}
@@ -67,14 +67,14 @@ final class HiveSession {
                 .executorConfig(HiveThreads.config())
                 .transportConfig()
                 .serverAddress(new InetSocketAddress(computer, address.port()))
-                .socketConnectTimeout(TIMEOUT_MS, TimeUnit.MILLISECONDS)
-                .mqttConnectTimeout(TIMEOUT_MS, TimeUnit.MILLISECONDS)
+                .socketConnectTimeout(options.timeoutMs(), TimeUnit.MILLISECONDS)
+                .mqttConnectTimeout(options.timeoutMs(), TimeUnit.MILLISECONDS)
                 .sslConfig(address.secure() ? HiveTls.config(credentials) : null)
                 .applyTransportConfig();
         HiveSession session = new HiveSession(builder, lost);
         Consumer<Mqtt5Publish> arrival = publish -> received.accept(HiveMessages.received(publish));
         session.client.publishes(MqttGlobalPublishFilter.ALL, arrival, handlers);
-        session.connect(address, connect(options, credentials));
+        session.connect(address, connect(options, credentials), options.timeoutMs() + REPORT_MS);
         return session;
     }
 
@@ -94,10 +94,10 @@ final class HiveSession {
         return credentials.login().map(connect::simpleAuth).orElse(connect).build();
     }
 
-    private void connect(BrokerAddress address, Mqtt5Connect packet) {
+    private void connect(BrokerAddress address, Mqtt5Connect packet, long timeoutMs) {
         CompletableFuture<?> answer = client.connect(packet);
         try {
-            answer.get(TIMEOUT_MS + 500, TimeUnit.MILLISECONDS);
+            answer.get(timeoutMs, TimeUnit.MILLISECONDS);
             outgoing.begin(client.toRx());
             accepted = true;
         } catch (ExecutionException e) {

@@ -63,7 +63,7 @@ class AccessListTest {
                 .environment();
         BrokerConnection connection = BrokerConnections.open(
                 BrokerAddress.parse("mqtt://127.0.0.1:" + broker.port() + "/lab"),
-                ConnectOptions.of(user, environment));
+                ConnectOptions.of(user, environment).withTimeoutMs(Mosquitto.PATIENCE_MS));
         connection.connect();
         return connection;
     }

@@ -31,7 +31,8 @@ abstract class BrokerContract {
     abstract void restore(BrokerConnection connection);
 
     private BrokerConnection connected(String name, @Nullable BrokerMessage will) {
-        ConnectOptions options = ConnectOptions.of(name + "-" + topic("id").hashCode(), BotEnvironment.plain());
+        ConnectOptions options = ConnectOptions.of(name + "-" + topic("id").hashCode(), BotEnvironment.plain())
+                .withTimeoutMs(Mosquitto.PATIENCE_MS);
         BrokerConnection connection = open(will == null ? options : options.withWill(will));
         connection.connect();
         return connection;

@@ -86,7 +86,7 @@ class ClientCertificateTest {
                 .environment();
         return BrokerConnections.open(
                 BrokerAddress.parse("mqtts://localhost:" + broker.port() + "/test"),
-                ConnectOptions.of("client", environment));
+                ConnectOptions.of("client", environment).withTimeoutMs(Mosquitto.PATIENCE_MS));
     }
 
     private ConnectFailed refusal(String keyStore) throws IOException {

@@ -23,8 +23,12 @@ class ConnectErrorsTest {
     private static final byte BUSY = (byte) 0x89;
 
     private static ConnectFailed failure(String address) {
-        try (BrokerConnection connection =
-                BrokerConnections.open(BrokerAddress.parse(address), ConnectOptions.of("a", BotEnvironment.plain()))) {
+        return failure(address, Mosquitto.PATIENCE_MS);
+    }
+
+    private static ConnectFailed failure(String address, int timeoutMs) {
+        ConnectOptions options = ConnectOptions.of("a", BotEnvironment.plain()).withTimeoutMs(timeoutMs);
+        try (BrokerConnection connection = BrokerConnections.open(BrokerAddress.parse(address), options)) {
             ConnectFailed failure = catchThrowableOfType(ConnectFailed.class, connection::connect);
             assertThat(failure).hasMessageStartingWith(address + ": ");
             assertThat(connection.isConnected()).isFalse();
@@ -91,9 +95,11 @@ class ConnectErrorsTest {
 
     @Test
     void aServerThatSaysNothingDoesNotHangTheProgram() {
-        ConnectFailed failure = answered("mqtt", new byte[0]);
+        try (ScriptedServer server = new ScriptedServer(new byte[0])) {
+            ConnectFailed failure = failure("mqtt://127.0.0.1:" + server.port() + "/lab", ConnectOptions.TIMEOUT_MS);
 
-        assertThat(failure.reason()).isEqualTo(Reason.NO_ANSWER);
+            assertThat(failure.reason()).isEqualTo(Reason.NO_ANSWER);
+        }
     }
 
     @Test

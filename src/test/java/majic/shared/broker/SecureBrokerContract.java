@@ -37,7 +37,8 @@ abstract class SecureBrokerContract {
         BotEnvironment environment =
                 FolderSettings.withCredentials(folder, lines).environment();
         return BrokerConnections.open(
-                BrokerAddress.parse("mqtts://localhost:" + port() + "/test"), ConnectOptions.of("anna", environment));
+                BrokerAddress.parse("mqtts://localhost:" + port() + "/test"),
+                ConnectOptions.of("anna", environment).withTimeoutMs(Mosquitto.PATIENCE_MS));
     }
 
     private ConnectFailed refusal(String... lines) throws IOException {

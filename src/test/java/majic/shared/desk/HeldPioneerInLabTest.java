@@ -48,7 +48,8 @@ class HeldPioneerInLabTest {
     private volatile boolean beating = true;
 
     private FakeConnection open(String clientId, @Nullable BrokerMessage will) {
-        return broker.open(new ConnectOptions(clientId, will, 1, new BotEnvironment(time, Settings.inMemory())));
+        return broker.open(new ConnectOptions(
+                clientId, will, 1, ConnectOptions.TIMEOUT_MS, new BotEnvironment(time, Settings.inMemory())));
     }
 
     @AutoClose

@@ -41,8 +41,8 @@ class StateTrafficInLabTest {
         try (DeskSharing sharing = new DeskSharing(
                 rig.team(),
                 options,
-                (client, will) -> broker.open(
-                        new ConnectOptions(client, will, 1, new BotEnvironment(time, Settings.inMemory()))))) {
+                (client, will) -> broker.open(new ConnectOptions(
+                        client, will, 1, ConnectOptions.TIMEOUT_MS, new BotEnvironment(time, Settings.inMemory()))))) {
             sharing.start();
             time.sleep(SETTLED_S);
             int states = broker.published(ROBOT + "state").size();
