@@ -360,7 +360,7 @@ public final class MajicShared extends BotDriver {
         noteStops(received.state().stops());
     }
 
-    /** A stop by anybody else ends what this program does with the robot, so that it does not go on after the stop. */
+    /** A stop by another program or at the desk ends what this program does with the robot, so that it does not go on after the stop. */
     private void noteStops(long now) {
         long before = stopsAtDesk;
         stopsAtDesk = now;

@@ -15,7 +15,7 @@ import majic.team.Owner;
 import majic.time.TimeSource;
 
 /**
- * The right of a person at another desk to move one robot, until it is given back, stopped, or no longer confirmed by
+ * The permission of a program at another desk to move one robot, until it is given back, stopped, or no longer confirmed by
  * heartbeats. Ends once. Thread-safe.
  */
 final class RobotHold {

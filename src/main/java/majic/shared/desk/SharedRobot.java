@@ -35,7 +35,7 @@ final class SharedRobot implements StoppableRobot {
     /** Reading a longer message takes too long for the thread of the connection. */
     private static final int LONGEST_AT_ONCE_BYTES = 1024;
 
-    /** A robot that has more to say is not read by anybody. */
+    /** More lines than this cannot be read while they appear. */
     private static final int LINES_PER_S = 20;
 
     private final DeskContext desk;
@@ -338,7 +338,7 @@ final class SharedRobot implements StoppableRobot {
         if (holds.isEmpty()) {
             return;
         }
-        desk.connection().time().runAsync("halting robots that nobody holds", () -> {
+        desk.connection().time().runAsync("halting robots whose holders are gone", () -> {
             desk.team().stop(holds.stream().map(RobotHold::member).toList(), null);
             holds.forEach(RobotHold::taken);
         });

@@ -64,7 +64,7 @@ final class StopRequests {
      * Stops the robot; returns at once.
      *
      * @param receiver receives the answer, when the robot has confirmed the stop or failed to; must not wait
-     * @param by the owner that is not ended by it; null to end the owner, whoever it is
+     * @param by the owner that is not ended by it; null to end every owner
      * @param whenWritten called when the stop was written, before it is confirmed
      */
     void stop(

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * @param link the connection of that desk with the robot
  * @param motion where the robot is and how it moves
  * @param latched whether STOP is latched at that desk
- * @param stops how often anybody but its holder has stopped it since the program of its desk was started
+ * @param stops how often it was stopped otherwise than by its holder since the program of its desk was started
  * @param holder the program that may move the robot; null if it is free
  * @param stopProblem why its newest stop is not confirmed; null if it is, or there was none
  * @param values of all readable parameters but {@link #NOT_IN_VALUES}, as {@link ValueJson} writes them

@@ -14,7 +14,7 @@ public interface StoppableRobot {
     Member member();
 
     /**
-     * Stops the robot, whoever moves it; returns at once.
+     * Stops the robot, whatever moves it; returns at once.
      *
      * @param by name of the sender, for messages
      * @param result called when the robot has confirmed the stop, or with the reason why it has not
