@@ -8,6 +8,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
+import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.text.Texts;
@@ -20,6 +21,9 @@ final class ReplayBand extends JPanel {
     private static final int STRIPE_PX = 14;
     private static final int STRIPES_WIDTH_PX = 56;
 
+    /** Pixels by which text may be wider on a screen of another scale than measured. */
+    private static final int TEXT_RESERVE = 8;
+
     private final JLabel note = new JLabel(TEXTS.get("noRobot"));
 
     ReplayBand(String what) {
@@ -31,6 +35,7 @@ final class ReplayBand extends JPanel {
         note.setName("replayNote");
         note.setToolTipText(note.getText());
         note.setForeground(ink());
+        note.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, TEXT_RESERVE));
         add(title, "wmin pref");
         add(note, "wmin 0");
     }

@@ -65,7 +65,7 @@ final class ReplayControls extends JPanel {
         row.add(play, "w " + widthOfPlay() + "!");
         row.add(previous);
         row.add(next);
-        row.add(time, "pushx");
+        row.add(time, "pushx, growx");
         row.add(speedLabel);
         row.add(speed);
         add(timeline);
