@@ -217,9 +217,10 @@ public final class PictureView extends JPanel {
         DrawingColors colors = DrawingColors.current();
         Rectangle2D frame = frame();
         pen.setColor(colors.grey(0.12));
-        pen.fill(frame);
         BufferedImage shown = image;
-        if (shown != null) {
+        if (shown == null) {
+            pen.fill(frame);
+        } else {
             paintImage(pen, shown, frame);
         }
         if (!words.isEmpty()) {
@@ -236,15 +237,15 @@ public final class PictureView extends JPanel {
         pen.dispose();
     }
 
+    /** Paints the background too, which a picture may let through; whole pixels, because smooth edges take longer. */
     private static void paintImage(Graphics2D pen, BufferedImage shown, Rectangle2D frame) {
+        int x = (int) Math.round(frame.getX());
+        int y = (int) Math.round(frame.getY());
+        int width = (int) Math.round(frame.getWidth());
+        int height = (int) Math.round(frame.getHeight());
+        pen.fillRect(x, y, width, height);
         pen.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-        pen.drawImage(
-                shown,
-                (int) Math.round(frame.getX()),
-                (int) Math.round(frame.getY()),
-                (int) Math.round(frame.getWidth()),
-                (int) Math.round(frame.getHeight()),
-                null);
+        pen.drawImage(shown, x, y, width, height, null);
     }
 
     private void paintWords(Graphics2D pen, DrawingColors colors, Rectangle2D frame) {
