@@ -83,7 +83,7 @@ public final class ProgramSharing implements RobotSharing {
     }
 
     /**
-     * Begins to share robots. Blocks for at most 10 s.
+     * Begins to share robots. Blocks for at most 13 s.
      *
      * @param wanted where, and under which names
      * @param only the numbers of the robots; empty for all

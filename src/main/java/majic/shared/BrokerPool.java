@@ -72,7 +72,7 @@ final class BrokerPool {
     }
 
     /**
-     * Returns the connection to a broker, and opens it if nothing uses it yet. Blocks for at most 5 s.
+     * Returns the connection to a broker, and opens it if nothing uses it yet. Blocks for at most 8 s.
      *
      * @param user keeps it open until it calls {@link #release}; compared by identity and counted once
      * @throws ConnectFailed if the broker cannot be reached; the user does not count then

@@ -23,7 +23,7 @@ public interface RobotSharing {
     boolean isConnected();
 
     /**
-     * Begins to share all robots of the team. Blocks for at most 10 s.
+     * Begins to share all robots of the team. Blocks for at most 13 s.
      *
      * @throws majic.bot.BotException if the broker cannot be reached or another desk has the name, or the robots are shared
      *     already; nothing is shared then

@@ -42,7 +42,7 @@ public interface BrokerConnection extends AutoCloseable {
     }
 
     /**
-     * Connects. Blocks for at most 5 s. Returns at once if the connection was made before, even if it is lost at the
+     * Connects. Blocks for at most 8 s. Returns at once if the connection was made before, even if it is lost at the
      * moment. May be called again after a failure.
      *
      * @throws ConnectFailed with the reason and advice; nothing stays open

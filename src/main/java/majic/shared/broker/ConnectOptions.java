@@ -13,7 +13,8 @@ import org.jspecify.annotations.Nullable;
  *     null for none
  * @param keepAliveSeconds after one and a half times this without a sign of life the broker takes the connection for
  *     lost; at least 1
- * @param timeoutMs how long the broker may take to accept the connection, ms, at least 1
+ * @param timeoutMs how long the broker may take to accept the connection, ms, at least 1; the first TLS
+ *     connection of a program takes some seconds on a slow computer
  * @param environment the clock, and the settings, in whose folder the credentials are looked up
  */
 public record ConnectOptions(
@@ -29,7 +30,7 @@ public record ConnectOptions(
     public static final int KEEP_ALIVE_WITH_WILL_SECONDS = 1;
 
     /** How long a broker may take unless another time is chosen, ms. */
-    public static final int TIMEOUT_MS = 2_500;
+    public static final int TIMEOUT_MS = 5_000;
 
     /**
      * Checks the parts.

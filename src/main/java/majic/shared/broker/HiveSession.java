@@ -47,7 +47,7 @@ final class HiveSession {
     }
 
     /**
-     * Connects to a broker. Blocks for the timeout and 2.5 s at most, with the usual timeout for 5 s.
+     * Connects to a broker. Blocks for the timeout and 2.5 s at most, with the usual timeout for 8 s.
      *
      * @param received called for each message, on the executor
      * @param lost called once when an accepted session ends otherwise than by {@link #disconnect}

@@ -86,7 +86,7 @@ public final class DeskSharing implements AutoCloseable {
     }
 
     /**
-     * Connects, takes the name of the desk and publishes the robots. Blocks for at most 10 s.
+     * Connects, takes the name of the desk and publishes the robots. Blocks for at most 13 s.
      *
      * @throws ConnectFailed if there is no connection with the broker; with the reason and advice
      * @throws BotException if another desk has the name; nothing is shared, and nothing stays open

@@ -72,7 +72,7 @@ public final class FleetVehicle implements AutoCloseable {
     }
 
     /**
-     * Connects and publishes. Blocks for 5 s at most.
+     * Connects and publishes. Blocks for 8 s at most.
      *
      * @throws ConnectFailed if there is no connection with the broker
      */
