@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
+import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -49,6 +50,24 @@ class PlotWindowTest {
                 .filter(name -> name != null && name.startsWith("curve "))
                 .map(name -> name.substring("curve ".length()))
                 .toList();
+    }
+
+    @Test
+    void theButtonShowsTheWholeWordForALatchedStop() {
+        window.add("one");
+        plotPose();
+
+        window.run(window.team::stopAll);
+
+        window.await("the latch", () -> window.text("smallStop").equals("STOPPED"));
+        JButton stop = window.find("smallStop", JButton.class);
+        JFrame plot = window.find("plot", JFrame.class);
+        window.await("the whole word", () -> stop.getWidth() >= stop.getPreferredSize().width);
+        window.run(() -> plot.setSize(plot.getMinimumSize()));
+        window.await(
+                "the button in a small window",
+                () -> stop.getX() + stop.getPreferredSize().width
+                        <= stop.getParent().getWidth());
     }
 
     @Test

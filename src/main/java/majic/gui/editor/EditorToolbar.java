@@ -41,7 +41,7 @@ final class EditorToolbar extends JPanel {
         commands.add(caption, "wmin 0");
         commands.add(robots, "wmin 0");
         add(commands, "pushx, growx, w 0:" + COMMANDS_WIDTH);
-        add(stop, "w 120!");
+        add(stop, "wmin pref");
         caption.setForeground(Palette.faint());
     }
 

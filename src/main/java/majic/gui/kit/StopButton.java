@@ -1,6 +1,8 @@
 package majic.gui.kit;
 
 import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.FontMetrics;
 import javax.swing.JButton;
 import majic.team.Team;
 import majic.team.TeamListener;
@@ -45,6 +47,15 @@ public final class StopButton extends JButton {
     public void removeNotify() {
         team.removeListener(listener);
         super.removeNotify();
+    }
+
+    /** Returns a size in which both of its texts have room, so that no other button moves while STOP is pressed. */
+    @Override
+    public Dimension getPreferredSize() {
+        Dimension size = super.getPreferredSize();
+        FontMetrics metrics = getFontMetrics(getFont());
+        int longest = Math.max(metrics.stringWidth(TEXTS.get("stop")), metrics.stringWidth(TEXTS.get("stopped")));
+        return new Dimension(size.width + longest - metrics.stringWidth(getText()), size.height);
     }
 
     private void showLatch() {

@@ -30,6 +30,8 @@ final class PlotWindow extends JFrame {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(PlotWindow.class);
     private static final int VALUES_MS = 250;
+    private static final int LEAST_WIDTH = 520;
+    private static final int LEAST_HEIGHT = 260;
 
     /** Pictures in files have twice the resolution of a usual screen. */
     private static final double FILE_SCALE = 2;
@@ -60,13 +62,15 @@ final class PlotWindow extends JFrame {
         setName("plot");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
         JPanel content = new JPanel(new BorderLayout());
-        content.add(tools(stop), BorderLayout.NORTH);
+        JPanel tools = tools(stop);
+        content.add(tools, BorderLayout.NORTH);
         content.add(view, BorderLayout.CENTER);
         content.add(side(), BorderLayout.EAST);
         setContentPane(content);
         Mnemonics.assign(content);
         getRootPane().setTransferHandler(new ReadingDrop(model));
-        setMinimumSize(new Dimension(UIScale.scale(520), UIScale.scale(260)));
+        setMinimumSize(new Dimension(
+                Math.max(UIScale.scale(LEAST_WIDTH), tools.getPreferredSize().width), UIScale.scale(LEAST_HEIGHT)));
         pack();
         model.addListener(this::modelChanged);
         modelChanged();
@@ -99,7 +103,7 @@ final class PlotWindow extends JFrame {
         csv.addActionListener(event -> saveCsv());
         tools.add(png);
         tools.add(csv);
-        tools.add(stop, "growy, w " + UIScale.scale(96) + "!");
+        tools.add(stop, "growy, wmin pref");
         return tools;
     }
 
