@@ -31,7 +31,7 @@ final class ChoicePopup {
     private static final int BESIDE = 10;
 
     /** Minimum width in characters of a list that is made narrower to leave the messages in view. */
-    private static final int LEAST_WIDTH = 45;
+    private static final int LEAST_WIDTH = 72;
 
     private final JTextComponent field;
     private final Consumer<Completion> clicked;
