@@ -39,7 +39,7 @@ import org.junit.jupiter.api.io.TempDir;
 class AccessWindowTest {
     /** Entries that open no dialog. */
     private static final Set<String> EFFECTS =
-            Set.of("Kill Majic", "End Act", "Start the simulated lab", "Show the true positions", "Show the whole map");
+            Set.of("Kill Majic", "End Act", "Start the Simulated Lab", "Show the True Positions", "Show the Whole Map");
 
     @TempDir
     private Path folder;
