@@ -1,6 +1,7 @@
 package majic.script;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -47,13 +48,15 @@ public final class ScriptRunner {
     /**
      * What is known of a script before it runs. Immutable.
      *
-     * @param mistakes what is wrong in it, with its places; empty if it can run
+     * @param mistakes what is wrong in it, in the order of its lines; empty if it can run
      * @param robots the robots of the team that it commands, in the order of the script
      */
     public record Checked(List<Mistake> mistakes, List<Member> robots) {
-        /** Keeps copies of the lists. */
+        /** Keeps copies of the lists; sorts the mistakes by their places. */
         public Checked {
-            mistakes = List.copyOf(mistakes);
+            mistakes = mistakes.stream()
+                    .sorted(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column))
+                    .toList();
             robots = List.copyOf(robots);
         }
     }

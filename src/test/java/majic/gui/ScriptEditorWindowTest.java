@@ -15,6 +15,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
@@ -25,6 +26,7 @@ import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.TransferHandler.TransferSupport;
 import majic.gui.kit.FileDrop;
+import majic.script.syntax.Mistake;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.parser.ParserNotice;
@@ -114,6 +116,19 @@ class ScriptEditorWindowTest {
         window.run(() -> area.replaceRange("move", notice.getOffset(), notice.getOffset() + 4));
         awaitStatus("No mistakes");
         assertThat(window.isShowing("mistakes")).isFalse();
+    }
+
+    @Test
+    void mistakesAreListedInTheOrderOfTheirLines() throws IOException {
+        window.add("one");
+        drop(script("lap.majic", "1 mvoe 3", "nonsense", "1 trun 3"));
+        awaitStatus("3 mistakes");
+
+        JList<?> list = window.awaitShowing("mistakes", JList.class);
+
+        assertThat(IntStream.range(0, 3)
+                        .mapToObj(row -> ((Mistake) list.getModel().getElementAt(row)).line()))
+                .containsExactly(1, 2, 3);
     }
 
     @Test
