@@ -1,9 +1,12 @@
 package majic.gui.editor;
 
+import java.awt.Toolkit;
+import java.awt.event.KeyEvent;
 import javax.swing.Action;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.KeyStroke;
 import majic.gui.kit.Mnemonics;
 import majic.text.Texts;
 import org.fife.ui.rtextarea.RTextArea;
@@ -34,23 +37,28 @@ final class EditorMenu extends JMenuBar {
 
     private static JMenu edit(EditorActions actions) {
         JMenu edit = new JMenu(TEXTS.get("menu.edit"));
-        edit.add(text(RTextArea.UNDO_ACTION, TEXTS.get("menu.undo")));
-        edit.add(text(RTextArea.REDO_ACTION, TEXTS.get("menu.redo")));
+        edit.add(text(RTextArea.UNDO_ACTION, TEXTS.get("menu.undo"), KeyEvent.VK_Z));
+        edit.add(text(RTextArea.REDO_ACTION, TEXTS.get("menu.redo"), KeyEvent.VK_Y));
         edit.addSeparator();
-        edit.add(text(RTextArea.CUT_ACTION, TEXTS.get("menu.cut")));
-        edit.add(text(RTextArea.COPY_ACTION, TEXTS.get("menu.copy")));
-        edit.add(text(RTextArea.PASTE_ACTION, TEXTS.get("menu.paste")));
-        edit.add(text(RTextArea.SELECT_ALL_ACTION, TEXTS.get("menu.selectAll")));
+        edit.add(text(RTextArea.CUT_ACTION, TEXTS.get("menu.cut"), KeyEvent.VK_X));
+        edit.add(text(RTextArea.COPY_ACTION, TEXTS.get("menu.copy"), KeyEvent.VK_C));
+        edit.add(text(RTextArea.PASTE_ACTION, TEXTS.get("menu.paste"), KeyEvent.VK_V));
+        edit.add(text(RTextArea.SELECT_ALL_ACTION, TEXTS.get("menu.selectAll"), KeyEvent.VK_A));
         edit.addSeparator();
         addAll(edit, actions.find);
         return edit;
     }
 
-    /** Returns an entry for an action of the library, which has names in the language of the system. */
-    private static JMenuItem text(int action, String name) {
+    /**
+     * Returns an entry for an action of the library, which has names in the language of the system. The text handles the
+     * key itself; the entry shows it.
+     */
+    private static JMenuItem text(int action, String name, int keyCode) {
         JMenuItem item = new JMenuItem(RTextArea.getAction(action));
         item.setText(name);
         item.setMnemonic(0);
+        item.setAccelerator(
+                KeyStroke.getKeyStroke(keyCode, Toolkit.getDefaultToolkit().getMenuShortcutKeyMaskEx()));
         item.setIcon(null);
         item.setToolTipText(null);
         return item;
