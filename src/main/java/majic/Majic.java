@@ -11,7 +11,7 @@ import majic.cli.NewCommand;
 import majic.cli.PackageCommand;
 import majic.cli.RunCommand;
 import majic.program.Failures;
-import majic.program.LogFile;
+import majic.program.LogSetup;
 import majic.program.UserFolder;
 import majic.program.Window;
 import picocli.CommandLine;
@@ -27,12 +27,11 @@ public final class Majic {
      * @param args the command line; see {@code --help}
      */
     public static void main(String[] args) {
-        LogFile.useManager();
+        UserFolder folder = UserFolder.standard();
+        LogSetup.install(folder.path(), System.getProperty("majic.log", "INFO"));
         if (MajicCommand.isUsual(args)) {
             Window.preload();
         }
-        UserFolder folder = UserFolder.standard();
-        LogFile.install(folder.path(), System.getProperty("majic.log", "INFO"));
         int status = run(folder, args);
         System.exit(status);
     }

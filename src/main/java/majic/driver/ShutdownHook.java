@@ -24,7 +24,6 @@ public final class ShutdownHook {
     /** How long the end of the program waits for robots to stop and close, ms. */
     private static final int BOUND_MS = 1000;
 
-    private static final Logger LOG = System.getLogger(ShutdownHook.class.getName());
     private static final String REASON = "the program is ending";
     private static final Object LOCK = new Object();
     private static final Set<Closing> CONNECTED = new LinkedHashSet<>();
@@ -86,7 +85,7 @@ public final class ShutdownHook {
             try {
                 Runtime.getRuntime().addShutdownHook(new Thread(ShutdownHook::run, "closing robots at the end"));
             } catch (IllegalStateException e) {
-                LOG.log(Level.DEBUG, "the program is ending already", e);
+                log().log(Level.DEBUG, "the program is ending already", e);
                 ending = true;
             }
         }
@@ -118,7 +117,7 @@ public final class ShutdownHook {
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }
-            CONNECTED.forEach(bot -> LOG.log(Level.WARNING, bot.name().get() + " could not be closed in time"));
+            CONNECTED.forEach(bot -> log().log(Level.WARNING, bot.name().get() + " could not be closed in time"));
         }
     }
 
@@ -138,7 +137,11 @@ public final class ShutdownHook {
         try {
             task.run();
         } catch (RuntimeException | Error e) {
-            LOG.log(Level.WARNING, "the end of the program goes on without this", e);
+            log().log(Level.WARNING, "the end of the program goes on without this", e);
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(ShutdownHook.class.getName());
     }
 }

@@ -20,7 +20,6 @@ import java.util.stream.Stream;
  * @param mostBytes the limit of all of them together
  */
 public record BoundedFolder(Path path, String ending, long mostBytes) {
-    private static final Logger LOG = System.getLogger(BoundedFolder.class.getName());
 
     /**
      * Deletes the oldest files.
@@ -47,7 +46,7 @@ public record BoundedFolder(Path path, String ending, long mostBytes) {
         try {
             Files.deleteIfExists(file);
         } catch (IOException e) {
-            LOG.log(Level.DEBUG, "an old file is in use: " + file, e);
+            log().log(Level.DEBUG, "an old file is in use: " + file, e);
         }
     }
 
@@ -76,5 +75,9 @@ public record BoundedFolder(Path path, String ending, long mostBytes) {
         } catch (IOException e) {
             return FileTime.fromMillis(0);
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(BoundedFolder.class.getName());
     }
 }

@@ -23,7 +23,6 @@ import org.jspecify.annotations.Nullable;
  * the rest in a temporary file of limited size that is deleted with the program's end. Thread-safe.
  */
 public final class ParameterLog {
-    private static final Logger LOG = System.getLogger(ParameterLog.class.getName());
     private static final String HEADER = "time_s,robot,parameter,value,unit";
     private static final int MOST_IN_MEMORY = 4096;
 
@@ -117,7 +116,7 @@ public final class ParameterLog {
             written += rows.size();
         } catch (IOException e) {
             lost += rows.size();
-            LOG.log(Level.WARNING, "no room for the parameter log", e);
+            log().log(Level.WARNING, "no room for the parameter log", e);
         }
         rows.clear();
     }
@@ -138,5 +137,9 @@ public final class ParameterLog {
 
     private static String quoted(String text) {
         return text.matches("[^,\"\\r\\n]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
+    }
+
+    private static Logger log() {
+        return System.getLogger(ParameterLog.class.getName());
     }
 }

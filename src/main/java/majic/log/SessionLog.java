@@ -25,7 +25,6 @@ import org.jspecify.annotations.Nullable;
  * gives the number of lost lines. A long log goes on in further files, and the oldest logs are deleted. Thread-safe.
  */
 public final class SessionLog implements AutoCloseable {
-    private static final Logger LOG = System.getLogger(SessionLog.class.getName());
     private static final int MOST_UNWRITTEN = 10_000;
     private static final long CLOSE_BOUND_MS = 1000;
     private static final long RETRY_MS = 1000;
@@ -40,7 +39,7 @@ public final class SessionLog implements AutoCloseable {
     private volatile @Nullable Path file;
     private @Nullable LineFile lines;
     private final AtomicLong missing = new AtomicLong();
-    private volatile Consumer<String> alarm = text -> LOG.log(Level.WARNING, text);
+    private volatile Consumer<String> alarm = text -> log().log(Level.WARNING, text);
     private boolean failing;
     private final BlockingQueue<String> unwritten = new LinkedBlockingQueue<>(MOST_UNWRITTEN);
     private final Thread writer = new Thread(this::writeAll, "session log");
@@ -187,7 +186,7 @@ public final class SessionLog implements AutoCloseable {
             append("");
             lines().close();
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "the session log could not be closed", e);
+            log().log(Level.WARNING, "the session log could not be closed", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -203,7 +202,7 @@ public final class SessionLog implements AutoCloseable {
                 files.makeRoom();
             }
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "old session logs cannot be deleted", e);
+            log().log(Level.WARNING, "old session logs cannot be deleted", e);
         }
     }
 
@@ -223,7 +222,7 @@ public final class SessionLog implements AutoCloseable {
             lines = fresh;
             file = next;
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "the session log cannot go on in another file", e);
+            log().log(Level.WARNING, "the session log cannot go on in another file", e);
         }
     }
 
@@ -273,5 +272,9 @@ public final class SessionLog implements AutoCloseable {
 
     private String stamped(String kind, String text) {
         return StampedLine.of(LocalDateTime.now(clock.get()), kind, text);
+    }
+
+    private static Logger log() {
+        return System.getLogger(SessionLog.class.getName());
     }
 }

@@ -14,7 +14,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Writes each line of a session to its log and passes it to all listeners, in one order for all. Thread-safe. */
 public final class SessionOutput {
-    private static final Logger LOG = System.getLogger(SessionOutput.class.getName());
     private static final long FLUSH_BOUND_MS = 1000;
 
     private final SessionLog log;
@@ -55,7 +54,7 @@ public final class SessionOutput {
         listeners.forEach(thread -> thread.afterwards(behind::countDown));
         try {
             if (!behind.await(FLUSH_BOUND_MS, TimeUnit.MILLISECONDS)) {
-                LOG.log(Level.DEBUG, "a listener of the session does not take its lines");
+                log().log(Level.DEBUG, "a listener of the session does not take its lines");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -117,7 +116,7 @@ public final class SessionOutput {
         /** Queues a task; returns at once. If the listener is far too slow, tasks are dropped. */
         void pass(Consumer<SessionListener> event) {
             if (!waiting.offer(() -> event.accept(listener))) {
-                LOG.log(Level.DEBUG, "a listener of the session is too far behind");
+                log().log(Level.DEBUG, "a listener of the session is too far behind");
             }
         }
 
@@ -147,8 +146,12 @@ public final class SessionOutput {
             try {
                 task.run();
             } catch (RuntimeException e) {
-                LOG.log(Level.WARNING, "a listener of the session failed", e);
+                log().log(Level.WARNING, "a listener of the session failed", e);
             }
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(SessionOutput.class.getName());
     }
 }

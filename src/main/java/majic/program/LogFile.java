@@ -9,12 +9,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.ZoneId;
 import java.time.format.DateTimeFormatter;
-import java.util.Locale;
 import java.util.logging.ErrorManager;
 import java.util.logging.FileHandler;
 import java.util.logging.Formatter;
 import java.util.logging.Handler;
-import java.util.logging.Level;
 import java.util.logging.LogManager;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
@@ -41,30 +39,8 @@ public final class LogFile extends Handler {
         setErrorManager(new OneSentence());
     }
 
-    /** Chooses the manager of all loggers; must be called before the first logger is created. */
-    public static void useManager() {
-        System.setProperty("java.util.logging.manager", OpenUntilTheEnd.class.getName());
-    }
-
-    /**
-     * Logs to this folder from now on; must be called after {@link #useManager}.
-     *
-     * @param level the least level to log, a name such as {@code INFO} or {@code DEBUG}; another text counts as {@code INFO}
-     */
-    public static void install(Path folder, String level) {
-        Logger root = Logger.getLogger("");
-        root.setLevel(level(level));
-        root.addHandler(new LogFile(folder, MOST_BYTES));
-    }
-
-    private static Level level(String name) {
-        return switch (name.toUpperCase(Locale.ROOT)) {
-            case "TRACE" -> Level.FINER;
-            case "DEBUG" -> Level.FINE;
-            case "WARN", "WARNING" -> Level.WARNING;
-            case "ERROR" -> Level.SEVERE;
-            default -> Level.INFO;
-        };
+    static LogFile in(Path folder) {
+        return new LogFile(folder, MOST_BYTES);
     }
 
     @Override
@@ -102,11 +78,23 @@ public final class LogFile extends Handler {
         }
     }
 
-    /** Leaves the log open until the program has ended; the usual manager closes it before the robots are closed. */
+    /**
+     * The manager of all loggers, which the JDK creates with the first one. Adds the log to the root logger, and leaves it
+     * open until the program has ended; the usual manager closes it before the robots are closed.
+     */
     public static final class OpenUntilTheEnd extends LogManager {
         @Override
+        public boolean addLogger(Logger logger) {
+            boolean added = super.addLogger(logger);
+            if (added && logger.getName().isEmpty()) {
+                LogSetup.addTo(logger);
+            }
+            return added;
+        }
+
+        @Override
         public void readConfiguration() {
-            // no configuration: the only handler is installed by the program
+            // no configuration: the log is the only handler
         }
 
         @Override

@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.act.file.ActCatalog;
@@ -40,10 +39,9 @@ import org.jspecify.annotations.Nullable;
  * the state of their connections; this happens at the latest when the program is asked to end.
  */
 public final class Program implements AutoCloseable {
-    private static final System.Logger LOG = System.getLogger(Program.class.getName());
     private static final int CLOSE_BOUND_MS = 3000;
 
-    private static final Pattern NUMBERED = Pattern.compile("add .* as \\d+");
+    private static final String NUMBERED = "add .* as \\d+";
 
     /** How many robots of a large team connect at the same time. */
     private static final int CONNECTING_AT_ONCE = 16;
@@ -111,7 +109,7 @@ public final class Program implements AutoCloseable {
         try {
             log.open(sessions);
         } catch (IOException e) {
-            LOG.log(Level.WARNING, "there is no session log", e);
+            log().log(Level.WARNING, "there is no session log", e);
             problems.add("no session log can be written in " + sessions + ": " + IoReason.of(e)
                     + "; MAJIC goes on without one");
         }
@@ -233,9 +231,8 @@ public final class Program implements AutoCloseable {
      */
     public boolean addFirst(List<String> lines) throws InterruptedException {
         boolean large = lines.size() > Team.MAX_BOTS;
-        Map<Boolean, List<String>> parts = lines.stream()
-                .collect(Collectors.partitioningBy(
-                        line -> large && NUMBERED.matcher(line).matches()));
+        Map<Boolean, List<String>> parts =
+                lines.stream().collect(Collectors.partitioningBy(line -> large && line.matches(NUMBERED)));
         boolean numbered = add(parts.getOrDefault(true, List.of()), CONNECTING_AT_ONCE);
         boolean succeeded = add(parts.getOrDefault(false, List.of()), 1) && numbered;
         LineServer listening = server;
@@ -313,7 +310,7 @@ public final class Program implements AutoCloseable {
     private void awaitClosed() {
         try {
             if (!closed.await(CLOSE_BOUND_MS, TimeUnit.MILLISECONDS)) {
-                LOG.log(Level.WARNING, "the robots could not be closed in time");
+                log().log(Level.WARNING, "the robots could not be closed in time");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -360,5 +357,9 @@ public final class Program implements AutoCloseable {
         if (running != null) {
             running.close();
         }
+    }
+
+    private static System.Logger log() {
+        return System.getLogger(Program.class.getName());
     }
 }

@@ -26,7 +26,6 @@ import org.jspecify.annotations.Nullable;
  * be written, that is reported once, and another file is tried a minute later. Thread-safe.
  */
 final class RecordingWriter {
-    private static final Logger LOG = System.getLogger(RecordingWriter.class.getName());
     private static final int MOST_UNWRITTEN = 2000;
     private static final long FLUSH_MS = 1000;
     private static final long RETRY_NANOS = 60_000_000_000L;
@@ -267,7 +266,11 @@ final class RecordingWriter {
         try {
             open.close();
         } catch (IOException e) {
-            LOG.log(Level.DEBUG, "the end of a recording could not be written", e);
+            log().log(Level.DEBUG, "the end of a recording could not be written", e);
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(RecordingWriter.class.getName());
     }
 }

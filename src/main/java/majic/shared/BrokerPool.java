@@ -24,7 +24,6 @@ import org.jspecify.annotations.Nullable;
  * Thread-safe.
  */
 final class BrokerPool {
-    private static final Logger LOG = System.getLogger(BrokerPool.class.getName());
 
     /** How long a robot waits for a lost connection that is being made again, s. */
     private static final double RECONNECTED_S = 2;
@@ -196,11 +195,15 @@ final class BrokerPool {
         try {
             unused.close();
         } catch (Exception e) {
-            LOG.log(Level.WARNING, "the use of a broker did not end in order", e);
+            log().log(Level.WARNING, "the use of a broker did not end in order", e);
         }
     }
 
     private static String key(BrokerAddress address) {
         return address.secure() + " " + address.hostAndPort();
+    }
+
+    private static Logger log() {
+        return System.getLogger(BrokerPool.class.getName());
     }
 }

@@ -20,8 +20,6 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
     /** A connection that lasts shorter than this continues the delays instead of beginning them again. */
     private static final double STABLE_S = 30;
 
-    private static final System.Logger LOG = System.getLogger(AutoReconnect.class.getName());
-
     private final Team team;
     private final Consumer<Member> changed;
     private final Map<Member, Attempts> attempts = new ConcurrentHashMap<>();
@@ -196,7 +194,7 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
             try {
                 member.bot().connect();
             } catch (BotException e) {
-                LOG.log(System.Logger.Level.DEBUG, "robot " + member.number() + " is not connected again yet", e);
+                log().log(System.Logger.Level.DEBUG, "robot " + member.number() + " is not connected again yet", e);
             }
         }
 
@@ -204,5 +202,9 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
             status = next;
             changed.accept(member);
         }
+    }
+
+    private static System.Logger log() {
+        return System.getLogger(AutoReconnect.class.getName());
     }
 }

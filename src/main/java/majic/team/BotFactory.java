@@ -27,8 +27,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Creates robot drivers from the addresses that users type. Thread-safe. */
 public final class BotFactory {
-    private static final System.Logger LOG = System.getLogger(BotFactory.class.getName());
-
     /** The types in the order of the thesis, then the one of today's robots, those of other desks; others follow by name. */
     private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros", "mqtt");
 
@@ -57,8 +55,9 @@ public final class BotFactory {
     public static List<BotType> types(ClassLoader loader) {
         List<BotType> types = new ArrayList<>();
         Iterator<BotType> found = ServiceLoader.load(BotType.class, loader).iterator();
-        while (takeNext(found, types)) {
-            LOG.log(Level.DEBUG, "{0} type(s) of robots so far", types.size());
+        boolean more = true;
+        while (more) {
+            more = takeNext(found, types);
         }
         types.sort(Comparator.comparingInt(BotFactory::place).thenComparing(BotType::name));
         return types;
@@ -73,7 +72,7 @@ public final class BotFactory {
             }
             return more;
         } catch (ServiceConfigurationError | LinkageError e) {
-            LOG.log(Level.WARNING, "a plug-in cannot be used: " + e.getMessage(), e);
+            log().log(Level.WARNING, "a plug-in cannot be used: " + e.getMessage(), e);
             return true;
         }
     }
@@ -217,5 +216,9 @@ public final class BotFactory {
         } catch (BotException e) {
             throw new BotException(bot.type().adviceAfter(String.valueOf(e.getMessage())), e);
         }
+    }
+
+    private static System.Logger log() {
+        return System.getLogger(BotFactory.class.getName());
     }
 }

@@ -15,7 +15,6 @@ import majic.time.TimeSource;
  * queue for each listener: a listener that blocks does not keep the others from the events that follow. Thread-safe.
  */
 final class TeamEvents {
-    private static final Logger LOG = System.getLogger(TeamEvents.class.getName());
 
     private final TimeSource time;
     private final Signal changes;
@@ -101,8 +100,12 @@ final class TeamEvents {
             try {
                 event.accept(listener);
             } catch (RuntimeException | Error e) {
-                LOG.log(Level.WARNING, "a listener of the team failed", e);
+                log().log(Level.WARNING, "a listener of the team failed", e);
             }
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(TeamEvents.class.getName());
     }
 }

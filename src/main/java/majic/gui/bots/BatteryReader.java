@@ -13,7 +13,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Reads the robots' batteries from time to time, on a thread of its own, because a robot may have to be waited for. */
 final class BatteryReader implements AutoCloseable {
-    private static final Logger LOG = System.getLogger(BatteryReader.class.getName());
     private static final int PERIOD_S = 5;
 
     private final Team team;
@@ -51,7 +50,7 @@ final class BatteryReader implements AutoCloseable {
         try {
             levels.put(member, BatteryLevel.read(member.bot()));
         } catch (RuntimeException e) {
-            LOG.log(Level.DEBUG, "the battery of robot " + member.number() + " could not be read", e);
+            log().log(Level.DEBUG, "the battery of robot " + member.number() + " could not be read", e);
         }
     }
 
@@ -60,5 +59,9 @@ final class BatteryReader implements AutoCloseable {
         if (clock != null) {
             clock.shutdownNow();
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(BatteryReader.class.getName());
     }
 }

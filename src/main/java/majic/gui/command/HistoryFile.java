@@ -29,7 +29,6 @@ import majic.text.Texts;
  */
 final class HistoryFile {
     private static final Texts TEXTS = Texts.of(HistoryFile.class);
-    private static final Logger LOG = System.getLogger(HistoryFile.class.getName());
 
     /** A file with more lines is shortened to the newest {@link History#LONGEST} ones when it is read. */
     private static final int MOST_LINES = 2 * History.LONGEST;
@@ -86,10 +85,11 @@ final class HistoryFile {
             try (FileChannel channel = FileChannel.open(
                             file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
                     FileLock lock = channel.lock()) {
-                LOG.log(Level.TRACE, "{0}", lock);
-                work.on(channel);
+                if (lock.isValid()) {
+                    work.on(channel);
+                }
             } catch (IOException e) {
-                LOG.log(Level.WARNING, "the command history {0} cannot be used: {1}", file, IoReason.of(e));
+                log().log(Level.WARNING, "the command history {0} cannot be used: {1}", file, IoReason.of(e));
             }
         }
     }
@@ -166,5 +166,9 @@ final class HistoryFile {
         while (bytes.hasRemaining()) {
             channel.write(bytes);
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(HistoryFile.class.getName());
     }
 }

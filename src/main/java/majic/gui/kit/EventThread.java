@@ -11,7 +11,6 @@ import majic.text.Texts;
 /** Runs tasks on the event dispatch thread, and blocking tasks off it. */
 public final class EventThread {
     private static final Texts TEXTS = Texts.of(EventThread.class);
-    private static final Logger LOG = System.getLogger(EventThread.class.getName());
 
     private EventThread() {}
 
@@ -53,8 +52,12 @@ public final class EventThread {
         } catch (BotException | InvalidPathException e) {
             later(() -> failed.accept(String.valueOf(e.getMessage())));
         } catch (RuntimeException | Error e) {
-            LOG.log(Level.ERROR, doing + " failed", e);
+            log().log(Level.ERROR, doing + " failed", e);
             later(() -> failed.accept(TEXTS.get("error")));
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(EventThread.class.getName());
     }
 }

@@ -30,7 +30,6 @@ import org.jspecify.annotations.Nullable;
  * changed scenes are passed on.
  */
 public final class MapFeed implements TeamListener, AutoCloseable {
-    private static final Logger LOG = System.getLogger(MapFeed.class.getName());
 
     /** Distance at which robots are drawn from each other when their positions are unknown. */
     private static final double GUESSED_APART_MM = 1000;
@@ -113,7 +112,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 EventThread.later(() -> show.accept(scene));
             }
         } catch (RuntimeException e) {
-            LOG.log(Level.WARNING, "the team map could not be brought up to date", e);
+            log().log(Level.WARNING, "the team map could not be brought up to date", e);
         }
     }
 
@@ -205,5 +204,9 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 room.getMaxX() + (1 + index / rows) * GUESSED_APART_MM,
                 room.getMaxY() - (0.5 + index % rows) * GUESSED_APART_MM,
                 0);
+    }
+
+    private static Logger log() {
+        return System.getLogger(MapFeed.class.getName());
     }
 }

@@ -21,7 +21,6 @@ import majic.text.Texts;
  * last, or when the program ended. Keeps the addresses of its robots too, which Add Bot offers. Must be used on the event dispatch thread unless stated otherwise.
  */
 public final class LastTeam implements TeamListener {
-    private static final Logger LOG = System.getLogger(LastTeam.class.getName());
     private static final Texts TEXTS = Texts.of(LastTeam.class);
     private static final String KEY = "team.last";
     private static final String DAMAGED = KEY + ".damaged";
@@ -77,7 +76,7 @@ public final class LastTeam implements TeamListener {
             settings.put(DAMAGED, script);
             settings.put(KEY, "");
         } catch (BotException e) {
-            LOG.log(Level.WARNING, "the damaged team is not kept after the end", e);
+            log().log(Level.WARNING, "the damaged team is not kept after the end", e);
         }
     }
 
@@ -100,7 +99,7 @@ public final class LastTeam implements TeamListener {
         try {
             recent.keep(addresses);
         } catch (BotException e) {
-            LOG.log(Level.DEBUG, "the addresses are not kept after the end", e);
+            log().log(Level.DEBUG, "the addresses are not kept after the end", e);
         }
     }
 
@@ -129,7 +128,11 @@ public final class LastTeam implements TeamListener {
             }
             read();
         } catch (BotException e) {
-            LOG.log(Level.DEBUG, "the team is not kept after the end", e);
+            log().log(Level.DEBUG, "the team is not kept after the end", e);
         }
+    }
+
+    private static Logger log() {
+        return System.getLogger(LastTeam.class.getName());
     }
 }

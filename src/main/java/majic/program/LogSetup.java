@@ -1,0 +1,48 @@
+package majic.program;
+
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Chooses MAJIC's log for all loggers. The first logger initialises the logging of the JDK, which would delay the window;
+ * so this creates none, and neither may what is needed for the first painting.
+ */
+public final class LogSetup {
+    private static volatile @Nullable Path folder;
+    private static volatile String level = "";
+
+    private LogSetup() {}
+
+    /**
+     * Logs to this folder from the first logger on; must be called before that is created.
+     *
+     * @param least the least level to log, a name such as {@code INFO} or {@code DEBUG}; another text counts as {@code INFO}
+     */
+    public static void install(Path folderOfLog, String least) {
+        folder = folderOfLog;
+        level = least;
+        System.setProperty("java.util.logging.manager", LogFile.OpenUntilTheEnd.class.getName());
+    }
+
+    /** Adds the log to the root logger, if one was installed. */
+    static void addTo(Logger root) {
+        Path chosen = folder;
+        if (chosen != null) {
+            root.setLevel(level(level));
+            root.addHandler(LogFile.in(chosen));
+        }
+    }
+
+    private static Level level(String name) {
+        return switch (name.toUpperCase(Locale.ROOT)) {
+            case "TRACE" -> Level.FINER;
+            case "DEBUG" -> Level.FINE;
+            case "WARN", "WARNING" -> Level.WARNING;
+            case "ERROR" -> Level.SEVERE;
+            default -> Level.INFO;
+        };
+    }
+}
