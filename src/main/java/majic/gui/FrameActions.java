@@ -7,27 +7,16 @@ import majic.gui.kit.IconAction;
 import majic.gui.kit.Pictogram;
 import majic.text.Texts;
 
-/** Holds the actions of the window's buttons and menus. */
+/** Holds the actions of the window's buttons, which are in the menus too. */
 final class FrameActions {
     private static final Texts TEXTS = Texts.of(FrameActions.class);
 
     final IconAction addBot;
     final IconAction killBot;
     final IconAction loadAct;
-    final IconAction endAct;
-    final IconAction makeAct;
     final IconAction help;
-    final IconAction guide;
-    final IconAction about;
-    final IconAction newScript;
-    final IconAction openScript;
     final IconAction saveSession;
     final IconAction saveLog;
-    final IconAction openRecording;
-    final IconAction openTeam;
-    final IconAction saveTeam;
-    final IconAction shareRobots;
-    final IconAction tour;
     final IconAction killMajic;
 
     FrameActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
@@ -35,26 +24,12 @@ final class FrameActions {
         killBot = action("killBot", Pictogram.REMOVE, "killBot.tip", frame::removeBot);
         loadAct =
                 action("loadAct", Pictogram.ACT, "loadAct.tip", frame::loadAct).withKey(KeyEvent.VK_L);
-        endAct = action("endAct", Pictogram.REMOVE, "endAct.tip", dialogs::endAct)
-                .withKey(KeyEvent.VK_E);
-        makeAct = action("makeAct", Pictogram.ACT, "makeAct.tip", dialogs::makeAct);
         help = action("help", Pictogram.HELP, "help.tip", dialogs::help)
                 .withKey(KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
-        guide = action("guide", Pictogram.HELP, "guide.tip", dialogs::guide);
-        about = action("about", Pictogram.HELP, "about.tip", dialogs::about);
-        newScript = action("newScript", Pictogram.NEW, "newScript.tip", editor::newScript);
-        openScript = action("openScript", Pictogram.OPEN, "openScript.tip", editor::chooseAndOpen)
-                .withKey(KeyEvent.VK_O);
         saveSession = action(
                         "saveSession", Pictogram.SESSION, "saveSession.tip", () -> dialogs.saveSession(editor::open))
                 .withKey(KeyEvent.VK_S);
         saveLog = action("saveLog", Pictogram.LOG, "saveLog.tip", dialogs::saveLog);
-        openRecording = action("openRecording", Pictogram.LOG, "openRecording.tip", dialogs::openRecording);
-        openTeam = action("openTeam", Pictogram.TEAM, "openTeam.tip", frame::openTeam);
-        saveTeam = action("saveTeam", Pictogram.TEAM, "saveTeam.tip", dialogs::saveTeam);
-        shareRobots = action("shareRobots", Pictogram.TEAM, "shareRobots.tip", dialogs::shareRobots);
-        shareRobots.setEnabled(dialogs.canShareRobots());
-        tour = action("tour", Pictogram.TOUR, "tour.tip", dialogs::tour);
         killMajic = action("killMajic", Pictogram.QUIT, "killMajic.tip", frame::quit)
                 .withKey(KeyEvent.VK_Q);
     }
@@ -66,5 +41,37 @@ final class FrameActions {
     /** Returns the actions of the buttons, in the order of the buttons. */
     List<IconAction> buttons() {
         return List.of(addBot, killBot, loadAct, help, saveSession, saveLog, killMajic);
+    }
+
+    /** Holds the actions that are in the menus alone. Made with the entries of the menus, after the first painting. */
+    static final class MenuActions {
+        final IconAction endAct;
+        final IconAction makeAct;
+        final IconAction guide;
+        final IconAction about;
+        final IconAction newScript;
+        final IconAction openScript;
+        final IconAction openRecording;
+        final IconAction openTeam;
+        final IconAction saveTeam;
+        final IconAction shareRobots;
+        final IconAction tour;
+
+        MenuActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
+            endAct = action("endAct", Pictogram.REMOVE, "endAct.tip", dialogs::endAct)
+                    .withKey(KeyEvent.VK_E);
+            makeAct = action("makeAct", Pictogram.ACT, "makeAct.tip", dialogs::makeAct);
+            guide = action("guide", Pictogram.HELP, "guide.tip", dialogs::guide);
+            about = action("about", Pictogram.HELP, "about.tip", dialogs::about);
+            newScript = action("newScript", Pictogram.NEW, "newScript.tip", editor::newScript);
+            openScript = action("openScript", Pictogram.OPEN, "openScript.tip", editor::chooseAndOpen)
+                    .withKey(KeyEvent.VK_O);
+            openRecording = action("openRecording", Pictogram.LOG, "openRecording.tip", dialogs::openRecording);
+            openTeam = action("openTeam", Pictogram.TEAM, "openTeam.tip", frame::openTeam);
+            saveTeam = action("saveTeam", Pictogram.TEAM, "saveTeam.tip", dialogs::saveTeam);
+            shareRobots = action("shareRobots", Pictogram.TEAM, "shareRobots.tip", dialogs::shareRobots);
+            shareRobots.setEnabled(dialogs.canShareRobots());
+            tour = action("tour", Pictogram.TOUR, "tour.tip", dialogs::tour);
+        }
     }
 }

@@ -1,9 +1,7 @@
 package majic.gui;
 
 import com.formdev.flatlaf.FlatLaf;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 import javax.swing.Action;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
@@ -15,33 +13,38 @@ import majic.gui.kit.Mnemonics;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
-/** The menu bar. Its menus are empty until {@link #fill()}, because their entries would delay the window. */
+/** The menu bar. Its menus are empty until {@link #fill}, because their entries would delay the window. */
 final class FrameMenu extends JMenuBar {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(FrameMenu.class);
 
     private final transient MenuKeys keys = new MenuKeys();
-    private final transient List<Runnable> fillings = new ArrayList<>();
+    private final JMenu file = add("file");
+    private final JMenu robot = add("robot");
+    private final JMenu act = add("act");
+    private final JMenu lab = add("lab");
+    private final JMenu view = add("view");
+    private final JMenu help = add("help");
 
-    FrameMenu(MajicFrame frame, FrameActions actions, FrameEditor editor) {
-        add("file", menu -> fillFile(menu, actions, editor));
-        add("robot", menu -> fillRobot(menu, frame, actions));
-        add("act", menu -> fill(menu, actions.loadAct, actions.endAct, null, actions.makeAct));
-        add("lab", menu -> fillLab(menu, frame));
-        add("view", menu -> fillView(menu, frame));
-        add("help", menu -> fill(menu, actions.help, actions.guide, actions.tour, null, actions.about));
+    private JMenu add(String name) {
+        return add(new JMenu(TEXTS.get(name)));
     }
 
-    private void add(String name, Consumer<JMenu> filling) {
-        JMenu menu = new JMenu(TEXTS.get(name));
-        fillings.add(() -> filling.accept(menu));
-        add(menu);
-    }
-
-    /** Adds the entries of the menus; has no effect when called again. */
-    void fill() {
-        fillings.forEach(Runnable::run);
-        fillings.clear();
+    /**
+     * Adds the entries of the menus; has no effect when called again.
+     *
+     * @param actions those of the buttons
+     */
+    void fill(MajicFrame frame, FrameActions actions, FrameActions.MenuActions others, FrameEditor editor) {
+        if (file.getItemCount() > 0) {
+            return;
+        }
+        fillFile(actions, others, editor);
+        fillRobot(frame, actions, others);
+        fill(act, actions.loadAct, others.endAct, null, others.makeAct);
+        fillLab(lab, frame);
+        fillView(view, frame);
+        fill(help, actions.help, others.guide, others.tour, null, others.about);
         Mnemonics.assign(this);
     }
 
@@ -68,8 +71,8 @@ final class FrameMenu extends JMenuBar {
         }
     }
 
-    private static void fillFile(JMenu file, FrameActions actions, FrameEditor editor) {
-        fill(file, actions.newScript, actions.openScript);
+    private void fillFile(FrameActions actions, FrameActions.MenuActions others, FrameEditor editor) {
+        fill(file, others.newScript, others.openScript);
         JMenu recent = new JMenu(TEXTS.get("openRecent"));
         recent.addChangeListener(change -> {
             if (recent.isSelected()) {
@@ -78,19 +81,19 @@ final class FrameMenu extends JMenuBar {
             }
         });
         file.add(recent);
-        fill(file, null, actions.saveSession, actions.saveLog, null, actions.openRecording, null, actions.killMajic);
+        fill(file, null, actions.saveSession, actions.saveLog, null, others.openRecording, null, actions.killMajic);
     }
 
-    private static void fillRobot(JMenu robots, MajicFrame frame, FrameActions actions) {
+    private void fillRobot(MajicFrame frame, FrameActions actions, FrameActions.MenuActions others) {
         fill(
-                robots,
+                robot,
                 actions.addBot,
                 actions.killBot,
                 null,
-                actions.openTeam,
-                actions.saveTeam,
+                others.openTeam,
+                others.saveTeam,
                 null,
-                actions.shareRobots,
+                others.shareRobots,
                 null);
         JMenuItem reconnect = new JCheckBoxMenuItem(
                 TEXTS.get("reconnect"), frame.reconnecting().isEnabled());
@@ -103,9 +106,9 @@ final class FrameMenu extends JMenuBar {
                 frame.gamepad().switchOff();
             }
         });
-        robots.addChangeListener(change -> gamepad.setSelected(frame.gamepad().isOn()));
-        robots.add(reconnect);
-        robots.add(gamepad);
+        robot.addChangeListener(change -> gamepad.setSelected(frame.gamepad().isOn()));
+        robot.add(reconnect);
+        robot.add(gamepad);
     }
 
     private static void fillLab(JMenu lab, MajicFrame frame) {

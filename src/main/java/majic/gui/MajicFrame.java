@@ -125,12 +125,12 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         FrameActions actions = new FrameActions(this, dialogs, editor);
         FrameContent content = new FrameContent(session.team(), actions.buttons(), this::stopAll, team, commands);
         setContentPane(content);
-        FrameMenu menu = new FrameMenu(this, actions, editor);
+        FrameMenu menu = new FrameMenu();
         setJMenuBar(menu);
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
-                Timer painted = new Timer(AFTER_PAINTING_MS, done -> complete(menu));
+                Timer painted = new Timer(AFTER_PAINTING_MS, done -> complete(menu, actions));
                 painted.setRepeats(false);
                 painted.start();
             }
@@ -150,9 +150,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     /** Adds what would have delayed the window. */
-    private void complete(FrameMenu menu) {
+    private void complete(FrameMenu menu, FrameActions actions) {
         setIconImage(Icons.program(ICON_SIZE));
-        menu.fill();
+        menu.fill(this, actions, new FrameActions.MenuActions(this, dialogs, editor), editor);
         FileDrop.installInside(getRootPane(), editor::open);
         MacMenu.install(this::quit, dialogs::about);
         WindowPreloader.preparePanels();

@@ -57,7 +57,6 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
         batteries = new BatteryReader(team);
         setName("teamStrip");
         getAccessibleContext().setAccessibleName(TEXTS.get("team"));
-        StripKeys.bind(this);
         selection.addListener(this::showSelection);
         team.members().forEach(this::added);
         setVisible(getComponentCount() > 0);
@@ -104,6 +103,9 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
                 .filter(other -> other.member().number() < member.number())
                 .count();
         add(card, place);
+        if (getActionMap().size() == 0) {
+            StripKeys.bind(this);
+        }
         card.setFocusable(getComponentCount() == 1);
         if (getComponentCount() == 1) {
             selection.select(member);
