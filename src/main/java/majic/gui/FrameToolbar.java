@@ -3,6 +3,7 @@ package majic.gui;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.util.ArrayList;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -25,14 +26,16 @@ final class FrameToolbar extends JPanel {
     private static final int GAP = 8;
 
     private final Box row = Box.createHorizontalBox();
-    private final transient List<JButton> buttons;
+    private final transient List<JButton> buttons = new ArrayList<>();
     private final StopPanel stop;
     private int wordsWidth;
 
     FrameToolbar(List<IconAction> actions, StopPanel stop) {
         super(new BorderLayout(GAP, 0));
         this.stop = stop;
-        this.buttons = actions.stream().map(FrameToolbar::button).toList();
+        for (IconAction action : actions) {
+            buttons.add(button(action));
+        }
         setBorder(BorderFactory.createEmptyBorder(6, GAP, 6, GAP));
         buttons.forEach(row::add);
         add(row, BorderLayout.CENTER);

@@ -2,7 +2,6 @@ package majic.gui;
 
 import java.util.Locale;
 import java.util.Optional;
-import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.UIManager;
 import majic.environment.Settings;
@@ -33,10 +32,17 @@ enum Language {
     /** Returns the language that was chosen last. */
     static Language chosen(Settings settings) {
         Optional<String> kept = settings.get(KEY);
-        return Stream.of(values())
-                .filter(language -> kept.equals(Optional.of(language.tag)))
-                .findFirst()
-                .orElse(SYSTEM);
+        return kept.isEmpty() ? SYSTEM : tagged(kept.get());
+    }
+
+    /** Returns the language with a tag; that of the computer if there are no texts in it. */
+    private static Language tagged(String tag) {
+        for (Language language : values()) {
+            if (language.tag.equals(tag)) {
+                return language;
+            }
+        }
+        return SYSTEM;
     }
 
     /** Uses the language that was chosen last; must be called before a window reads a text. */
@@ -68,7 +74,7 @@ enum Language {
     private Locale locale() {
         String system = OF_SYSTEM.getLanguage();
         if (this == SYSTEM) {
-            return Stream.of(values()).anyMatch(other -> other.tag.equals(system)) ? OF_SYSTEM : Locale.ENGLISH;
+            return tagged(system) == SYSTEM ? Locale.ENGLISH : OF_SYSTEM;
         }
         return tag.equals(system) ? OF_SYSTEM : Locale.forLanguageTag(tag);
     }

@@ -74,6 +74,9 @@ final class StopAlarm extends JPanel implements TeamListener {
     private void showRobots() {
         Map<Integer, String> unconfirmed = team.stopStatus().unconfirmed();
         setVisible(!unconfirmed.isEmpty());
+        if (unconfirmed.isEmpty()) {
+            return;
+        }
         title.setText(TEXTS.get("unconfirmed", unconfirmed.size(), NumberList.of(List.copyOf(unconfirmed.keySet()))));
         String why = reasons(unconfirmed);
         reasons.setText(why);

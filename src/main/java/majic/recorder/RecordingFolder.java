@@ -27,7 +27,6 @@ public record RecordingFolder(Path path, long mostBytes, long mostBytesPerFile) 
     private static final long MOST_BYTES = 200_000_000;
     private static final long MOST_BYTES_PER_FILE = 15_000_000;
     private static final Duration OLDEST = Duration.ofDays(30);
-    private static final DateTimeFormatter NAME_TIME = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);
 
     /**
      * A folder with the usual limits: 200 MB in all, 15 MB for each file.
@@ -42,7 +41,9 @@ public record RecordingFolder(Path path, long mostBytes, long mostBytesPerFile) 
     Path next(RecordingHead head) throws IOException {
         Files.createDirectories(path);
         folder().makeRoom(mostBytesPerFile, Instant.now().minus(OLDEST));
-        String stem = "majic-" + NAME_TIME.format(LocalDateTime.ofInstant(head.begin(), ZoneId.systemDefault()));
+        // Not a constant, since making it would delay the window.
+        DateTimeFormatter time = DateTimeFormatter.ofPattern("yyyyMMdd-HHmmss", Locale.ROOT);
+        String stem = "majic-" + time.format(LocalDateTime.ofInstant(head.begin(), ZoneId.systemDefault()));
         Path file = path.resolve(stem + "-" + head.part() + ENDING);
         for (int again = 2; Files.exists(file); again++) {
             file = path.resolve(stem + "-" + head.part() + "-" + again + ENDING);

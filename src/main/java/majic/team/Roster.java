@@ -7,14 +7,13 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.IntFunction;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import majic.bot.BotException;
 
 /** The robots of a team by number, their names, and the number of the next one. Thread-safe. */
 final class Roster {
     private static final int LONGEST_NAME = 20;
-    private static final Pattern NAME = Pattern.compile("\\p{L}[\\p{L}\\d_]{0," + (LONGEST_NAME - 1) + "}");
+    private static final String NAME = "\\p{L}[\\p{L}\\d_]{0," + (LONGEST_NAME - 1) + "}";
 
     private final int maxBots;
     private final SortedMap<Integer, Member> members = new TreeMap<>();
@@ -83,7 +82,7 @@ final class Roster {
      * @throws BotException if it cannot be a name, or another robot has it; nothing has changed
      */
     synchronized void rename(Member member, String name) {
-        if (!name.isEmpty() && !NAME.matcher(name).matches()) {
+        if (!name.isEmpty() && !name.matches(NAME)) {
             throw new BotException(name + ": a name is a letter, then letters, digits and _, at most " + LONGEST_NAME
                     + " characters in all");
         }

@@ -14,7 +14,6 @@ import java.util.PropertyResourceBundle;
 import java.util.ResourceBundle;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiFunction;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -59,9 +58,10 @@ public final class Texts {
     private static String format(String text, Locale language, Object... values) {
         MessageFormat pattern = new MessageFormat(text, language);
         Format[] formats = pattern.getFormatsByArgumentIndex();
-        Object[] words = IntStream.range(0, values.length)
-                .mapToObj(index -> isPlain(formats, index) ? String.valueOf(values[index]) : values[index])
-                .toArray();
+        Object[] words = new Object[values.length];
+        for (int index = 0; index < words.length; index++) {
+            words[index] = isPlain(formats, index) ? String.valueOf(values[index]) : values[index];
+        }
         return pattern.format(words);
     }
 

@@ -6,7 +6,6 @@ import java.awt.Container;
 import java.awt.Dimension;
 import java.awt.LayoutManager;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JViewport;
 
 /**
@@ -112,7 +111,11 @@ final class StripLayout implements LayoutManager {
     }
 
     private static RobotCard[] cards(Container strip) {
-        return Stream.of(strip.getComponents()).map(RobotCard.class::cast).toArray(RobotCard[]::new);
+        RobotCard[] cards = new RobotCard[strip.getComponentCount()];
+        for (int index = 0; index < cards.length; index++) {
+            cards[index] = (RobotCard) strip.getComponent(index);
+        }
+        return cards;
     }
 
     @Override

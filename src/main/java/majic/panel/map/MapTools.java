@@ -29,7 +29,11 @@ final class MapTools extends JPanel {
         setBorder(BorderFactory.createEmptyBorder(1, 1, 1, 1));
         this.map = map;
         setOpaque(false);
-        MapAction.WITH_BUTTON.stream().filter(action -> action.suits(map)).forEach(this::addButton);
+        for (MapAction action : MapAction.WITH_BUTTON) {
+            if (action.suits(map)) {
+                addButton(action);
+            }
+        }
         showState();
     }
 
