@@ -147,7 +147,7 @@ class LoadActWindowTest {
         window.await(
                 "its name",
                 () -> window.isShowing("act1") && window.text("act1").equals("Ahead"));
-        assertThat(window.text("actTime1")).matches("00:\\d\\d");
+        assertThat(window.text("actTime1")).matches("0:\\d\\d");
         window.click("endAct1");
         awaitFree(1);
         window.await("the bar to go", () -> !window.isShowing("act1"));
