@@ -185,7 +185,7 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public abstract boolean isConnected();
 
     /**
-     * Returns who alone may move this robot at present, if that is a user of another program.
+     * Returns the user of another program that alone may move this robot at present.
      *
      * @return the user, such as {@code Anna at desk1}; empty if no other program holds the robot, as far as it is known
      */
