@@ -63,7 +63,6 @@ final class SharedLoad {
 
     private static final long LONGEST_ROW_MS = 600_000;
 
-    /** Sizes in bytes of a request for a motion and of a speed, with names of usual length. */
     /** An RVEL packet with a negative rate, without its amount. */
     private static final String RIGHT = "\u00FA\u00FB\u0006\u0015\u001B";
 
