@@ -201,7 +201,7 @@ final class HiveConnection implements BrokerConnection {
 
     private static BotException problem(BrokerMessage message, Throwable failure) {
         return new BotException(
-                "the broker did not take the message on " + message.topic() + ": " + HiveErrors.innermost(failure),
+                "the broker did not take the message on " + message.topic() + ": " + HiveErrors.refusal(failure),
                 failure);
     }
 

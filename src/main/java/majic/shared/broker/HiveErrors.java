@@ -3,6 +3,8 @@ package majic.shared.broker;
 import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5ConnAckException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubAckException;
+import com.hivemq.client.mqtt.mqtt5.message.Mqtt5ReasonCode;
 import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAck;
 import java.util.Locale;
 import java.util.Optional;
@@ -74,8 +76,8 @@ final class HiveErrors {
                 new ConnectFailed(
                         Reason.WRONG_LOGIN,
                         address + ": the broker refuses the user name or the password" + said
-                                + "; write them into the file brokers.properties of the user's folder, or into the"
-                                + " environment as MAJIC_MQTT_USER and MAJIC_MQTT_PASSWORD",
+                                + "; are they in the file brokers.properties of the user's folder, or in the environment"
+                                + " as MAJIC_MQTT_USER and MAJIC_MQTT_PASSWORD?",
                         failure);
             case UNSUPPORTED_PROTOCOL_VERSION ->
                 new ConnectFailed(
@@ -87,11 +89,7 @@ final class HiveErrors {
             default ->
                 new ConnectFailed(
                         Reason.OTHER,
-                        address + ": the broker refuses the connection: "
-                                + answer.getReasonCode()
-                                        .toString()
-                                        .replace('_', ' ')
-                                        .toLowerCase(Locale.ROOT) + said,
+                        address + ": the broker refuses the connection: " + words(answer.getReasonCode()) + said,
                         failure);
         };
     }
@@ -102,16 +100,16 @@ final class HiveErrors {
             return new ConnectFailed(
                     Reason.OTHER,
                     address + ": " + refusedCertificate(alert.group(1))
-                            + "; the file with the certificate and its key is named in the file brokers.properties, as"
-                            + " broker." + address.host() + ".key-store=FILE.p12",
+                            + "; is the file with the certificate and its key named in the file brokers.properties, as"
+                            + " broker." + address.host() + ".key-store=FILE.p12?",
                     failure);
         }
         if (cause(failure, SSLHandshakeException.class).isPresent()) {
             return new ConnectFailed(
                     Reason.OTHER,
                     address + ": no trusted TLS connection: " + innermost(failure)
-                            + "; a certificate that this computer does not know is named in the file brokers.properties, as"
-                            + " broker." + address.host() + ".ca=FILE.pem",
+                            + "; is a certificate that this computer does not know named in the file brokers.properties, as"
+                            + " broker." + address.host() + ".ca=FILE.pem?",
                     failure);
         }
         return new ConnectFailed(
@@ -136,14 +134,20 @@ final class HiveErrors {
         Optional<Mqtt5DisconnectException> told = cause(failure, Mqtt5DisconnectException.class);
         if (told.isPresent() && !isTimeout(failure)) {
             return "the broker ended the connection: "
-                    + told.get()
-                            .getMqttMessage()
-                            .getReasonCode()
-                            .toString()
-                            .replace('_', ' ')
-                            .toLowerCase(Locale.ROOT);
+                    + words(told.get().getMqttMessage().getReasonCode());
         }
         return isTimeout(failure) ? "the broker does not answer" : "the broker closed the connection";
+    }
+
+    /** Returns why the broker did not take a message: the reason that it gave, or that of the system. */
+    static String refusal(Throwable failure) {
+        return cause(failure, Mqtt5PubAckException.class)
+                .map(refused -> words(refused.getMqttMessage().getReasonCode()))
+                .orElseGet(() -> innermost(failure));
+    }
+
+    private static String words(Mqtt5ReasonCode code) {
+        return code.toString().replace('_', ' ').toLowerCase(Locale.ROOT);
     }
 
     private static boolean isTimeout(Throwable failure) {
@@ -152,7 +156,7 @@ final class HiveErrors {
     }
 
     /** Returns the innermost reason, as the system words it. */
-    static String innermost(Throwable failure) {
+    private static String innermost(Throwable failure) {
         Throwable innermost = failure;
         while (innermost.getCause() != null) {
             innermost = innermost.getCause();

@@ -132,6 +132,6 @@ class AccessListTest {
         "desk2, desks/desk3/presence"
     })
     void whatARoleMayNotDoIsRefused(String user, String topic) throws Exception {
-        assertThat(answer(user, topic)).startsWith("refused: ");
+        assertThat(answer(user, topic)).startsWith("refused: ").endsWith(": not authorized");
     }
 }
