@@ -98,12 +98,19 @@ class SharedRobotInLabTest {
         assertThat(desks.movesWithin(2)).isLessThan(1);
     }
 
-    @Test
-    void stopReachesADeskThatHasConnectedSeveralTimes() throws InterruptedException {
+    /** Adds the Aibo at desk2, and connects to it from this desk. */
+    private MajicBot sharedAibo() throws InterruptedException {
         desks.desk2.add("aibo");
         desks.pass(1);
-        try (MajicBot dog = robotAt("mqtt://broker/lab/desk2/2")) {
-            dog.connect();
+        MajicBot dog = robotAt("mqtt://broker/lab/desk2/2");
+        dog.connect();
+        return dog;
+    }
+
+    @Test
+    void stopReachesADeskThatHasConnectedSeveralTimes() throws InterruptedException {
+        try (MajicBot dog = sharedAibo()) {
+            assertThat(dog.isConnected()).isTrue();
 
             desks.desk2.team().stopAll();
             desks.pass(1);
@@ -114,10 +121,8 @@ class SharedRobotInLabTest {
 
     @Test
     void stopReachesADeskThatHasRemovedSomeOfItsRobotsOrAll() throws InterruptedException {
-        desks.desk2.add("aibo");
-        desks.pass(1);
-        try (MajicBot dog = robotAt("mqtt://broker/lab/desk2/2")) {
-            dog.connect();
+        try (MajicBot dog = sharedAibo()) {
+            assertThat(dog.isConnected()).isTrue();
             anna.run("remove 1");
             desks.desk2.team().stopAll();
             desks.pass(1);
