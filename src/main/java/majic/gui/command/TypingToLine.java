@@ -46,7 +46,7 @@ final class TypingToLine implements KeyEventPostProcessor, KeyEventDispatcher {
         if (leaving == null) {
             return false;
         }
-        if (event.getComponent() != leaving) {
+        if (!isUnderway(event.getComponent())) {
             leaving = null;
             return false;
         }
@@ -58,6 +58,11 @@ final class TypingToLine implements KeyEventPostProcessor, KeyEventDispatcher {
         }
         KeyboardFocusManager.getCurrentKeyboardFocusManager().redispatchEvent(field, event);
         return true;
+    }
+
+    /** The window itself has the keys after one component has lost the focus and before the next one gets it. */
+    private boolean isUnderway(Component target) {
+        return target == leaving || target == SwingUtilities.getWindowAncestor(field);
     }
 
     /** Runs after the focused component and the key bindings of its window have had the key. */

@@ -15,6 +15,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import javax.swing.JList;
 import javax.swing.JTextField;
+import javax.swing.SwingUtilities;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import majic.script.help.Completion;
@@ -219,6 +220,20 @@ class CommandLineWindowTest {
                 .forEach(key -> keys.dispatchEvent(
                         new KeyEvent(pad, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, (char) key))));
         window.await("the line", () -> window.text("commandLine").equals("1 move"));
+    }
+
+    @Test
+    void aSpaceThatNoComponentHasWhileTheFocusIsPassedOnGoesThereToo() {
+        window.focus("drivePad");
+        Component pad = window.find("drivePad", Component.class);
+        Component frame = SwingUtilities.getWindowAncestor(pad);
+        KeyboardFocusManager keys = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        long now = System.currentTimeMillis();
+        window.run(() -> {
+            keys.dispatchEvent(new KeyEvent(pad, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, '1'));
+            keys.dispatchEvent(new KeyEvent(frame, KeyEvent.KEY_TYPED, now, 0, KeyEvent.VK_UNDEFINED, ' '));
+        });
+        window.await("the line", () -> window.text("commandLine").equals("1 "));
     }
 
     @Test
