@@ -2,11 +2,15 @@ package majic.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
+import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.FakeBot;
 import majic.bot.FakeType;
+import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.gui.kit.EventThreadChecks;
 import org.assertj.swing.edt.GuiActionRunner;
@@ -37,7 +41,15 @@ class RefreshingPanelWindowTest {
             panel.refreshIfChanged();
         });
         checks.windowIsOpen();
+        CountDownLatch delivered = new CountDownLatch(2);
+        bot.addListener(new BotListener() {
+            @Override
+            public void connectionChanged(MajicBot changed, MajicBot.Connection connection) {
+                delivered.countDown();
+            }
+        });
         bot.connect();
+        assertThat(delivered.await(60, TimeUnit.SECONDS)).isTrue();
         SwingUtilities.invokeAndWait(() -> {
             panel.refreshIfChanged();
             panel.refreshIfChanged();
