@@ -48,7 +48,12 @@ class SharedClientsTest {
     }
 
     @Test
-    void theProgramInPythonMovesARobotAndGetsItsAnswers() throws Exception {
+    void twentyLinesAreEnoughToWatchAndCommand() throws IOException {
+        assertThat(Files.readAllLines(EXAMPLES.resolve("move_shared.py"))).hasSizeLessThanOrEqualTo(20);
+    }
+
+    @Test
+    void theProgramInPythonPrintsTheStatesOfARobotMovesItAndPrintsItsAnswers() throws Exception {
         assumeTrue(Mosquitto.installed().isPresent() && hasClient(), "needs Mosquitto and paho-mqtt 2");
         try (Mosquitto broker = Mosquitto.start(folder);
                 Team team = new Team(TimeSource.system())) {
@@ -59,7 +64,12 @@ class SharedClientsTest {
             try {
                 String program = at(broker.port(), "move_shared.py").toString();
                 assertThat(Tool.run(PYTHON, program, "127.0.0.1", "lab", "desk2", "1", "30"))
-                        .containsSubsequence("'outcome': 'accepted'", "'outcome': 'done'", "'unit': 'mm'");
+                        .containsSubsequence(
+                                "'connection': 'connected'",
+                                "'outcome': 'accepted'",
+                                "'desk': 'python'",
+                                "'outcome': 'done'",
+                                "'unit': 'mm'");
             } finally {
                 sharing.close();
             }

@@ -15,7 +15,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Publishes what one robot is and does: its state at once when a condition has changed and once a second, and in between, at
- * most ten times a second, what has changed in its reports. Thread-safe.
+ * most ten times a second, what has changed in its reports. While another program holds the robot, something is published every
+ * 250 ms, with which the holder can answer by a heartbeat. Thread-safe.
  */
 final class RobotPublisher {
     /** The time between two changes of a robot that reports all the time, seconds. */
@@ -23,6 +24,9 @@ final class RobotPublisher {
 
     /** The time between two states, seconds: a sign of life, and it replaces changes that were lost. */
     private static final double LONGEST_S = 1;
+
+    /** The same for a held robot, with or without news: the holder's heartbeats may be answers to this, seconds. */
+    private static final double HELD_S = 0.25;
 
     /** A state that was kept by the broker is not used for longer than this, seconds. */
     private static final int EXPIRY_S = 3;
@@ -35,6 +39,9 @@ final class RobotPublisher {
     private volatile boolean moving;
     private volatile long sampledNanos;
     private volatile long publishedNanos;
+    /** When the desk's clock was last published, in a state or a change. */
+    private volatile long clockNanos;
+
     /** As it is for a program that has received all states and changes. */
     private @Nullable RobotState published;
 
@@ -48,6 +55,7 @@ final class RobotPublisher {
         this.hold = hold;
         this.publishedNanos = desk.connection().time().nanos();
         this.sampledNanos = publishedNanos;
+        this.clockNanos = publishedNanos;
     }
 
     /** A condition has changed: the state is published at once. */
@@ -82,13 +90,20 @@ final class RobotPublisher {
         TimeSource time = desk.connection().time();
         if (changed || time.secondsSince(publishedNanos) >= LONGEST_S) {
             publishState();
+        } else if (hold.get() != null && time.secondsSince(clockNanos) >= HELD_S) {
+            publishNews(true);
         } else if (reported && time.secondsSince(sampledNanos) >= SHORTEST_S) {
-            publishNews();
+            publishNews(false);
         }
     }
 
-    /** A robot that repeats the same values all the time costs no more of the network than one that is silent. */
-    private synchronized void publishNews() {
+    /**
+     * Publishes what has changed. A robot that repeats the same values all the time costs no more of the network than one that
+     * is silent.
+     *
+     * @param always also if only the clock has changed
+     */
+    private synchronized void publishNews(boolean always) {
         sampledNanos = desk.connection().time().nanos();
         reported = false;
         RobotState before = published;
@@ -96,14 +111,16 @@ final class RobotPublisher {
         if (before == null || !present.hasConditionsOf(before)) {
             publish(present);
         } else {
-            publish(StateChange.between(before, present), present);
+            StateChange change = StateChange.between(before, present);
+            if (always || !change.isEmpty()) {
+                publish(change, present);
+            }
         }
     }
 
     private void publish(StateChange change, RobotState present) {
-        if (!change.isEmpty()
-                && !ended
-                && desk.publish(BrokerMessage.json(topic(Part.CHANGES), change.toJson(), Quality.AT_MOST_ONCE))) {
+        if (!ended && desk.publish(BrokerMessage.json(topic(Part.CHANGES), change.toJson(), Quality.AT_MOST_ONCE))) {
+            clockNanos = desk.connection().time().nanos();
             published = present;
         }
     }
@@ -129,6 +146,7 @@ final class RobotPublisher {
 
     private void publish(RobotState state) {
         publishedNanos = desk.connection().time().nanos();
+        clockNanos = publishedNanos;
         if (ended || !desk.connection().isConnected()) {
             return;
         }

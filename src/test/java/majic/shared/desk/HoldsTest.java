@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.function.ToLongFunction;
 import majic.bot.FakeBot;
 import majic.driver.BotDriver;
 import majic.script.conditions.Selection;
@@ -13,8 +14,10 @@ import majic.shared.message.HoldMessage;
 import majic.shared.message.RequestReply;
 import majic.shared.message.RequestReply.Outcome;
 import majic.shared.message.RequestedAction;
+import majic.shared.message.RobotState;
 import majic.shared.message.RobotState.Holder;
 import majic.shared.message.SiteTopics.Part;
+import majic.shared.message.StateChange;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.QueuedCommand;
@@ -64,6 +67,26 @@ class HoldsTest {
         anna.connection.deliver();
 
         assertThat(secondsUntilHalted()).isLessThan(0.3);
+    }
+
+    /** The robot reports nothing meanwhile, so only the desk's clock is new. */
+    @Test
+    void aHolderMayAnswerEachStateAndChangeByAHeartbeat() {
+        moving();
+        anna.stopBeating();
+        answerBy(Part.STATE, payload -> RobotState.parse(payload).clock());
+        answerBy(Part.CHANGES, payload -> StateChange.parse(payload).clock());
+        rig.sleep(10);
+
+        assertThat(anna.state().holder()).isNotNull();
+        assertThat(count("halt")).isZero();
+    }
+
+    private void answerBy(Part part, ToLongFunction<byte[]> clock) {
+        anna.connection.subscribe(anna.topic(1, part), Quality.AT_MOST_ONCE, message -> {
+            long validUntil = clock.applyAsLong(message.payload()) + 700;
+            anna.publish(Part.HOLD, new HoldMessage(anna.sender, validUntil).toJson(), Quality.AT_MOST_ONCE, "");
+        });
     }
 
     @Test

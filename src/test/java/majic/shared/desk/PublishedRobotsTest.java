@@ -14,6 +14,7 @@ import majic.driver.BotDriver;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.message.Description;
 import majic.shared.message.Presence;
+import majic.shared.message.RequestedAction;
 import majic.shared.message.RobotMessage;
 import majic.shared.message.RobotState;
 import majic.shared.message.StateChange;
@@ -83,6 +84,18 @@ class PublishedRobotsTest {
 
         assertThat(published("1/state") - states).isBetween(4L, 6L);
         assertThat(published("1/changes") - changes).isBetween(38L, 47L);
+    }
+
+    @Test
+    void theClockOfAHeldRobotThatReportsNothingIsPublishedFourTimesASecond() {
+        rig.user("desk1", "Anna").beat().ask(new RequestedAction.Hold());
+        rig.sleep(2);
+        long before = published("1/state") + published("1/changes");
+        rig.sleep(10);
+
+        assertThat(published("1/state") + published("1/changes") - before).isBetween(33L, 51L);
+        assertThat(newestChange().values()).isEmpty();
+        assertThat(newestChange().course()).isNull();
     }
 
     @Test
