@@ -38,7 +38,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * <p>Until it is closed, a robot that was connected is also stopped and closed when the Java program ends by
      * {@code System.exit}, Ctrl-C or a signal.
      *
-     * <p>It returns when the robot has sent its first readings, so that {@link #get} of them can be used at once.
+     * <p>It returns when the robot has sent its first readings, so that {@link #get} of them can be used at once, and
+     * when the listeners have received the change of the connection, as {@link BotListener} describes.
      *
      * @throws ConnectFailed if the robot is not found, refuses, or does not answer within the driver's timeout; the
      *     message contains what to try, {@link ConnectFailed#reason()} tells the cases apart, and the robot is in state
@@ -104,7 +105,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
 
     /**
      * Stops the robot and closes the connection for good. Takes at most about a second, also when the link is stuck;
-     * does nothing when it is closed already.
+     * does nothing when it is closed already. Returns when the listeners have received the change, as
+     * {@link BotListener} describes.
      */
     @Override
     public abstract void close();

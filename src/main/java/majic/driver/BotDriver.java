@@ -323,8 +323,11 @@ public abstract class BotDriver extends MajicBot {
             }
         } finally {
             ShutdownHook.remove(atShutdown);
-            listeners.deliver();
-            listeners.close();
+            try {
+                listeners.deliver();
+            } finally {
+                listeners.close();
+            }
         }
     }
 

@@ -33,6 +33,9 @@ final class Listeners {
      */
     private static final double NOTICE_S = 0.1;
 
+    /** The same for a change of the connection, which occurs rarely, seconds. */
+    private static final double CHANGE_S = 1;
+
     private final MajicBot bot;
     private final List<BotListener> all = new CopyOnWriteArrayList<>();
     private final Deque<String> undelivered = new ArrayDeque<>();
@@ -95,9 +98,8 @@ final class Listeners {
                 return;
             }
         }
-        long number = put(listener -> listener.notice(bot, message));
-        deliver();
-        awaitDelivery(number);
+        put(listener -> listener.notice(bot, message));
+        deliverWithin(NOTICE_S);
     }
 
     private void keep(String message) {
@@ -122,7 +124,7 @@ final class Listeners {
                 call(listener -> listener.stateChanged(bot, newest));
             });
         }
-        deliver();
+        pass();
     }
 
     private boolean areStatesRead() {
@@ -137,7 +139,7 @@ final class Listeners {
     /** Delivers a picture of the camera. */
     void pictureTaken(Supplier<byte[]> jpeg) {
         put(listener -> listener.pictureTaken(bot, jpeg));
-        deliver();
+        pass();
     }
 
     /** Queues a change of the connection state for delivery by {@link #deliver()}. */
@@ -146,29 +148,39 @@ final class Listeners {
     }
 
     /** Queues an event for the listeners there are now: one that is added later has not seen what led to it. */
-    private long put(Consumer<BotListener> event) {
+    private void put(Consumer<BotListener> event) {
         List<BotListener> present = List.copyOf(all);
-        return events.put(() -> present.stream().filter(all::contains).forEach(listener -> call(listener, event)));
+        events.put(() -> present.stream().filter(all::contains).forEach(listener -> call(listener, event)));
     }
 
-    /** Delivers what was put, on this thread if it may wait. */
+    /**
+     * Delivers the queued changes of the connection. On a thread that may wait it returns after they have been
+     * delivered, by whichever thread, or after {@link #CHANGE_S} while a listener blocks another thread.
+     */
     void deliver() {
-        if (WaitPolicy.isAllowed()) {
-            events.deliver();
-        }
-        changed.raise();
+        deliverWithin(CHANGE_S);
     }
 
-    /** Waits for delivery, so that the notice precedes this thread's next output, such as the answer to a command. */
-    private void awaitDelivery(long number) {
+    /** Delivers what was put, so that it precedes this thread's next output, such as the answer to a command. */
+    private void deliverWithin(double seconds) {
+        long last = events.last();
+        pass();
         if (!WaitPolicy.isAllowed()) {
             return;
         }
         try {
-            changed.await(() -> events.isDelivered(number), NOTICE_S);
+            changed.await(() -> events.isDelivered(last), seconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    /** Delivers what was put: on this thread if it may wait and no other delivers, otherwise on the other one. */
+    private void pass() {
+        if (WaitPolicy.isAllowed()) {
+            events.deliver();
+        }
+        changed.raise();
     }
 
     private void call(Consumer<BotListener> news) {

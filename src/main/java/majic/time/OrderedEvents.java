@@ -15,11 +15,19 @@ public final class OrderedEvents {
      * Appends an event; delivers nothing.
      *
      * @param event delivers it
-     * @return its number, for {@link #isDelivered}
      */
-    public synchronized long put(Runnable event) {
+    public synchronized void put(Runnable event) {
         undelivered.add(event);
-        return ++put;
+        put++;
+    }
+
+    /**
+     * Returns the number of the event that was added last.
+     *
+     * @return for {@link #isDelivered}; 0 before the first
+     */
+    public synchronized long last() {
+        return put;
     }
 
     /**

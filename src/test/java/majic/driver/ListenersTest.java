@@ -1,5 +1,7 @@
 package majic.driver;
 
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 import static org.mockito.ArgumentMatchers.any;
 import static org.mockito.ArgumentMatchers.eq;
 import static org.mockito.Mockito.doThrow;
@@ -8,9 +10,13 @@ import static org.mockito.Mockito.never;
 import static org.mockito.Mockito.verify;
 import static org.mockito.Mockito.verifyNoInteractions;
 
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
 import majic.bot.MajicBot;
+import majic.bot.MajicBot.Connection;
+import majic.drivertest.TestClock;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.Test;
@@ -74,12 +80,71 @@ class ListenersTest {
     @Test
     void aListenerReceivesNoEventFromBeforeItWasAdded() {
         WaitPolicy.without(() -> {
-            listeners.connectionChanged(MajicBot.Connection.CONNECTED);
+            listeners.connectionChanged(Connection.CONNECTED);
             listeners.deliver();
         });
         listeners.add(first);
         listeners.deliver();
 
         verifyNoInteractions(first);
+    }
+
+    @Test
+    void aChangeOfTheConnectionIsDeliveredAlsoByTheListenerThreadBeforeTheCallReturns() throws InterruptedException {
+        try (TestClock clock = new TestClock()) {
+            SlowListener slow = new SlowListener(clock, 0.2);
+            Listeners threaded = busyWith(slow, clock);
+
+            threaded.connectionChanged(Connection.CONNECTED);
+            threaded.deliver();
+
+            assertThat(slow.received).containsExactly(Connection.LOST, Connection.CONNECTED);
+            threaded.close();
+        }
+    }
+
+    @Test
+    void aListenerThatBlocksDelaysAChangeOfTheConnectionForOneSecond() throws InterruptedException {
+        try (TestClock clock = new TestClock()) {
+            Listeners threaded = busyWith(new SlowListener(clock, 60), clock);
+            long before = clock.time().nanos();
+
+            threaded.connectionChanged(Connection.CONNECTED);
+            threaded.deliver();
+
+            assertThat(clock.time().secondsSince(before)).isCloseTo(1, within(0.01));
+            threaded.close();
+        }
+    }
+
+    /** Returns listeners whose thread is delivering a first change to a slow one. */
+    private static Listeners busyWith(SlowListener slow, TestClock clock) throws InterruptedException {
+        Listeners threaded = new Listeners(FakeBot.on(clock.time()), clock.time());
+        threaded.start(clock.time(), "fake");
+        threaded.add(slow);
+        WaitPolicy.without(() -> {
+            threaded.connectionChanged(Connection.LOST);
+            threaded.deliver();
+        });
+        clock.time().sleep(0.1);
+        assertThat(slow.received).isEmpty();
+        return threaded;
+    }
+
+    /** Takes a while for each change of the connection. */
+    private record SlowListener(TestClock clock, double seconds, List<Connection> received) implements BotListener {
+        SlowListener(TestClock clock, double seconds) {
+            this(clock, seconds, new CopyOnWriteArrayList<>());
+        }
+
+        @Override
+        public void connectionChanged(MajicBot bot, Connection connection) {
+            try {
+                clock.time().sleep(seconds);
+                received.add(connection);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+        }
     }
 }
