@@ -125,13 +125,14 @@ public final class Recorder implements SessionListener, AutoCloseable {
         write(RecordingFormat.line(line));
     }
 
-    /** Writes what is left, for one second at most. The robots are not affected. */
+    /** Records what the robots have reported by now, and writes it, for one second at most. The robots are not affected. */
     @Override
     public void close() {
         team.removeListener(robotsOfTeam);
         team.removeListener(events);
         team.removeCommandListener(events);
         robots.keySet().forEach(bot -> bot.removeListener(reports));
+        robots.values().forEach(RobotSampler::reported);
         closed = true;
         due.raise();
         awaitLastSample();
