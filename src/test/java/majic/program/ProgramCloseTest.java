@@ -6,9 +6,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
-import majic.bot.BotListener;
+import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.FakeBot;
-import majic.bot.MajicBot;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -23,20 +22,26 @@ class ProgramCloseTest {
     @Test
     void whoeverClosesSecondWaitsForTheRobotsToo(@TempDir Path folder) throws Exception {
         Program program = programWithASlowRobot(folder);
-        Thread first = start(program);
+        Thread first = start(program::close);
         closing.await();
 
-        Thread second = start(program);
-        second.join(300);
-        assertThat(second.isAlive()).isTrue();
+        AtomicBoolean wasEarly = new AtomicBoolean();
+        Thread second = start(() -> {
+            program.close();
+            wasEarly.set(mayClose.getCount() > 0);
+        });
+        while (second.getState() != Thread.State.TIMED_WAITING && second.isAlive()) {
+            Thread.onSpinWait();
+        }
 
         mayClose.countDown();
         second.join();
         first.join();
+        assertThat(wasEarly).isFalse();
     }
 
-    private static Thread start(Program program) {
-        Thread thread = new Thread(program::close);
+    private static Thread start(Runnable task) {
+        Thread thread = new Thread(task);
         thread.start();
         return thread;
     }
@@ -46,12 +51,9 @@ class ProgramCloseTest {
         FakeBot robot = FakeBot.on(TimeSource.system());
         robot.connect();
         program.team().add(robot, OptionalInt.empty());
-        robot.addListener(new BotListener() {
-            @Override
-            public void connectionChanged(MajicBot bot, MajicBot.Connection now) {
-                closing.countDown();
-                await(mayClose);
-            }
+        robot.whenStoppedAhead(() -> {
+            closing.countDown();
+            await(mayClose);
         });
         return program;
     }
