@@ -64,13 +64,25 @@ public record ActManifest(
         if (actClass.isEmpty()) {
             throw new InvalidActException("does not say in its manifest which class is the act (Act-Class)");
         }
-        ActDetails details = new ActDetails(
-                text(said, ACT_NAME).isEmpty() ? ClassNames.simple(actClass) : text(said, ACT_NAME),
+        if (!ClassNames.isName(actClass)) {
+            throw new InvalidActException("names a class in its manifest that cannot be (Act-Class: " + actClass + ")");
+        }
+        return new ActManifest(
+                actClass,
+                details(said, actClass),
+                text(said, MAJIC_VERSION),
+                roles(text(said, ACT_ROLES)),
+                arguments(said));
+    }
+
+    /** An act without a name, or with one of invisible characters, has the name of its class. */
+    private static ActDetails details(Attributes said, String actClass) {
+        String name = ActDetails.named(text(said, ACT_NAME)).name();
+        return new ActDetails(
+                name.isEmpty() ? ClassNames.simple(actClass) : name,
                 text(said, ACT_VERSION),
                 text(said, ACT_AUTHOR),
                 text(said, ACT_DESCRIPTION));
-        return new ActManifest(
-                actClass, details, text(said, MAJIC_VERSION), roles(text(said, ACT_ROLES)), arguments(said));
     }
 
     private static void checkFormat(Attributes said) throws InvalidActException {

@@ -10,6 +10,7 @@ public final class ClassNames {
 
     private static final Pattern MAJICS = Pattern.compile("(majic|majicsim)(\\..*)?");
     private static final Pattern JAVAS = Pattern.compile("(java|javax|jdk|sun|com\\.sun|netscape\\.javascript)\\..*");
+    private static final Pattern NAME = Pattern.compile("[^\\s\\p{C}.;\\[/]++(\\.[^\\s\\p{C}.;\\[/]++)*+");
     private static final String CLASS = ".class";
 
     private ClassNames() {}
@@ -36,8 +37,14 @@ public final class ClassNames {
         return className.replace('.', '/') + CLASS;
     }
 
-    /** Returns the part of a name behind the last dot or dollar sign. */
+    /** Returns whether a text could be the name of a class: without blanks, invisible characters and empty parts. */
+    static boolean isName(String text) {
+        return NAME.matcher(text).matches();
+    }
+
+    /** Returns the part of a name behind the last dot or dollar sign; a dollar sign at the end belongs to it. */
     static String simple(String className) {
-        return className.substring(Math.max(className.lastIndexOf('.'), className.lastIndexOf('$')) + 1);
+        int dollar = className.lastIndexOf('$', className.length() - 2);
+        return className.substring(Math.max(className.lastIndexOf('.'), dollar) + 1);
     }
 }
