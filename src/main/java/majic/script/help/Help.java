@@ -3,9 +3,11 @@ package majic.script.help;
 import static java.util.Map.entry;
 
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -25,6 +27,9 @@ import org.jspecify.annotations.Nullable;
 
 /** The answers to {@code help}, for a robot and for the language. */
 public final class Help {
+    private static final String ROBOT_1 = "1 ";
+    private static final String SEPARATOR = ": ";
+
     private static final Map<String, String> ROBOT_COMMANDS = new TreeMap<>(Map.ofEntries(
             entry("move", "1 move DISTANCE [until CONDITION]: straight ahead; negative is backward"),
             entry("turn", "1 turn ANGLE [until CONDITION]: on the spot, left positive"),
@@ -72,14 +77,22 @@ public final class Help {
             "while", "while CONDITION ... end: as long as it holds, as in while 1 distanceFront > 300",
             "if", "if CONDITION ... [else ...] end: conditions take and, or, not and brackets"));
 
+    /** Each word of the language with its line, in the order in which {@code help} shows them. */
+    private static final Map<String, String> LINES = lines();
+
     private Help() {}
+
+    private static Map<String, String> lines() {
+        Map<String, String> lines = new LinkedHashMap<>(ROBOT_COMMANDS);
+        lines.putAll(BLOCKS);
+        lines.putAll(SESSION_COMMANDS);
+        return lines;
+    }
 
     /** The topics of {@code help}. */
     public static TreeSet<String> topics() {
         TreeSet<String> topics = new TreeSet<>(List.of("commands", "robots"));
-        topics.addAll(ROBOT_COMMANDS.keySet());
-        topics.addAll(SESSION_COMMANDS.keySet());
-        topics.addAll(BLOCKS.keySet());
+        topics.addAll(LINES.keySet());
         return topics;
     }
 
@@ -88,12 +101,10 @@ public final class Help {
         String word = topic == null ? "" : topic.text().toLowerCase(Locale.ROOT);
         return switch (word) {
             case "" -> all();
-            case "commands" -> all().subList(1, all().size());
+            case "commands" -> List.copyOf(LINES.values());
             case "robots" -> robots(factory, team);
             default ->
-                all().stream()
-                        .filter(line -> topicOf(line).equals(word))
-                        .map(line -> "help: " + line.strip())
+                Optional.ofNullable(LINES.get(word)).map(line -> "help: " + line).stream()
                         .toList();
         };
     }
@@ -101,9 +112,7 @@ public final class Help {
     private static List<String> all() {
         List<String> lines = new ArrayList<>();
         lines.add("robots are named by a number, a name, a list 1,3, a range 1-4, a type, or all");
-        lines.addAll(ROBOT_COMMANDS.values());
-        lines.addAll(BLOCKS.values());
-        lines.addAll(SESSION_COMMANDS.values());
+        lines.addAll(LINES.values());
         return lines;
     }
 
@@ -114,19 +123,14 @@ public final class Help {
             case "robots" -> "robots: the types of robots, and the robots of the team";
             case "else" -> "else: what is done if the condition does not hold";
             case "end" -> "end: the end of the block";
-            default ->
-                all().stream()
-                        .filter(known -> topicOf(known).equals(word))
-                        .findFirst()
-                        .orElse(word);
+            default -> LINES.getOrDefault(word, word);
         };
-        String[] parts = line.replaceFirst("^1 ", "").substring(word.length()).split(": ", 2);
-        return new Completion(word, parts[0].strip(), parts.length < 2 ? "" : parts[1]);
-    }
-
-    private static String topicOf(String line) {
-        String[] words = line.split("[ :]+");
-        return words[0].equals("1") ? words[1] : words[0];
+        String behind = line.substring(word.length() + (line.startsWith(ROBOT_1) ? ROBOT_1.length() : 0));
+        int colon = behind.indexOf(SEPARATOR);
+        return colon < 0
+                ? new Completion(word, behind.strip(), "")
+                : new Completion(
+                        word, behind.substring(0, colon).strip(), behind.substring(colon + SEPARATOR.length()));
     }
 
     private static List<String> robots(BotFactory factory, Team team) {
