@@ -15,23 +15,29 @@ import java.util.stream.Stream;
  */
 final class StallDetector {
     private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final long NOT_READ = -1;
     private static final int MOST_FRAMES = 25;
 
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     private volatile long sinceNanos = System.nanoTime();
-    private long usedNanos;
+    private long usedNanos = NOT_READ;
 
     /** Records that the clock has taken a step, or that nothing waits for one. */
     void stepped() {
         sinceNanos = System.nanoTime();
     }
 
-    /** Returns whether nothing has happened for 10 s of real time. */
+    /**
+     * Returns whether nothing has happened for 10 s of real time. Reads the processor time of the members only after half
+     * of that, because this is called at each wait of a member, and reading takes longer than a step.
+     */
     boolean isOver(Collection<Thread> members) {
-        long now = System.nanoTime();
-        if (now - sinceNanos < PATIENCE_NANOS / 2) {
+        long waited = System.nanoTime() - sinceNanos;
+        if (waited < PATIENCE_NANOS / 2) {
+            usedNanos = NOT_READ;
+        } else if (usedNanos == NOT_READ) {
             usedNanos = processorNanos(members);
-        } else if (now - sinceNanos >= PATIENCE_NANOS) {
+        } else if (waited >= PATIENCE_NANOS) {
             if (processorNanos(members) == usedNanos) {
                 return true;
             }
