@@ -73,12 +73,16 @@ final class StopAnswerOrder {
 
     private void timeOut() {
         try {
-            time.sleep(BOUND_S);
+            events.changes().await(this::isComplete, BOUND_S);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
         endWaiting();
         events.deliver();
+    }
+
+    private synchronized boolean isComplete() {
+        return unanswered.isEmpty();
     }
 
     private synchronized void endWaiting() {

@@ -1,7 +1,6 @@
 package majic.team;
 
 import java.util.Collection;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.time.Signal;
 import majic.time.TimeSource;
@@ -48,33 +47,24 @@ final class StopAnswers {
             return;
         }
         open.incrementAndGet();
-        AtomicBoolean late = new AtomicBoolean();
-        boolean begun = TimeSource.system().tryRunAsync("stop answer timeout", () -> timeOut(late))
+        Deadline deadline = new Deadline();
+        boolean begun = TimeSource.system().tryRunAsync("stop answer timeout", deadline::await)
                 && member.time()
                         .tryRunAsync(
-                                "answering the stop of robot " + member.number(), () -> await(member, order, late));
+                                "answering the stop of robot " + member.number(), () -> await(member, order, deadline));
         if (!begun) {
+            deadline.end();
             close(member, order);
         }
     }
 
-    /** Sleeps on the system's clock, because a stepped clock passes 2 s at once while it waits for an act. */
-    private void timeOut(AtomicBoolean late) {
+    private void await(Member member, StopAnswerOrder order, Deadline deadline) {
         try {
-            TimeSource.system().sleep(BOUND_S);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
-        late.set(true);
-        events.changes().raise();
-    }
-
-    private void await(Member member, StopAnswerOrder order, AtomicBoolean late) {
-        try {
-            events.changes().await(() -> late.get() || !member.hasDismissedOwner(), Signal.FOR_EVER);
+            events.changes().await(() -> deadline.over || !member.hasDismissedOwner(), Signal.FOR_EVER);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
+            deadline.end();
             close(member, order);
         }
     }
@@ -94,6 +84,28 @@ final class StopAnswers {
         } finally {
             open.decrementAndGet();
             events.changes().raise();
+        }
+    }
+
+    /** The end of the wait, on the system's clock, because a stepped clock passes 2 s at once while it waits for an act. */
+    private final class Deadline {
+        private final Signal ended = TimeSource.system().signal();
+        private volatile boolean over;
+
+        void await() {
+            try {
+                ended.await(() -> over, BOUND_S);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+            }
+            over = true;
+            events.changes().raise();
+        }
+
+        /** Ends the thread that waits, too. */
+        void end() {
+            over = true;
+            ended.raise();
         }
     }
 
