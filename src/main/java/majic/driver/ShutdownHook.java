@@ -10,6 +10,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.bot.BotException;
+import majic.text.LateLogger;
 import majic.time.TimeSource;
 
 /**
@@ -21,6 +22,8 @@ import majic.time.TimeSource;
  * <p>Serial ports stay usable meanwhile, see {@code SerialShutdownDelay} of {@code majic.link}. Thread-safe.
  */
 public final class ShutdownHook {
+    private static final Logger LOG = LateLogger.of(ShutdownHook.class);
+
     /** How long the end of the program waits for robots to stop and close, ms. */
     private static final int BOUND_MS = 1000;
 
@@ -85,7 +88,7 @@ public final class ShutdownHook {
             try {
                 Runtime.getRuntime().addShutdownHook(new Thread(ShutdownHook::run, "closing robots at the end"));
             } catch (IllegalStateException e) {
-                log().log(Level.DEBUG, "the program is ending already", e);
+                LOG.log(Level.DEBUG, "the program is ending already", e);
                 ending = true;
             }
         }
@@ -117,7 +120,7 @@ public final class ShutdownHook {
             } catch (InterruptedException e) {
                 Thread.currentThread().interrupt();
             }
-            CONNECTED.forEach(bot -> log().log(Level.WARNING, bot.name().get() + " could not be closed in time"));
+            CONNECTED.forEach(bot -> LOG.log(Level.WARNING, bot.name().get() + " could not be closed in time"));
         }
     }
 
@@ -137,11 +140,7 @@ public final class ShutdownHook {
         try {
             task.run();
         } catch (RuntimeException | Error e) {
-            log().log(Level.WARNING, "the end of the program goes on without this", e);
+            LOG.log(Level.WARNING, "the end of the program goes on without this", e);
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(ShutdownHook.class.getName());
     }
 }

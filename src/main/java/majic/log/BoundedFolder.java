@@ -11,6 +11,7 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
+import majic.text.LateLogger;
 
 /**
  * Keeps the files of one kind in a folder within a limit, by deleting the oldest ones.
@@ -20,6 +21,7 @@ import java.util.stream.Stream;
  * @param mostBytes the limit of all of them together
  */
 public record BoundedFolder(Path path, String ending, long mostBytes) {
+    private static final Logger LOG = LateLogger.of(BoundedFolder.class);
 
     /**
      * Deletes the oldest files.
@@ -46,7 +48,7 @@ public record BoundedFolder(Path path, String ending, long mostBytes) {
         try {
             Files.deleteIfExists(file);
         } catch (IOException e) {
-            log().log(Level.DEBUG, "an old file is in use: " + file, e);
+            LOG.log(Level.DEBUG, "an old file is in use: " + file, e);
         }
     }
 
@@ -75,9 +77,5 @@ public record BoundedFolder(Path path, String ending, long mostBytes) {
         } catch (IOException e) {
             return FileTime.fromMillis(0);
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(BoundedFolder.class.getName());
     }
 }

@@ -15,6 +15,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import majic.bot.Value;
 import majic.file.WholeFile;
+import majic.text.LateLogger;
 import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
@@ -23,6 +24,7 @@ import org.jspecify.annotations.Nullable;
  * the rest in a temporary file of limited size that is deleted with the program's end. Thread-safe.
  */
 public final class ParameterLog {
+    private static final Logger LOG = LateLogger.of(ParameterLog.class);
     private static final String HEADER = "time_s,robot,parameter,value,unit";
     private static final int MOST_IN_MEMORY = 4096;
 
@@ -116,7 +118,7 @@ public final class ParameterLog {
             written += rows.size();
         } catch (IOException e) {
             lost += rows.size();
-            log().log(Level.WARNING, "no room for the parameter log", e);
+            LOG.log(Level.WARNING, "no room for the parameter log", e);
         }
         rows.clear();
     }
@@ -137,9 +139,5 @@ public final class ParameterLog {
 
     private static String quoted(String text) {
         return text.matches("[^,\"\\r\\n]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
-    }
-
-    private static Logger log() {
-        return System.getLogger(ParameterLog.class.getName());
     }
 }

@@ -16,6 +16,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.text.IoReason;
+import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -25,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  * gives the number of lost lines. A long log goes on in further files, and the oldest logs are deleted. Thread-safe.
  */
 public final class SessionLog implements AutoCloseable {
+    private static final Logger LOG = LateLogger.of(SessionLog.class);
     private static final int MOST_UNWRITTEN = 10_000;
     private static final long CLOSE_BOUND_MS = 1000;
     private static final long RETRY_MS = 1000;
@@ -39,7 +41,7 @@ public final class SessionLog implements AutoCloseable {
     private volatile @Nullable Path file;
     private @Nullable LineFile lines;
     private final AtomicLong missing = new AtomicLong();
-    private volatile Consumer<String> alarm = text -> log().log(Level.WARNING, text);
+    private volatile Consumer<String> alarm = text -> LOG.log(Level.WARNING, text);
     private boolean failing;
     private final BlockingQueue<String> unwritten = new LinkedBlockingQueue<>(MOST_UNWRITTEN);
     private final Thread writer = new Thread(this::writeAll, "session log");
@@ -186,7 +188,7 @@ public final class SessionLog implements AutoCloseable {
             append("");
             lines().close();
         } catch (IOException e) {
-            log().log(Level.WARNING, "the session log could not be closed", e);
+            LOG.log(Level.WARNING, "the session log could not be closed", e);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
@@ -202,7 +204,7 @@ public final class SessionLog implements AutoCloseable {
                 files.makeRoom();
             }
         } catch (IOException e) {
-            log().log(Level.WARNING, "old session logs cannot be deleted", e);
+            LOG.log(Level.WARNING, "old session logs cannot be deleted", e);
         }
     }
 
@@ -222,7 +224,7 @@ public final class SessionLog implements AutoCloseable {
             lines = fresh;
             file = next;
         } catch (IOException e) {
-            log().log(Level.WARNING, "the session log cannot go on in another file", e);
+            LOG.log(Level.WARNING, "the session log cannot go on in another file", e);
         }
     }
 
@@ -272,9 +274,5 @@ public final class SessionLog implements AutoCloseable {
 
     private String stamped(String kind, String text) {
         return StampedLine.of(LocalDateTime.now(clock.get()), kind, text);
-    }
-
-    private static Logger log() {
-        return System.getLogger(SessionLog.class.getName());
     }
 }

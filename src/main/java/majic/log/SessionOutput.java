@@ -10,10 +10,12 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /** Writes each line of a session to its log and passes it to all listeners, in one order for all. Thread-safe. */
 public final class SessionOutput {
+    private static final Logger LOG = LateLogger.of(SessionOutput.class);
     private static final long FLUSH_BOUND_MS = 1000;
 
     private final SessionLog log;
@@ -54,7 +56,7 @@ public final class SessionOutput {
         listeners.forEach(thread -> thread.afterwards(behind::countDown));
         try {
             if (!behind.await(FLUSH_BOUND_MS, TimeUnit.MILLISECONDS)) {
-                log().log(Level.DEBUG, "a listener of the session does not take its lines");
+                LOG.log(Level.DEBUG, "a listener of the session does not take its lines");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -116,7 +118,7 @@ public final class SessionOutput {
         /** Queues a task; returns at once. If the listener is far too slow, tasks are dropped. */
         void pass(Consumer<SessionListener> event) {
             if (!waiting.offer(() -> event.accept(listener))) {
-                log().log(Level.DEBUG, "a listener of the session is too far behind");
+                LOG.log(Level.DEBUG, "a listener of the session is too far behind");
             }
         }
 
@@ -146,12 +148,8 @@ public final class SessionOutput {
             try {
                 task.run();
             } catch (RuntimeException e) {
-                log().log(Level.WARNING, "a listener of the session failed", e);
+                LOG.log(Level.WARNING, "a listener of the session failed", e);
             }
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(SessionOutput.class.getName());
     }
 }

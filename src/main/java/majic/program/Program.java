@@ -30,6 +30,7 @@ import majic.team.AutoReconnect;
 import majic.team.BotFactory;
 import majic.team.Team;
 import majic.text.IoReason;
+import majic.text.LateLogger;
 import majic.time.TimeSource;
 import majicsim.LabOptions;
 import org.jspecify.annotations.Nullable;
@@ -39,6 +40,7 @@ import org.jspecify.annotations.Nullable;
  * the state of their connections; this happens at the latest when the program is asked to end.
  */
 public final class Program implements AutoCloseable {
+    private static final System.Logger LOG = LateLogger.of(Program.class);
     private static final int CLOSE_BOUND_MS = 3000;
 
     private static final String NUMBERED = "add .* as \\d+";
@@ -109,7 +111,7 @@ public final class Program implements AutoCloseable {
         try {
             log.open(sessions);
         } catch (IOException e) {
-            log().log(Level.WARNING, "there is no session log", e);
+            LOG.log(Level.WARNING, "there is no session log", e);
             problems.add("no session log can be written in " + sessions + ": " + IoReason.of(e)
                     + "; MAJIC goes on without one");
         }
@@ -310,7 +312,7 @@ public final class Program implements AutoCloseable {
     private void awaitClosed() {
         try {
             if (!closed.await(CLOSE_BOUND_MS, TimeUnit.MILLISECONDS)) {
-                log().log(Level.WARNING, "the robots could not be closed in time");
+                LOG.log(Level.WARNING, "the robots could not be closed in time");
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -357,9 +359,5 @@ public final class Program implements AutoCloseable {
         if (running != null) {
             running.close();
         }
-    }
-
-    private static System.Logger log() {
-        return System.getLogger(Program.class.getName());
     }
 }

@@ -17,6 +17,7 @@ import majic.team.Member;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.LateLogger;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
@@ -28,6 +29,7 @@ import org.jspecify.annotations.Nullable;
  * other writes. So it delays neither a robot nor a listener, and it sends the robots nothing. Thread-safe.
  */
 public final class Recorder implements SessionListener, AutoCloseable {
+    private static final Logger LOG = LateLogger.of(Recorder.class);
     private static final double LEAST_PERIOD_S = 0.05;
     private static final double MOST_PERIOD_S = 1;
     private static final double PICTURE_PERIOD_S = 1;
@@ -202,7 +204,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
         try {
             sample();
         } catch (RuntimeException e) {
-            log().log(failed ? Level.DEBUG : Level.WARNING, "the robots could not be recorded", e);
+            LOG.log(failed ? Level.DEBUG : Level.WARNING, "the robots could not be recorded", e);
             failed = true;
         }
     }
@@ -285,9 +287,5 @@ public final class Recorder implements SessionListener, AutoCloseable {
             pictures.remove(member.bot());
             member.bot().removeListener(reports);
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(Recorder.class.getName());
     }
 }

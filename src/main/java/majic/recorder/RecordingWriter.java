@@ -18,6 +18,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import java.util.zip.GZIPOutputStream;
 import majic.text.IoReason;
+import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -26,6 +27,7 @@ import org.jspecify.annotations.Nullable;
  * be written, that is reported once, and another file is tried a minute later. Thread-safe.
  */
 final class RecordingWriter {
+    private static final Logger LOG = LateLogger.of(RecordingWriter.class);
     private static final int MOST_UNWRITTEN = 2000;
     private static final long FLUSH_MS = 1000;
     private static final long RETRY_NANOS = 60_000_000_000L;
@@ -266,11 +268,7 @@ final class RecordingWriter {
         try {
             open.close();
         } catch (IOException e) {
-            log().log(Level.DEBUG, "the end of a recording could not be written", e);
+            LOG.log(Level.DEBUG, "the end of a recording could not be written", e);
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(RecordingWriter.class.getName());
     }
 }

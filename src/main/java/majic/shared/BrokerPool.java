@@ -16,6 +16,7 @@ import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.message.Sender;
+import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,6 +25,7 @@ import org.jspecify.annotations.Nullable;
  * Thread-safe.
  */
 final class BrokerPool {
+    private static final Logger LOG = LateLogger.of(BrokerPool.class);
 
     /** How long a robot waits for a lost connection that is being made again, s. */
     private static final double RECONNECTED_S = 2;
@@ -195,15 +197,11 @@ final class BrokerPool {
         try {
             unused.close();
         } catch (Exception e) {
-            log().log(Level.WARNING, "the use of a broker did not end in order", e);
+            LOG.log(Level.WARNING, "the use of a broker did not end in order", e);
         }
     }
 
     private static String key(BrokerAddress address) {
         return address.secure() + " " + address.hostAndPort();
-    }
-
-    private static Logger log() {
-        return System.getLogger(BrokerPool.class.getName());
     }
 }

@@ -6,6 +6,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.MajicBot.Connection;
+import majic.text.LateLogger;
 import majic.time.Signal;
 import majic.time.TimeSource;
 
@@ -15,6 +16,7 @@ import majic.time.TimeSource;
  * manual control resumes, and a latched STOP stays latched. Thread-safe.
  */
 public final class AutoReconnect implements TeamListener, AutoCloseable {
+    private static final System.Logger LOG = LateLogger.of(AutoReconnect.class);
     private static final int[] DELAYS_S = {1, 2, 5, 10, 20, 30};
 
     /** A connection that lasts shorter than this continues the delays instead of beginning them again. */
@@ -194,7 +196,7 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
             try {
                 member.bot().connect();
             } catch (BotException e) {
-                log().log(System.Logger.Level.DEBUG, "robot " + member.number() + " is not connected again yet", e);
+                LOG.log(System.Logger.Level.DEBUG, "robot " + member.number() + " is not connected again yet", e);
             }
         }
 
@@ -202,9 +204,5 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
             status = next;
             changed.accept(member);
         }
-    }
-
-    private static System.Logger log() {
-        return System.getLogger(AutoReconnect.class.getName());
     }
 }

@@ -21,12 +21,15 @@ import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.lab.LabAccess;
 import majic.text.ClassReason;
+import majic.text.LateLogger;
 import majic.text.Suggestion;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** Creates robot drivers from the addresses that users type. Thread-safe. */
 public final class BotFactory {
+    private static final System.Logger LOG = LateLogger.of(BotFactory.class);
+
     /** The types in the order of the thesis, then the one of today's robots, those of other desks; others follow by name. */
     private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros", "mqtt");
 
@@ -72,7 +75,7 @@ public final class BotFactory {
             }
             return more;
         } catch (ServiceConfigurationError | LinkageError e) {
-            log().log(Level.WARNING, "a plug-in cannot be used: " + e.getMessage(), e);
+            LOG.log(Level.WARNING, "a plug-in cannot be used: " + e.getMessage(), e);
             return true;
         }
     }
@@ -216,9 +219,5 @@ public final class BotFactory {
         } catch (BotException e) {
             throw new BotException(bot.type().adviceAfter(String.valueOf(e.getMessage())), e);
         }
-    }
-
-    private static System.Logger log() {
-        return System.getLogger(BotFactory.class.getName());
     }
 }

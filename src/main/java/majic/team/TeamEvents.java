@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import majic.text.LateLogger;
 import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
@@ -15,6 +16,7 @@ import majic.time.TimeSource;
  * queue for each listener: a listener that blocks does not keep the others from the events that follow. Thread-safe.
  */
 final class TeamEvents {
+    private static final Logger LOG = LateLogger.of(TeamEvents.class);
 
     private final TimeSource time;
     private final Signal changes;
@@ -100,12 +102,8 @@ final class TeamEvents {
             try {
                 event.accept(listener);
             } catch (RuntimeException | Error e) {
-                log().log(Level.WARNING, "a listener of the team failed", e);
+                LOG.log(Level.WARNING, "a listener of the team failed", e);
             }
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(TeamEvents.class.getName());
     }
 }

@@ -9,10 +9,12 @@ import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /** Reads the robots' batteries from time to time, on a thread of its own, because a robot may have to be waited for. */
 final class BatteryReader implements AutoCloseable {
+    private static final Logger LOG = LateLogger.of(BatteryReader.class);
     private static final int PERIOD_S = 5;
 
     private final Team team;
@@ -50,7 +52,7 @@ final class BatteryReader implements AutoCloseable {
         try {
             levels.put(member, BatteryLevel.read(member.bot()));
         } catch (RuntimeException e) {
-            log().log(Level.DEBUG, "the battery of robot " + member.number() + " could not be read", e);
+            LOG.log(Level.DEBUG, "the battery of robot " + member.number() + " could not be read", e);
         }
     }
 
@@ -59,9 +61,5 @@ final class BatteryReader implements AutoCloseable {
         if (clock != null) {
             clock.shutdownNow();
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(BatteryReader.class.getName());
     }
 }

@@ -19,6 +19,7 @@ import java.util.regex.Pattern;
 import majic.file.DamagedFile;
 import majic.gui.kit.EventThread;
 import majic.text.IoReason;
+import majic.text.LateLogger;
 import majic.text.Texts;
 
 /**
@@ -28,6 +29,7 @@ import majic.text.Texts;
  * can still be read.
  */
 final class HistoryFile {
+    private static final Logger LOG = LateLogger.of(HistoryFile.class);
     private static final Texts TEXTS = Texts.of(HistoryFile.class);
 
     /** A file with more lines is shortened to the newest {@link History#LONGEST} ones when it is read. */
@@ -89,7 +91,7 @@ final class HistoryFile {
                     work.on(channel);
                 }
             } catch (IOException e) {
-                log().log(Level.WARNING, "the command history {0} cannot be used: {1}", file, IoReason.of(e));
+                LOG.log(Level.WARNING, "the command history {0} cannot be used: {1}", file, IoReason.of(e));
             }
         }
     }
@@ -166,9 +168,5 @@ final class HistoryFile {
         while (bytes.hasRemaining()) {
             channel.write(bytes);
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(HistoryFile.class.getName());
     }
 }

@@ -6,10 +6,12 @@ import java.nio.file.InvalidPathException;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
+import majic.text.LateLogger;
 import majic.text.Texts;
 
 /** Runs tasks on the event dispatch thread, and blocking tasks off it. */
 public final class EventThread {
+    private static final Logger LOG = LateLogger.of(EventThread.class);
     private static final Texts TEXTS = Texts.of(EventThread.class);
 
     private EventThread() {}
@@ -52,12 +54,8 @@ public final class EventThread {
         } catch (BotException | InvalidPathException e) {
             later(() -> failed.accept(String.valueOf(e.getMessage())));
         } catch (RuntimeException | Error e) {
-            log().log(Level.ERROR, doing + " failed", e);
+            LOG.log(Level.ERROR, doing + " failed", e);
             later(() -> failed.accept(TEXTS.get("error")));
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(EventThread.class.getName());
     }
 }

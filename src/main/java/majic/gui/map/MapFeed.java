@@ -23,6 +23,7 @@ import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,6 +31,7 @@ import org.jspecify.annotations.Nullable;
  * changed scenes are passed on.
  */
 public final class MapFeed implements TeamListener, AutoCloseable {
+    private static final Logger LOG = LateLogger.of(MapFeed.class);
 
     /** Distance at which robots are drawn from each other when their positions are unknown. */
     private static final double GUESSED_APART_MM = 1000;
@@ -112,7 +114,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 EventThread.later(() -> show.accept(scene));
             }
         } catch (RuntimeException e) {
-            log().log(Level.WARNING, "the team map could not be brought up to date", e);
+            LOG.log(Level.WARNING, "the team map could not be brought up to date", e);
         }
     }
 
@@ -204,9 +206,5 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 room.getMaxX() + (1 + index / rows) * GUESSED_APART_MM,
                 room.getMaxY() - (0.5 + index % rows) * GUESSED_APART_MM,
                 0);
-    }
-
-    private static Logger log() {
-        return System.getLogger(MapFeed.class.getName());
     }
 }

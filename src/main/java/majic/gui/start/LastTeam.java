@@ -14,6 +14,7 @@ import majic.script.SavedTeam;
 import majic.script.Session;
 import majic.team.Member;
 import majic.team.TeamListener;
+import majic.text.LateLogger;
 import majic.text.Texts;
 
 /**
@@ -21,6 +22,7 @@ import majic.text.Texts;
  * last, or when the program ended. Keeps the addresses of its robots too, which Add Bot offers. Must be used on the event dispatch thread unless stated otherwise.
  */
 public final class LastTeam implements TeamListener {
+    private static final Logger LOG = LateLogger.of(LastTeam.class);
     private static final Texts TEXTS = Texts.of(LastTeam.class);
     private static final String KEY = "team.last";
     private static final String DAMAGED = KEY + ".damaged";
@@ -76,7 +78,7 @@ public final class LastTeam implements TeamListener {
             settings.put(DAMAGED, script);
             settings.put(KEY, "");
         } catch (BotException e) {
-            log().log(Level.WARNING, "the damaged team is not kept after the end", e);
+            LOG.log(Level.WARNING, "the damaged team is not kept after the end", e);
         }
     }
 
@@ -99,7 +101,7 @@ public final class LastTeam implements TeamListener {
         try {
             recent.keep(addresses);
         } catch (BotException e) {
-            log().log(Level.DEBUG, "the addresses are not kept after the end", e);
+            LOG.log(Level.DEBUG, "the addresses are not kept after the end", e);
         }
     }
 
@@ -128,11 +130,7 @@ public final class LastTeam implements TeamListener {
             }
             read();
         } catch (BotException e) {
-            log().log(Level.DEBUG, "the team is not kept after the end", e);
+            LOG.log(Level.DEBUG, "the team is not kept after the end", e);
         }
-    }
-
-    private static Logger log() {
-        return System.getLogger(LastTeam.class.getName());
     }
 }
