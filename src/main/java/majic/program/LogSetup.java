@@ -11,8 +11,10 @@ import org.jspecify.annotations.Nullable;
  * so this creates none, and neither may what is needed for the first painting.
  */
 public final class LogSetup {
-    private static volatile @Nullable Path folder;
-    private static volatile String level = "";
+    private static volatile @Nullable Choice choice;
+
+    /** What was installed. */
+    private record Choice(Path folder, Level least) {}
 
     private LogSetup() {}
 
@@ -22,17 +24,16 @@ public final class LogSetup {
      * @param least the least level to log, a name such as {@code INFO} or {@code DEBUG}; another text counts as {@code INFO}
      */
     public static void install(Path folderOfLog, String least) {
-        folder = folderOfLog;
-        level = least;
+        choice = new Choice(folderOfLog, level(least));
         System.setProperty("java.util.logging.manager", LogFile.OpenUntilTheEnd.class.getName());
     }
 
     /** Adds the log to the root logger, if one was installed. */
     static void addTo(Logger root) {
-        Path chosen = folder;
-        if (chosen != null) {
-            root.setLevel(level(level));
-            root.addHandler(LogFile.in(chosen));
+        Choice installed = choice;
+        if (installed != null) {
+            root.setLevel(installed.least);
+            root.addHandler(LogFile.in(installed.folder));
         }
     }
 
