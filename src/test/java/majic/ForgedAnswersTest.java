@@ -21,6 +21,7 @@ import majic.bot.FakeType;
 import majic.bot.MajicBot;
 import majic.console.Console;
 import majic.environment.BotEnvironment;
+import majic.program.FirstRobots;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.team.Member;
@@ -54,13 +55,13 @@ class ForgedAnswersTest {
         MajicBot bot = new FakeType().create("one", BotEnvironment.plain());
         bot.connect();
         robot = program.team().add(bot, OptionalInt.empty());
-        Thread console = new Thread(() -> new Console(program, screen).run(List.of(), List.of()));
+        Thread console = new Thread(() -> new Console(program, screen).run(FirstRobots.NONE, List.of()));
         console.setDaemon(true);
         console.start();
         screen.asked.await();
         int port = program.listen(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), null)
                 .port();
-        program.addFirst(List.of());
+        program.addFirst(FirstRobots.NONE);
         Socket socket = new Socket(InetAddress.getLoopbackAddress(), port);
         socket.getOutputStream().write("bots\n".getBytes(StandardCharsets.UTF_8));
         answers = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));

@@ -20,6 +20,7 @@ import majic.bot.BotListener;
 import majic.bot.FakeBot;
 import majic.console.Console;
 import majic.log.SessionListener;
+import majic.program.FirstRobots;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.server.LineServer;
@@ -73,7 +74,7 @@ class StopThroughBlockedLinksTest {
 
     @Test
     void stopAtTheConsoleReachesTheOtherRobotsAndNamesTheBlockedOnes() throws Exception {
-        Thread console = new Thread(() -> new Console(program, new Screen()).run(List.of(), List.of()));
+        Thread console = new Thread(() -> new Console(program, new Screen()).run(FirstRobots.NONE, List.of()));
         console.setDaemon(true);
         console.start();
 

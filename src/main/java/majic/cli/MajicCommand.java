@@ -82,9 +82,9 @@ public final class MajicCommand implements Callable<Integer> {
                 if (reconnect) {
                     program.reconnectLost();
                 }
-                return Console.standard(program).run(start.firstLines(program), List.of());
+                return Console.standard(program).run(start.firstRobots(program), List.of());
             }
-            return new Window(program).run(() -> start.firstLines(program));
+            return new Window(program).run(() -> start.firstRobots(program));
         }
     }
 }

@@ -38,7 +38,7 @@ public final class RunCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         StartOptions start = Objects.requireNonNull(majic).start();
         try (Program program = start.program(folder, false)) {
-            return Console.silent(program).run(start.firstLines(program), List.of("run \"" + file + "\""));
+            return Console.silent(program).run(start.firstRobots(program), List.of("run \"" + file + "\""));
         }
     }
 }

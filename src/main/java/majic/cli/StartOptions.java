@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.stream.IntStream;
 import majic.bot.BotException;
+import majic.program.FirstRobots;
 import majic.program.Program;
 import majic.program.UsageException;
 import majic.program.UserFolder;
@@ -97,7 +98,7 @@ final class StartOptions {
      * Builds the program that these options request.
      *
      * @param folder the user's folder
-     * @param windowFirst whether {@link #firstLines} starts the usual lab, so that the window is visible before; a lab with
+     * @param windowFirst whether {@link #firstRobots} starts the usual lab, so that the window is visible before; a lab with
      *     options of its own is started at once, so that its faults end the program
      * @return the program, its robots not yet added
      * @throws UsageException if they do not go together
@@ -187,23 +188,20 @@ final class StartOptions {
     }
 
     /**
-     * Returns the lines that add the requested robots, once the requested lab runs. May block.
+     * Returns the requested robots, once the requested lab runs. May block.
      *
      * @param program the built program
-     * @return MAJIC Script
+     * @return those of the lab, and those of {@code --add}
      * @throws BotException if the lab cannot be started now
      */
-    List<String> firstLines(Program program) {
+    FirstRobots firstRobots(Program program) {
         if (lab && program.lab() == null) {
             startLab(program);
         }
-        List<String> lines = new ArrayList<>();
         SimulatedLab simulated = program.lab();
-        if (simulated != null) {
-            lines.addAll(labLines(simulated.robots(), maxRobots));
-        }
-        robots.forEach(robot -> lines.add("add " + robot));
-        return lines;
+        return new FirstRobots(
+                simulated == null ? List.of() : labLines(simulated.robots(), maxRobots),
+                robots.stream().map(robot -> "add " + robot).toList());
     }
 
     /** Adds as many robots of the lab as a team has numbers. */

@@ -11,6 +11,7 @@ import java.util.function.Consumer;
 import majic.log.Line;
 import majic.log.SessionListener;
 import majic.program.Failures;
+import majic.program.FirstRobots;
 import majic.program.Program;
 import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
@@ -71,11 +72,11 @@ public final class Console {
      * Adds robots, then runs some lines and those of the input, until the end or until the program is asked to quit. At
      * a terminal the prompt does not wait for the robots.
      *
-     * @param adding the lines that add the requested robots
+     * @param adding the robots to add
      * @param lines the lines to run before any input is read
      * @return the exit status: 0 only if every line succeeded
      */
-    public int run(List<String> adding, List<String> lines) {
+    public int run(FirstRobots adding, List<String> lines) {
         program.session().addListener(new Listener());
         program.announce();
         if (source.interactive()) {
@@ -102,7 +103,7 @@ public final class Console {
         thread.start();
     }
 
-    private void add(List<String> adding) {
+    private void add(FirstRobots adding) {
         try {
             added = program.addFirst(adding);
         } catch (InterruptedException e) {

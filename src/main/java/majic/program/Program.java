@@ -6,12 +6,10 @@ import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
@@ -43,9 +41,7 @@ public final class Program implements AutoCloseable {
     private static final System.Logger LOG = LateLogger.of(Program.class);
     private static final int CLOSE_BOUND_MS = 3000;
 
-    private static final String NUMBERED = "add .* as \\d+";
-
-    /** How many robots of a large team connect at the same time. */
+    /** How many robots of a large lab connect at the same time. */
     private static final int CONNECTING_AT_ONCE = 16;
 
     private final UserFolder folder;
@@ -225,18 +221,16 @@ public final class Program implements AutoCloseable {
 
     /**
      * Adds the robots that were requested at the start, and then accepts the clients' lines. Blocks until every robot
-     * is added or refused. Robots of a large team whose lines contain their numbers connect several at a time, before the others.
+     * is added or refused: first the robots of the lab, several at a time if they are more than a usual team has.
      *
-     * @param lines MAJIC Script that adds them
-     * @return whether every line succeeded
+     * @param robots the robots
+     * @return whether every one was added
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
-    public boolean addFirst(List<String> lines) throws InterruptedException {
-        boolean large = lines.size() > Team.MAX_BOTS;
-        Map<Boolean, List<String>> parts =
-                lines.stream().collect(Collectors.partitioningBy(line -> large && line.matches(NUMBERED)));
-        boolean numbered = add(parts.getOrDefault(true, List.of()), CONNECTING_AT_ONCE);
-        boolean succeeded = add(parts.getOrDefault(false, List.of()), 1) && numbered;
+    public boolean addFirst(FirstRobots robots) throws InterruptedException {
+        boolean large = robots.ofLab().size() > Team.MAX_BOTS;
+        boolean ofLab = add(robots.ofLab(), large ? CONNECTING_AT_ONCE : 1);
+        boolean succeeded = add(robots.requested(), 1) && ofLab;
         LineServer listening = server;
         if (listening != null) {
             listening.ready();

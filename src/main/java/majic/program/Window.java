@@ -39,15 +39,15 @@ public final class Window {
     /**
      * Shows the window and blocks until the end of the program.
      *
-     * @param firstLines returns lines that add robots; called once the window is painted, and may block then
+     * @param firstRobots returns the robots to add; called once the window is painted, and may block then
      * @return the exit status
      * @throws UsageException if the display cannot be used
      */
-    public int run(Supplier<List<String>> firstLines) {
+    public int run(Supplier<FirstRobots> firstRobots) {
         MajicFrame frame = open(this::show);
         awaitPainted();
         program.announce();
-        Thread adding = new Thread(() -> add(firstLines), "adding robots");
+        Thread adding = new Thread(() -> add(firstRobots), "adding robots");
         adding.setDaemon(true);
         adding.start();
         try {
@@ -65,20 +65,20 @@ public final class Window {
         onEventThread(() -> {});
     }
 
-    private void add(Supplier<List<String>> firstLines) {
+    private void add(Supplier<FirstRobots> firstRobots) {
         try {
-            program.addFirst(linesOrNone(firstLines));
+            program.addFirst(robotsOrNone(firstRobots));
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
     }
 
-    private List<String> linesOrNone(Supplier<List<String>> firstLines) {
+    private FirstRobots robotsOrNone(Supplier<FirstRobots> firstRobots) {
         try {
-            return firstLines.get();
+            return firstRobots.get();
         } catch (BotException e) {
             program.session().alarm(String.valueOf(e.getMessage()));
-            return List.of();
+            return FirstRobots.NONE;
         }
     }
 

@@ -6,6 +6,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Collections;
 import java.util.List;
+import majic.program.FirstRobots;
 import majic.program.Program;
 import majic.program.UserFolder;
 import org.junit.jupiter.api.Test;
@@ -30,9 +31,21 @@ class StartOptionsTest {
         StartOptions options = options(folder, "--lab");
         try (Program program = options.program(new UserFolder(folder), true)) {
             assertThat(program.lab()).isNull();
-            assertThat(options.firstLines(program))
-                    .containsExactly("add sim:aibo as 1", "add sim:pioneer as 2", "add sim:hemisson as 3");
+            assertThat(options.firstRobots(program))
+                    .isEqualTo(new FirstRobots(
+                            List.of("add sim:aibo as 1", "add sim:pioneer as 2", "add sim:hemisson as 3"), List.of()));
             assertThat(program.lab()).isNotNull();
+        }
+    }
+
+    @Test
+    void robotsOfTheCommandLineFollowThoseOfTheLab(@TempDir Path folder) throws IOException {
+        StartOptions options = options(folder, "--lab", "--add=sim:pioneer", "--add=sim:aibo");
+        try (Program program = options.program(new UserFolder(folder), true)) {
+            FirstRobots robots = options.firstRobots(program);
+
+            assertThat(robots.ofLab()).hasSize(3);
+            assertThat(robots.requested()).containsExactly("add sim:pioneer", "add sim:aibo");
         }
     }
 

@@ -24,6 +24,7 @@ import majic.bot.BotListener;
 import majic.bot.MajicBot;
 import majic.console.Console;
 import majic.log.Line;
+import majic.program.FirstRobots;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.program.Window;
@@ -126,8 +127,8 @@ final class StopTimes {
             team.addListener(gate.blocked(TeamListener.class));
             team.member(count + 1).bot().addListener(gate.blocked(BotListener.class));
         }
-        background(() -> new Console(program, new Typed(typed)).run(List.of(), List.of()));
-        background(() -> new Window(program).run(List::of));
+        background(() -> new Console(program, new Typed(typed)).run(FirstRobots.NONE, List.of()));
+        background(() -> new Window(program).run(() -> FirstRobots.NONE));
         background(() -> client.getInputStream().transferTo(OutputStream.nullOutputStream()));
         send("bots");
         MeasuredWindow.awaitWindow();
