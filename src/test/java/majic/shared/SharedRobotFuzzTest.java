@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotListener;
@@ -25,7 +26,7 @@ import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
 import majic.text.OneSentence;
 import majic.text.VisibleText;
-import majic.time.TimeSource;
+import majic.time.Signal;
 
 /**
  * Arbitrary robots of another desk: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see
@@ -46,18 +47,19 @@ class SharedRobotFuzzTest {
             broker.publish(presence());
             broker.publish(message(Part.DESCRIPTION, published[0]).retain());
             AtomicBoolean reporting = new AtomicBoolean(true);
+            Signal ended = clock.time().signal();
             CompletableFuture<Void> reports = clock.aside(() -> {
-                while (reporting.get()) {
+                do {
                     broker.publish(message(Part.STATE, published[1]));
                     broker.publish(message(Part.MESSAGES, published[2]));
-                    pause(clock.time());
-                }
+                } while (!await(ended, () -> !reporting.get()));
             });
             BotEnvironment environment = new BotEnvironment(clock.time(), Settings.inMemory());
             try (MajicBot bot = type.create(BotAddress.parse("mqtt://broker/lab/desk2/1"), environment)) {
                 use(bot);
             }
             reporting.set(false);
+            ended.raise();
             clock.join(reports);
         }
     }
@@ -82,7 +84,7 @@ class SharedRobotFuzzTest {
         assertThat(bot.displayState()).isNotNull();
         assertThat(bot.type().label()).isNotNull();
         assertThat(bot.introduction()).isNotNull();
-        pause(bot.time());
+        await(bot.time().signal(), () -> false);
         assertThat(notices).doesNotContainNull();
     }
 
@@ -104,9 +106,10 @@ class SharedRobotFuzzTest {
         return BrokerMessage.json(TOPICS.robot(DESK, 1, part), payload, Quality.AT_MOST_ONCE);
     }
 
-    private static void pause(TimeSource time) {
+    /** Returns whether a condition is true within a period. */
+    private static boolean await(Signal signal, BooleanSupplier condition) {
         try {
-            time.sleep(PERIOD_S);
+            return signal.await(condition, PERIOD_S);
         } catch (InterruptedException e) {
             throw new IllegalStateException(e);
         }

@@ -22,6 +22,7 @@ import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
 import majic.shared.message.SpeedMessage;
 import majic.shared.message.StopMessage;
+import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /** A small program that uses the robots of a desk through the broker, as one in another language would. */
@@ -35,6 +36,7 @@ final class RemoteUser {
     private final List<Answered> answers = new CopyOnWriteArrayList<>();
     private volatile @Nullable RobotState state;
     private volatile long stateNanos;
+    private final Signal ended;
     private volatile boolean beating;
     private long numbers;
 
@@ -42,6 +44,7 @@ final class RemoteUser {
 
     RemoteUser(SharingRig rig, String desk, String person) {
         this.rig = rig;
+        this.ended = rig.clock.time().signal();
         this.sender = Sender.ofThisRun(desk, person);
         this.connection = rig.broker.open(ConnectOptions.of(
                 desk + "-" + sender.session(), new BotEnvironment(rig.clock.time(), Settings.inMemory())));
@@ -80,15 +83,15 @@ final class RemoteUser {
         rig.clock.aside(() -> {
             while (beating) {
                 beatOnce();
-                sleep();
+                pause();
             }
         });
         return this;
     }
 
-    private void sleep() {
+    private void pause() {
         try {
-            rig.clock.time().sleep(BEAT_S);
+            ended.await(() -> !beating, BEAT_S);
         } catch (InterruptedException e) {
             beating = false;
         }
@@ -102,6 +105,7 @@ final class RemoteUser {
 
     void stopBeating() {
         beating = false;
+        ended.raise();
     }
 
     /** Sends a request to robot 1; returns its number. */

@@ -81,8 +81,11 @@ final class SharingRig implements AutoCloseable {
     }
 
     void sleep(double seconds) {
-        long until = clock.time().nanos() + (long) (seconds * 1e9);
-        clock.until(() -> clock.time().nanos() >= until);
+        try {
+            clock.time().sleep(seconds);
+        } catch (InterruptedException e) {
+            throw new IllegalStateException(e);
+        }
     }
 
     boolean isSaid(String part) {
