@@ -43,7 +43,6 @@ final class RecordingWriter {
     private final Thread thread = new Thread(this::run, "recording");
     private volatile boolean partIsOver = true;
     private volatile boolean ended;
-    private volatile long written;
     private boolean failing;
     private long failedNanos;
     private @Nullable CountedFile file;
@@ -133,11 +132,6 @@ final class RecordingWriter {
     /** How many pieces were dropped so far. */
     long dropped() {
         return dropped.get();
-    }
-
-    /** How many bytes were written so far. */
-    long bytes() {
-        return written;
     }
 
     /**
@@ -240,7 +234,6 @@ final class RecordingWriter {
         }
         try {
             open.flush();
-            written = open.count;
             if (open.count > folder.mostBytesPerFile()) {
                 partIsOver = true;
             }

@@ -47,18 +47,7 @@ public record ActOffer(
     }
 
     /**
-     * Returns the line that loads it onto a robot.
-     *
-     * @param me the number of the robot it is loaded onto
-     * @param others the numbers of the further robots, in the order of the roles
-     * @return for instance {@code 1 act Convoy with 2,3}
-     */
-    public String line(int me, List<Integer> others) {
-        return line(me, Map.of(), others);
-    }
-
-    /**
-     * Returns the line that loads it onto a robot with values for its arguments.
+     * Returns the line that loads it onto a robot, with values for its arguments.
      *
      * @param me the number of the robot it is loaded onto
      * @param values by the names of the arguments; what equals the default is left out

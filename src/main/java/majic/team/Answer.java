@@ -37,15 +37,6 @@ public record Answer(
         NOT_RUN
     }
 
-    /**
-     * Returns whether the command completed normally.
-     *
-     * @return true only for {@link Outcome#DONE}
-     */
-    public boolean isDone() {
-        return outcome == Outcome.DONE;
-    }
-
     @Override
     public String toString() {
         return text;

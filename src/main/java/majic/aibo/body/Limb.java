@@ -33,10 +33,6 @@ public enum Limb {
         return paw;
     }
 
-    boolean isLeft() {
-        return left > 0;
-    }
-
     /**
      * A leg's bones.
      *

@@ -81,10 +81,6 @@ public enum Sensor {
         return expression;
     }
 
-    Rate rate() {
-        return rate;
-    }
-
     /** The part of a tag that names it. */
     public String tagName() {
         return "s" + ordinal();

@@ -37,10 +37,6 @@ final class TeamFloor implements MapContent {
         scene = newScene;
     }
 
-    MapScene scene() {
-        return scene;
-    }
-
     /** Marks these robots as selected, and no others. */
     void mark(Collection<Integer> numbers) {
         selected = Set.copyOf(numbers);

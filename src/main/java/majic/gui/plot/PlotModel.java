@@ -134,11 +134,6 @@ final class PlotModel {
         }
     }
 
-    /** Returns whether the part that is shown stays the same as time passes. */
-    boolean isStill() {
-        return isPaused() || isZoomed();
-    }
-
     /** Returns the time shown now. */
     Span time() {
         Zoom part = zoom;

@@ -62,11 +62,6 @@ final class ApproachController {
         this.movedAt = covered;
     }
 
-    /** The rates sent so far. */
-    SentRates sent() {
-        return sent;
-    }
-
     /** Whether the base is still gaining speed, so that the delay of its odometry shows. */
     boolean isAccelerating() {
         return accelerating;

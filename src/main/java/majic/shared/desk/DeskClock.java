@@ -20,10 +20,6 @@ final class DeskClock {
         this.startNanos = time.nanos();
     }
 
-    TimeSource time() {
-        return time;
-    }
-
     long ms() {
         return (time.nanos() - startNanos) / 1_000_000;
     }

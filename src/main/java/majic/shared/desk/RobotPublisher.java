@@ -81,10 +81,6 @@ final class RobotPublisher {
         changed();
     }
 
-    boolean isChanged() {
-        return changed;
-    }
-
     /** Publishes what is due. Called by the timer of the desk. */
     void tick() {
         TimeSource time = desk.connection().time();

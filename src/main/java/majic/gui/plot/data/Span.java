@@ -17,17 +17,9 @@ public record Span(double from, double to) {
         return to - from;
     }
 
-    boolean contains(double number) {
-        return number >= from && number <= to;
-    }
-
     /** Returns the range magnified around a number that keeps its place. */
     public Span scaled(double factor, double around) {
         return new Span(around + (from - around) * factor, around + (to - around) * factor);
-    }
-
-    Span moved(double by) {
-        return new Span(from + by, to + by);
     }
 
     /** Returns the part of this range between two shares of it, in any order, 0 to 1. */
