@@ -1,7 +1,7 @@
 package majic.bot;
 
 /**
- * Something a robot could not do. The message is one sentence for the person at the screen; the cause, if any, is for
+ * Something a robot could not do. The message is one sentence for the user; the cause, if any, is for
  * the log.
  */
 public class BotException extends RuntimeException {

@@ -19,7 +19,7 @@ public record Mark(double seconds, Kind kind, int robot, String text) {
         BEGUN,
         /** A command was answered. */
         ENDED,
-        /** Robots were stopped by a person, one of them or all. */
+        /** Robots were stopped by a user, one of them or all. */
         STOP,
         /** A robot did not confirm its stop. */
         UNCONFIRMED,

@@ -17,7 +17,7 @@ import majic.script.record.SessionRecord;
 import majic.team.Member;
 
 /**
- * The behaviours a person can choose from, and the consent to their code. Everything here reads files and may wait;
+ * The behaviours that the user can choose from, and the consent to their code. Everything here reads files and may wait;
  * nothing here loads any of an act's code.
  */
 public final class ActOffers implements Completer.Acts {
@@ -71,7 +71,7 @@ public final class ActOffers implements Completer.Acts {
     }
 
     /**
-     * Whether the person has to agree to its code before it can be loaded.
+     * Whether the user has to agree to its code before it can be loaded.
      *
      * @param offer the behaviour
      * @return false for scripts, for what came with MAJIC, and after {@link #agree}
@@ -82,7 +82,7 @@ public final class ActOffers implements Completer.Acts {
     }
 
     /**
-     * The person has seen what it brings and agrees to its code, now and later. The session log keeps that.
+     * The user has seen what it brings and agrees to its code, now and later. The session log keeps that.
      *
      * @param offer the behaviour; a script needs no consent
      * @throws BotException if that could not be written down; it then holds until the program ends

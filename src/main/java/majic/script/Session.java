@@ -125,7 +125,7 @@ public final class Session {
     }
 
     /**
-     * The behaviours a person can choose from.
+     * The behaviours that the user can choose from.
      *
      * @return for windows; the script finds them by itself
      */

@@ -227,7 +227,7 @@ public final class Member implements TeamMembership {
      * Makes the checks of {@link #submit} without submitting a command.
      *
      * @param moves whether the command would move the robot
-     * @param by the source of the command; null for a person at the command line
+     * @param by the source of the command; null for a user at the command line
      * @throws BotException what {@link #submit} would throw now
      */
     public void check(boolean moves, @Nullable Owner by) {
@@ -238,7 +238,7 @@ public final class Member implements TeamMembership {
      * Puts a command at the end of the queue.
      *
      * @param command what to do; not submitted before
-     * @param by the source of the command; null for a person at the command line
+     * @param by the source of the command; null for a user at the command line
      * @throws BotException if the queue is full, or the command moves and the robot has another owner or STOP is
      *     latched; nothing was queued then
      * @throws MotionStopped if the command moves and its source was ended, or no longer has the robot; nothing was

@@ -5,7 +5,7 @@ import java.lang.System.Logger.Level;
 import majic.bot.BotException;
 
 /**
- * An exclusive owner of a robot: a script, an act, manual control, or a person at another desk. Compared by identity.
+ * An exclusive owner of a robot: a script, an act, manual control, or a user at another desk. Compared by identity.
  */
 public final class Owner {
     /** What kinds of owners there are. */
@@ -14,7 +14,7 @@ public final class Owner {
         SCRIPT,
         /** A running act. */
         ACT,
-        /** A person in manual control. */
+        /** A user in manual control. */
         MANUAL,
         /** A user at another desk, through a broker. */
         REMOTE

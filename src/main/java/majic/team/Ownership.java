@@ -270,7 +270,7 @@ final class Ownership {
      * robot was stopped, and when all listeners were notified. A stop by the borrower itself ends only the borrower's
      * own commands.
      *
-     * @param by the source of the stop, which is not ended; null for a person
+     * @param by the source of the stop, which is not ended; null for a user
      */
     synchronized Stopped beginStop(@Nullable Owner by) {
         pendingStops += 2;

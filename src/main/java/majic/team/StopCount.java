@@ -5,7 +5,7 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Counts stops by a person, so that a queued line can see later that its robots were stopped since. The team
+ * Counts stops by users, so that a queued line can see later that its robots were stopped since. The team
  * counts a stop on the thread that requests it, before it revokes anything. Thread-safe.
  */
 public final class StopCount {

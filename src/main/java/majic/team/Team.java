@@ -200,7 +200,7 @@ public final class Team implements AutoCloseable {
      * that was ended has given it back.
      *
      * @param chosen which robots
-     * @param by the source of the stop, which is not ended by it; null for a person
+     * @param by the source of the stop, which is not ended by it; null for a user
      */
     public void stop(Collection<Member> chosen, @Nullable Owner by) {
         List<Member> stopped = List.copyOf(chosen);
@@ -312,7 +312,7 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Returns how often robots were stopped by a person.
+     * Returns how often robots were stopped by users.
      *
      * @return the counts; each stop is counted before it reaches a robot
      */

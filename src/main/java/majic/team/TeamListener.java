@@ -67,7 +67,7 @@ public interface TeamListener {
     default void ownerChanged(Member member) {}
 
     /**
-     * A person has driven a robot manually, or set parameters that move it, and released it.
+     * A user has driven a robot manually, or set parameters that move it, and released it.
      *
      * @param member the robot
      * @param commands what was done, oldest first; at least one
@@ -84,7 +84,7 @@ public interface TeamListener {
     default void stopOverdue(Collection<Member> members, double seconds) {}
 
     /**
-     * A person has stopped robots, some of them or all by STOP; called when the stops are being written to the robots.
+     * A user has stopped robots, some of them or all by STOP; called when the stops are being written to the robots.
      *
      * @param members the stopped robots
      * @param atNanos when the stop was requested, on the clock of the team

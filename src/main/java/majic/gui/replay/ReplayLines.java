@@ -30,7 +30,7 @@ final class ReplayLines extends JList<RecordedLine> {
     /**
      * Creates the list.
      *
-     * @param chosen receives the time of a line that a person has chosen, seconds
+     * @param chosen receives the time of a line that the user has chosen, seconds
      */
     ReplayLines(List<RecordedLine> lines, DoubleConsumer chosen) {
         super(lines.toArray(new RecordedLine[0]));

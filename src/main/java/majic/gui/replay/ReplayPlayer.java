@@ -71,7 +71,7 @@ final class ReplayPlayer implements AutoCloseable {
         lastNanos = now;
     }
 
-    /** Plays so many seconds of a person's time. */
+    /** Plays for so many seconds of real time. */
     void tick(double elapsedS) {
         double from;
         double to;

@@ -38,7 +38,7 @@ final class Timeline extends JSlider {
     /**
      * Creates a slider over a span of time.
      *
-     * @param chosen receives the time that a person has chosen, seconds
+     * @param chosen receives the time that the user has chosen, seconds
      */
     Timeline(double beginS, double endS, List<Mark> marks, DoubleConsumer chosen) {
         super(0, Math.max(1, (int) Math.ceil((endS - beginS) * STEPS_PER_S)), 0);

@@ -7,7 +7,7 @@ import majic.hemisson.line.MotorValues;
 
 /**
  * How fast the wheels run for each motor value, and how far apart they are, for one robot. Nothing on the robot
- * measures it, so it can only be calibrated by a person. Immutable.
+ * measures it, so it can only be calibrated by the user. Immutable.
  *
  * @param speedsMmPerSec the mean speed of the two wheels for the motor values 1 to 9, mm/s, rising
  * @param wheelDistanceMm from wheel to wheel, mm

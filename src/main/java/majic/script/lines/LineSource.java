@@ -2,7 +2,7 @@ package majic.script.lines;
 
 /** Where lines come from, which decides what waits for what. */
 public enum LineSource {
-    /** A person at a prompt or window: readings at once, blocks beside the next lines, a full queue refuses. */
+    /** A user at a prompt or window: readings at once, blocks beside the next lines, a full queue refuses. */
     PROMPT,
     /** A pipe or file: every line takes its turn. */
     PIPE,

@@ -61,7 +61,7 @@ public interface ActRunner {
      */
     List<String> trust(String name, String hash);
 
-    /** One line for each file to whose code the person has agreed. */
+    /** One line for each file to whose code the user has agreed. */
     List<String> consents();
 
     /** Takes the consent to a file back. */

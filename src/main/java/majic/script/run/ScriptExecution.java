@@ -203,7 +203,7 @@ public final class ScriptExecution extends Execution {
         team().changes().raise();
     }
 
-    /** Stops the robots that the script has now, as a person would, and ends it. */
+    /** Stops the robots that the script has now, as a user would, and ends it. */
     private void stopFromOutside() {
         team().stop(
                         team().members().stream()

@@ -88,7 +88,7 @@ public sealed interface SessionCommand {
         }
     }
 
-    /** Lists the files to whose code the person has agreed. */
+    /** Lists the files to whose code the user has agreed. */
     record Consents() implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
@@ -96,7 +96,7 @@ public sealed interface SessionCommand {
         }
     }
 
-    /** Shows what a behaviour brings; with the beginning of its hash the person agrees to that. */
+    /** Shows what a behaviour brings; with the beginning of its hash the user agrees to that. */
     record Trust(Literal act, @Nullable Literal hash) implements SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
