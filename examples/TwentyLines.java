@@ -17,7 +17,7 @@ public final class TwentyLines {
         try (Team team = new Team(TimeSource.system())) {
             Session session = Session.of(team);
             session.addListener(line -> System.out.println(line.text()));
-            MajicParser parser = new MajicParser(session, false);
+            MajicParser parser = MajicParser.pipe(session);
             for (String line : lines) {
                 parser.parseText(line);
             }

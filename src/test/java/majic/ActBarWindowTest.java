@@ -43,7 +43,7 @@ class ActBarWindowTest {
         Locale.setDefault(Locale.forLanguageTag(language));
         SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
         try (Program program = new Program(new UserFolder(home), lab, false)) {
-            MajicParser parser = new MajicParser(program.session(), true);
+            MajicParser parser = MajicParser.prompt(program.session());
             MajicFrame frame = PictureWindow.open(program, parser, Settings.inMemory());
             checks.windowIsOpen();
             SwingUtilities.invokeAndWait(() -> frame.setSize(1280, 800));

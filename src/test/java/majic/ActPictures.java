@@ -72,7 +72,7 @@ class ActPictures {
     void paintsTheWayOfABehaviourOntoARobot(@TempDir Path home) throws Exception {
         Path source = acts(home);
         try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2), false)) {
-            MajicParser parser = new MajicParser(program.session(), true);
+            MajicParser parser = MajicParser.prompt(program.session());
             PictureWindow.decorate();
             MajicFrame frame = PictureWindow.open(program, parser);
             PictureWindow.add(program, parser, List.of("aibo", "pioneer", "hemisson"));

@@ -24,7 +24,7 @@ class AiboPictures {
                 lab.run("1 set ledF" + led + " " + led / 14.0);
             }
             lab.run("1 move 600", "1 set headPan 25", "1 set headTilt 10", "1 set mouth -30", "1 set tail 20 40");
-            new MajicParser(lab.session(), false).parseText("1 move 900");
+            MajicParser.pipe(lab.session()).parseText("1 move 900");
             assertThat(lab.await(() -> bot.state().pose().xMm() > 900)).isTrue();
             PanelPicture.save(large, false, "aibo.png");
             PanelPicture.save(small, true, "aibo-small.png");

@@ -34,7 +34,7 @@ class HemissonPictures {
             bot.set("ledLeft", List.of(ON));
             bot.set("beep", List.of(ON));
             lab.team().time().sleep(2);
-            new MajicParser(lab.session(), false).parseText("1 drive 20 40 for 3s");
+            MajicParser.pipe(lab.session()).parseText("1 drive 20 40 for 3s");
             assertThat(lab.await(() -> bot.state().turnRateDegPerSec() > 20)).isTrue();
             PanelPicture.save(large, false, "hemisson.png");
             PanelPicture.save(small, true, "hemisson-small.png");

@@ -55,7 +55,7 @@ public final class LabRig implements AutoCloseable {
         team = new Team(lab.time());
         session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
         session.addListener(this::hear);
-        parser = new MajicParser(session, false);
+        parser = MajicParser.pipe(session);
     }
 
     /** Creates a lab without noise and without connected robots. */

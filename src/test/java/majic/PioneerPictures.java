@@ -20,7 +20,7 @@ class PioneerPictures {
             JFrame large = PanelPicture.open(bot, new Dimension(900, 560), false);
             JFrame small = PanelPicture.open(bot, new Dimension(450, 230), true);
             lab.run("1 move 2000", "1 turn 100", "1 move 1200", "1 turn 80", "1 move 1500");
-            new MajicParser(lab.session(), false).parseText("1 drive 300 25 for 9s");
+            MajicParser.pipe(lab.session()).parseText("1 drive 300 25 for 9s");
             double heading = bot.state().pose().headingDeg();
             assertThat(lab.await(() -> bot.state().turnRateDegPerSec() > 20
                             && turnedDeg(heading, bot.state().pose().headingDeg()) > 100))

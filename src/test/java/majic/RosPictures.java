@@ -23,7 +23,7 @@ class RosPictures {
             JFrame large = PanelPicture.open(bot, new Dimension(900, 680), false);
             JFrame small = PanelPicture.open(bot, new Dimension(450, 230), true);
             lab.run("1 move 800", "1 turn 90", "1 move 300", "1 turn 100", "1 move 600");
-            new MajicParser(lab.session(), false).parseText("1 drive 150 20 for 9s");
+            MajicParser.pipe(lab.session()).parseText("1 drive 150 20 for 9s");
             lab.await(() -> bot.state().turnRateDegPerSec() > 15);
             PanelPicture.save(large, false, "ros.png");
             PanelPicture.save(small, true, "ros-small.png");

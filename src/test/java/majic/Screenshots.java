@@ -55,7 +55,7 @@ class Screenshots {
     @Timeout(300)
     void paintsThePicturesOfTheDocuments(@TempDir Path home) throws Exception {
         try (Program program = new Program(new UserFolder(home), SimulatedLab.scaled(OPTIONS, 2), true)) {
-            MajicParser parser = new MajicParser(program.session(), true);
+            MajicParser parser = MajicParser.prompt(program.session());
             PictureWindow.decorate();
             MajicFrame frame = PictureWindow.open(program, parser);
             drive(program, parser);
@@ -86,7 +86,7 @@ class Screenshots {
                             "team.last",
                             "add pioneer://10.0.0.5 as 1\nadd aibo://10.0.0.8 as 2\nadd hemisson:COM3 as 3\n");
             PictureWindow.decorate();
-            MajicFrame frame = PictureWindow.open(program, new MajicParser(program.session(), true));
+            MajicFrame frame = PictureWindow.open(program, MajicParser.prompt(program.session()));
             awaitWindow(() -> find(frame, "Yesterday's team").isEnabled());
             awaitWindow(new Settled());
             WindowPicture.save(frame, IMAGES.resolve("start-page.png"));

@@ -45,7 +45,7 @@ class ScriptOnPagesInLabTest {
     @MethodSource("blocks")
     void everyBlockIsDone(Page.Code block) throws InterruptedException {
         try (LabRig rig = robotsOf(block.path().toString())) {
-            MajicParser parser = new MajicParser(rig.session(), false);
+            MajicParser parser = MajicParser.pipe(rig.session());
             for (String line : block.lines()) {
                 assertThat(parser.parseText(line)).as(line).isEmpty();
             }

@@ -60,7 +60,7 @@ class StatePictures {
     void paintsEachStateOfEachRobot(@TempDir Path home) throws Exception {
         SimulatedLab lab = SimulatedLab.scaled(OPTIONS, 1);
         try (Program program = new Program(new UserFolder(home), lab, true)) {
-            MajicParser parser = new MajicParser(program.session(), true);
+            MajicParser parser = MajicParser.prompt(program.session());
             PictureWindow.decorate();
             MajicFrame frame = PictureWindow.open(program, parser);
             paint(frame, "start");

@@ -102,7 +102,7 @@ final class TwoDesks implements AutoCloseable {
             BotFactory factory = new BotFactory(List.of(type), Settings.inMemory());
             session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
             session.addListener(this::hear);
-            parser = new MajicParser(session, false);
+            parser = MajicParser.pipe(session);
             bot = type.create(BotAddress.parse("mqtt://broker/lab/desk2/1"), environment);
             bot.connect();
             team.add(bot, OptionalInt.empty());

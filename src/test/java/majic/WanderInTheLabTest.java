@@ -46,7 +46,7 @@ class WanderInTheLabTest {
     }
 
     private static void wander(LabRig rig, int robot) {
-        MajicParser parser = new MajicParser(rig.session(), false);
+        MajicParser parser = MajicParser.pipe(rig.session());
         for (String line : List.of(
                 "repeat", "  " + robot + " move 2m until distanceFront < near", "  " + robot + " turn 100", "end")) {
             parser.parseText(line);

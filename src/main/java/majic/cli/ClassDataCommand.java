@@ -45,7 +45,7 @@ public final class ClassDataCommand implements Callable<Integer> {
     private static void rehearse(Program rehearsed, List<String> lines) throws InterruptedException {
         try (Program program = rehearsed) {
             program.closeWhenProgramEnds();
-            MajicParser parser = new MajicParser(program.session(), false);
+            MajicParser parser = MajicParser.pipe(program.session());
             lines.forEach(parser::parseText);
             parser.awaitAll();
             program.team().stopAllIfAny();

@@ -53,7 +53,8 @@ public final class Console {
     public Console(Program program, Source source) {
         this.program = program;
         this.source = source;
-        this.parser = new MajicParser(program.session(), source.interactive());
+        this.parser =
+                source.interactive() ? MajicParser.prompt(program.session()) : MajicParser.pipe(program.session());
     }
 
     /** Creates a console for standard input, at a terminal or in a pipe. */

@@ -33,7 +33,7 @@ final class Terminal implements Console.Source {
      * @throws IOException if the terminal cannot be used
      */
     Terminal(Program program) throws IOException {
-        MajicParser completions = new MajicParser(program.session(), true);
+        MajicParser completions = MajicParser.prompt(program.session());
         terminal = TerminalBuilder.builder().system(true).build();
         DefaultParser plain = new DefaultParser();
         plain.setEscapeChars(new char[0]);

@@ -23,7 +23,7 @@ final class AwaitedLine implements SessionListener {
      * @return why it failed; empty if it did not
      */
     static Optional<String> run(Session session, String line) {
-        MajicParser parser = new MajicParser(session, true);
+        MajicParser parser = MajicParser.prompt(session);
         AwaitedLine awaited = new AwaitedLine(parser);
         session.addListener(awaited);
         try {

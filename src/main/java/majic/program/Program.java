@@ -239,9 +239,8 @@ public final class Program implements AutoCloseable {
     }
 
     private boolean add(List<String> lines, int atOnce) throws InterruptedException {
-        List<MajicParser> parsers = Stream.generate(() -> new MajicParser(session, false))
-                .limit(atOnce)
-                .toList();
+        List<MajicParser> parsers =
+                Stream.generate(() -> MajicParser.pipe(session)).limit(atOnce).toList();
         for (int index = 0; index < lines.size(); index++) {
             parsers.get(index % atOnce).parseText(lines.get(index));
         }

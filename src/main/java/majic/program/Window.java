@@ -25,7 +25,7 @@ public final class Window {
 
     public Window(Program program) {
         this.program = program;
-        this.parser = new MajicParser(program.session(), true);
+        this.parser = MajicParser.prompt(program.session());
     }
 
     /**

@@ -35,17 +35,6 @@ public final class MajicParser {
     private final Deque<String> commands = new ArrayDeque<>();
     private int total;
 
-    /**
-     * A parser with nothing to do yet.
-     *
-     * @param session what the lines act on, and where answers go
-     * @param interactive true for a prompt or window, where a {@code get} reads at once and a {@code wait} never
-     *     holds a {@code stop}; false for a pipe, where every line takes its turn
-     */
-    public MajicParser(Session session, boolean interactive) {
-        this(session, interactive ? LineSource.PROMPT : LineSource.PIPE);
-    }
-
     private MajicParser(Session session, LineSource source) {
         this.session = session;
         this.output = session.output();
@@ -55,18 +44,39 @@ public final class MajicParser {
     }
 
     /**
-     * A parser for a program at the other end of a socket: every line takes its turn as in a pipe, but a {@code stop}
-     * is done at once.
+     * Creates a parser for the lines of a user, at a prompt or in a window: a {@code get} reads at once, and a {@code wait}
+     * never holds a {@code stop}.
      *
      * @param session what the lines act on, and where answers go
      * @return a new parser
      */
-    public static MajicParser remote(Session session) {
+    public static MajicParser prompt(Session session) {
+        return new MajicParser(session, LineSource.PROMPT);
+    }
+
+    /**
+     * Creates a parser for the lines of a pipe, a file or a program that embeds MAJIC: every line takes its turn.
+     *
+     * @param session what the lines act on, and where answers go
+     * @return a new parser
+     */
+    public static MajicParser pipe(Session session) {
+        return new MajicParser(session, LineSource.PIPE);
+    }
+
+    /**
+     * Creates a parser for a program on this computer at the other end of a socket: every line takes its turn as in a
+     * pipe, but a {@code stop} is done at once.
+     *
+     * @param session what the lines act on, and where answers go
+     * @return a new parser
+     */
+    public static MajicParser socket(Session session) {
         return new MajicParser(session, LineSource.SOCKET);
     }
 
     /**
-     * A parser for a program on another computer: as {@link #remote}, but lines that write files are refused.
+     * Creates a parser for a program on another computer: as {@link #socket}, but lines that write files are refused.
      *
      * @param session what the lines act on, and where answers go
      * @return a new parser

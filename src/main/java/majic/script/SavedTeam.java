@@ -197,7 +197,7 @@ public final class SavedTeam {
     }
 
     private static void open(Robot robot, Session session) {
-        MajicParser parser = new MajicParser(session, false);
+        MajicParser parser = MajicParser.pipe(session);
         try {
             parser.parseText(robot.add);
             if (parser.awaitAll()) {

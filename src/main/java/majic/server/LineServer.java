@@ -265,7 +265,7 @@ public final class LineServer implements AutoCloseable {
         socket.setOption(StandardSocketOptions.SO_KEEPALIVE, true);
         SelectionKey key = socket.register(selector, SelectionKey.OP_READ);
         Wire wire = handshakes == null ? new PlainWire(socket) : handshakes.begin(socket, () -> serve(key));
-        MajicParser parser = isEncrypted() ? MajicParser.network(session) : MajicParser.remote(session);
+        MajicParser parser = isEncrypted() ? MajicParser.network(session) : MajicParser.socket(session);
         LineClient client = new LineClient(this, key, wire, socket.socket().getInetAddress(), parser);
         key.attach(client);
         clients.add(client);

@@ -32,7 +32,7 @@ final class CrashingSession {
         Program program = new Program(new UserFolder(Path.of(arguments[0])), null, true);
         program.session().addListener(CrashingSession::print);
         program.announce();
-        MajicParser parser = new MajicParser(program.session(), true);
+        MajicParser parser = MajicParser.prompt(program.session());
         Arrays.stream(arguments).skip(1).forEach(robot -> parser.parseText("add " + robot));
         parser.awaitAll();
         if (arguments.length > 1) {

@@ -225,7 +225,7 @@ final class StopTimes {
 
     /** Connects those again that were lost on a busy computer. */
     private void moveHealthy() throws InterruptedException {
-        MajicParser parser = new MajicParser(program.session(), true);
+        MajicParser parser = MajicParser.prompt(program.session());
         List<MajicBot> bots = team.members().subList(0, healthy.size()).stream()
                 .map(Member::bot)
                 .toList();

@@ -79,7 +79,7 @@ public final class TestWindow implements AutoCloseable {
         settings.put("robots.reconnect", "off");
         kept.forEach(settings::put);
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
-        parser = new MajicParser(session, true);
+        parser = MajicParser.prompt(session);
         robot = BasicRobot.robotWithNewAwtHierarchyWithoutScreenLock();
         robot.settings().delayBetweenEvents(0);
         robot.settings().eventPostingDelay(0);

@@ -120,7 +120,7 @@ class ActEndTest {
         });
         startDeaf();
         fixture.prompt.parseText("1 stop");
-        MajicParser socket = MajicParser.remote(fixture.session);
+        MajicParser socket = MajicParser.socket(fixture.session);
         socket.parseText("1 stop");
         fixture.prompt.awaitAll();
         socket.awaitAll();
@@ -162,7 +162,7 @@ class ActEndTest {
         driver.standAfter(1);
         fixture.prompt.parseText("1 act " + file("repeat", "me move 100", "end"));
         fixture.pause(3);
-        MajicParser pipe = new MajicParser(fixture.session, false);
+        MajicParser pipe = MajicParser.pipe(fixture.session);
         pipe.parseText("1 act off");
         fixture.pause(0.2);
         fixture.prompt.parseText("stop");

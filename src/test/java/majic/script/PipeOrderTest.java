@@ -49,7 +49,7 @@ class PipeOrderTest {
     @ParameterizedTest
     @ValueSource(strings = {"2 act off", "2 stop"})
     void theSameOverASocket(String end) throws Exception {
-        MajicParser socket = MajicParser.remote(fixture.session);
+        MajicParser socket = MajicParser.socket(fixture.session);
         for (String line : List.of("2 act " + endless(), "wait 1s")) {
             socket.parseText(line);
         }

@@ -174,7 +174,7 @@ class SavedTeamTest {
         try (Team team = new Team(TimeSource.system())) {
             BotFactory factory = new BotFactory(List.of(new FakeType("mqtt")), Settings.inMemory());
             Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
-            MajicParser parser = new MajicParser(session, false);
+            MajicParser parser = MajicParser.pipe(session);
             parser.parseText("add mqtt://broker/lab/desk2/1 as 1");
             parser.parseText("1 set pose 1000 500 90");
             parser.parseText("save team " + file);

@@ -43,8 +43,8 @@ final class ScriptFixture implements AutoCloseable {
     /** With the user's own behaviours. */
     ScriptFixture(ActCatalog acts) {
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
-        prompt = new MajicParser(session, true);
-        pipe = new MajicParser(session, false);
+        prompt = MajicParser.prompt(session);
+        pipe = MajicParser.pipe(session);
         factory.useLab(new FakeLab(time));
         session.addListener(listener);
     }

@@ -61,12 +61,12 @@ class SlowFileTest {
 
     @Test
     void aTypedStopIsTakenAtOnceAndDropsTheLinesThatWait() throws InterruptedException {
-        stopOvertakes(new MajicParser(session, true));
+        stopOvertakes(MajicParser.prompt(session));
     }
 
     @Test
     void aStopFromASocketIsTakenAtOnceAndDropsTheLinesThatWait() throws InterruptedException {
-        stopOvertakes(MajicParser.remote(session));
+        stopOvertakes(MajicParser.socket(session));
     }
 
     private void stopOvertakes(MajicParser parser) throws InterruptedException {
@@ -82,7 +82,7 @@ class SlowFileTest {
 
     @Test
     void theLinesBehindItWaitInTheirOrder() throws InterruptedException {
-        MajicParser pipe = new MajicParser(session, false);
+        MajicParser pipe = MajicParser.pipe(session);
         pipe.parseLine(1, "1 act Slow");
         slow.awaitCheck();
         pipe.parseLine(2, "1 move 30");
@@ -98,7 +98,7 @@ class SlowFileTest {
     @Test
     void aLaterRefusalIsReportedToTheSourceOfTheLine() throws InterruptedException {
         BlockingQueue<String> refusals = new LinkedBlockingQueue<>();
-        MajicParser prompt = new MajicParser(session, true);
+        MajicParser prompt = MajicParser.prompt(session);
         assertThat(prompt.submit("1 act Slow", refusal -> refusals.add(refusal.message())))
                 .isEmpty();
         slow.answer();
@@ -112,7 +112,7 @@ class SlowFileTest {
     void aNamedPipeIsRefusedWithoutBeingOpened(String line) throws Exception {
         makePipe("PIPE.act");
         makePipe("PIPE.majic");
-        MajicParser pipe = new MajicParser(session, false);
+        MajicParser pipe = MajicParser.pipe(session);
         pipe.parseText(line.replace("PIPE", folder.resolve("PIPE").toString()));
         assertThat(pipe.awaitAll()).isFalse();
         assertThat(said)

@@ -143,7 +143,7 @@ class StopTest {
 
     @Test
     void isNeverDelayedForAProgramAtASocket() throws InterruptedException {
-        MajicParser socket = MajicParser.remote(fixture.session);
+        MajicParser socket = MajicParser.socket(fixture.session);
         socket.parseText("1 move 3m");
         socket.parseText("wait");
         fixture.pause(0.1);

@@ -112,7 +112,7 @@ class TokenSoupTest {
     void isAcceptedOrRefusedWithASentence(long seed) {
         Random random = new Random(seed);
         try (ScriptFixture fixture = ScriptFixture.withTwo()) {
-            MajicParser[] parsers = {fixture.prompt, fixture.pipe, MajicParser.remote(fixture.session)};
+            MajicParser[] parsers = {fixture.prompt, fixture.pipe, MajicParser.socket(fixture.session)};
             for (int line = 0; line < 2000; line++) {
                 String text = soup(random);
                 Optional<String> wrong = parsers[random.nextInt(3)].parseText(text);

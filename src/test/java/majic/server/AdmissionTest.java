@@ -21,7 +21,7 @@ class AdmissionTest {
 
     private final AtomicLong nanos = new AtomicLong();
     private final Admission admission = new Admission(ListenToken.chosen(WORD), nanos::get);
-    private final MajicParser parser = MajicParser.remote(robots.session);
+    private final MajicParser parser = MajicParser.socket(robots.session);
     private final InetAddress near = InetAddress.getLoopbackAddress();
     private final InetAddress far = InetAddress.getByName("192.0.2.7");
     private final InetAddress other = InetAddress.getByName("192.0.2.8");

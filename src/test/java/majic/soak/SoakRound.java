@@ -10,10 +10,12 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Function;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.log.SessionListener;
 import majic.script.MajicParser;
+import majic.script.Session;
 import majic.team.Member;
 import majic.time.Signal;
 import majic.time.TimeSource;
@@ -57,9 +59,19 @@ final class SoakRound {
 
     /** A place where lines come from. */
     private enum Source {
-        PROMPT,
-        PIPE,
-        SOCKET
+        PROMPT(MajicParser::prompt),
+        PIPE(MajicParser::pipe),
+        SOCKET(MajicParser::socket);
+
+        private final Function<Session, MajicParser> maker;
+
+        Source(Function<Session, MajicParser> maker) {
+            this.maker = maker;
+        }
+
+        MajicParser parser(Session session) {
+            return maker.apply(session);
+        }
     }
 
     /**
@@ -150,9 +162,7 @@ final class SoakRound {
     }
 
     private MajicParser send(SoakLab soak, Source source) {
-        MajicParser parser = source == Source.SOCKET
-                ? MajicParser.remote(soak.session())
-                : new MajicParser(soak.session(), source == Source.PROMPT);
+        MajicParser parser = source.parser(soak.session());
         CommandScript script = new CommandScript(seed, soak.robots(), source.ordinal(), Source.values().length + 1);
         start(soak, "source " + source, running, () -> {
             for (int line = 0; line < linesPerSource; line++) {
@@ -191,7 +201,7 @@ final class SoakRound {
 
     /** Nothing may be left behind by a fault: each robot is connected again, and does what it is sent. */
     private void afterwards(SoakLab soak) throws InterruptedException {
-        MajicParser parser = new MajicParser(soak.session(), false);
+        MajicParser parser = MajicParser.pipe(soak.session());
         CommandScript script =
                 new CommandScript(seed, soak.robots(), Source.values().length, Source.values().length + 1);
         for (int robot = 1; robot <= soak.robots().size(); robot++) {

@@ -76,7 +76,7 @@ class HelpTablesTest {
         BotFactory factory = new BotFactory(List.of(), Settings.inMemory());
         try (Team team = new Team(TimeSource.system())) {
             Session session = new Session(team, factory, SessionLog.none(), NoActs.here(), () -> {});
-            return new MajicParser(session, true).complete("help ", 5).words();
+            return MajicParser.prompt(session).complete("help ", 5).words();
         }
     }
 
