@@ -3,6 +3,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
@@ -66,8 +67,8 @@ public final class Cart extends BotDriver {
         }
 
         @Override
-        public MajicBot create(String address, BotEnvironment environment) {
-            return new Cart(this, address, environment);
+        public MajicBot create(BotAddress address, BotEnvironment environment) {
+            return new Cart(this, address.rest(), environment);
         }
 
         @Override

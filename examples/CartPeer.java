@@ -1,5 +1,6 @@
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import majic.bot.BotAddress;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.drivertest.ScriptedPeer;
@@ -13,7 +14,9 @@ final class CartPeer implements TestedRobot, ScriptedPeer.Robot {
 
     private final ScriptedPeer peer = new ScriptedPeer(this);
     private final MajicBot bot = new Cart.Type()
-            .create("//" + peer.address(), new BotEnvironment(peer.clock().time(), Settings.inMemory()));
+            .create(
+                    BotAddress.parse("cart://" + peer.address()),
+                    new BotEnvironment(peer.clock().time(), Settings.inMemory()));
     private final StringBuilder input = new StringBuilder();
     private volatile Pose pose = Pose.START;
     private volatile boolean silent;

@@ -1,4 +1,5 @@
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.BotType;
@@ -47,7 +48,7 @@ public final class Turtle extends BotDriver {
         }
 
         @Override
-        public MajicBot create(String address, BotEnvironment environment) {
+        public MajicBot create(BotAddress address, BotEnvironment environment) {
             return new Turtle(this, environment);
         }
 

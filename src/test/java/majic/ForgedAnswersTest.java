@@ -16,6 +16,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
+import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.FakeType;
 import majic.bot.MajicBot;
@@ -52,7 +53,7 @@ class ForgedAnswersTest {
     @BeforeEach
     void start() throws Exception {
         program = new Program(new UserFolder(folder), null, false);
-        MajicBot bot = new FakeType().create("one", BotEnvironment.plain());
+        MajicBot bot = new FakeType().create(BotAddress.parse("fake:one"), BotEnvironment.plain());
         bot.connect();
         robot = program.team().add(bot, OptionalInt.empty());
         Thread console = new Thread(() -> new Console(program, screen).run(FirstRobots.NONE, List.of()));

@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
+import majic.bot.BotAddress;
 import majic.bot.FakeType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
@@ -57,7 +58,7 @@ class SharedClientsTest {
         assumeTrue(Mosquitto.installed().isPresent() && hasClient(), "needs Mosquitto and paho-mqtt 2");
         try (Mosquitto broker = Mosquitto.start(folder);
                 Team team = new Team(TimeSource.system())) {
-            MajicBot robot = new FakeType().create("here", BotEnvironment.plain());
+            MajicBot robot = new FakeType().create(BotAddress.parse("fake:here"), BotEnvironment.plain());
             robot.connect();
             team.add(robot, OptionalInt.of(1));
             DeskSharing sharing = share(team, broker.port());

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
@@ -39,8 +40,8 @@ class TroubleInTheLabTest {
                 ServerSocket mute = new ServerSocket(0, 50, InetAddress.getLoopbackAddress())) {
             BotEnvironment onLabTime = new BotEnvironment(rig.lab().time(), Settings.inMemory());
             long before = rig.lab().time().nanos();
-            MajicBot bot =
-                    rig.session().factory().type(type).create("tcp://127.0.0.1:" + mute.getLocalPort(), onLabTime);
+            BotAddress address = new BotAddress(type, "tcp://127.0.0.1:" + mute.getLocalPort());
+            MajicBot bot = rig.session().factory().type(type).create(address, onLabTime);
 
             assertThatThrownBy(bot::connect).isInstanceOf(BotException.class).hasMessageMatching("(?s).{20,}");
             assertThat(rig.lab().time().secondsSince(before)).isLessThan(boundSeconds);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ServiceLoader;
+import majic.bot.BotAddress;
 import majic.bot.BotType;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
@@ -105,7 +106,8 @@ class WrongDeviceInLabTest {
                 .filter(each -> each.name().equals(driver))
                 .findFirst()
                 .orElseThrow();
-        try (MajicBot bot = type.create(address, new BotEnvironment(time, Settings.inMemory()))) {
+        try (MajicBot bot =
+                type.create(new BotAddress(driver, address), new BotEnvironment(time, Settings.inMemory()))) {
             ConnectFailed failure = catchThrowableOfType(ConnectFailed.class, bot::connect);
             assertThat(bot.connection()).isEqualTo(MajicBot.Connection.LOST);
             return failure;

@@ -42,11 +42,6 @@ public final class AiboType implements BotType {
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
-        return new MajicAibo(new BotAddress(name(), address), environment);
-    }
-
-    @Override
     public List<String> libraries() {
         return AiboTransports.LIBRARIES;
     }

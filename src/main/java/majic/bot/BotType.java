@@ -143,13 +143,14 @@ public interface BotType {
     /**
      * Makes the driver for a robot at an address, without touching the robot.
      *
-     * @param address what follows the colon behind the type's name: {@code //host:8101}, {@code COM3},
-     *     {@code tcp://host:4001}
+     * @param address its scheme {@linkplain #isMeantBy means} this type; the rest, such as {@code //host:8101},
+     *     {@code COM3} or {@code tcp://host:4001}, is not checked yet. A library in it is one of {@link #libraries()}
      * @param environment the clock and settings to use
      * @return the driver, not connected
-     * @throws BotException if the address is invalid; the message shows a valid one
+     * @throws BotException if the address is invalid, or the library it names is not installed; the message says what would
+     *     be right
      */
-    MajicBot create(String address, BotEnvironment environment);
+    MajicBot create(BotAddress address, BotEnvironment environment);
 
     /**
      * Returns the makers' libraries by which a robot of this type can be driven instead of by the driver's own client.
@@ -158,20 +159,6 @@ public interface BotType {
      */
     default List<String> libraries() {
         return List.of();
-    }
-
-    /**
-     * Makes the driver for a robot at an address that may name a library, without touching the robot.
-     *
-     * @param address its type is this one
-     * @param environment the clock and settings to use
-     * @return the driver, not connected
-     * @throws BotException if the address is invalid, or the library it names is not one of {@link #libraries()} or is not
-     *     installed; the message says what would be right
-     */
-    default MajicBot create(BotAddress address, BotEnvironment environment) {
-        address.libraryAmong(libraries());
-        return create(address.rest(), environment);
     }
 
     /**

@@ -40,8 +40,8 @@ public final class HemissonType implements BotType {
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
-        return new MajicHemisson(new BotAddress(name(), address), environment);
+    public MajicBot create(BotAddress address, BotEnvironment environment) {
+        return new MajicHemisson(address, environment);
     }
 
     @Override

@@ -42,11 +42,6 @@ public final class PioneerType implements BotType {
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
-        return new MajicPioneer(new BotAddress(name(), address), environment);
-    }
-
-    @Override
     public List<String> libraries() {
         return PioneerConnections.LIBRARIES;
     }

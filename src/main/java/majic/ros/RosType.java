@@ -49,13 +49,7 @@ public final class RosType implements BotType {
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
-        return create(new BotAddress(name(), address), environment);
-    }
-
-    @Override
     public MajicBot create(BotAddress address, BotEnvironment environment) {
-        address.libraryAmong(libraries());
         return new MajicRos(address, environment);
     }
 

@@ -1,6 +1,7 @@
 package majic.shared;
 
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
@@ -47,7 +48,7 @@ record DescribedType(SharedType shared, Description.Kind kind, String desk) impl
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
+    public MajicBot create(BotAddress address, BotEnvironment environment) {
         return shared.create(address, environment);
     }
 

@@ -123,13 +123,7 @@ public final class SharedType implements BotType {
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
-        return create(new BotAddress(name(), address), environment);
-    }
-
-    @Override
     public MajicBot create(BotAddress address, BotEnvironment environment) {
-        address.libraryAmong(libraries());
         MqttLibrary.require();
         return SharedAddress.isListing(address)
                 ? new ListedSite(this, BrokerAddress.parse(address.toString()), opener, environment)

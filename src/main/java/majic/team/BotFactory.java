@@ -168,7 +168,9 @@ public final class BotFactory {
 
     private MajicBot driver(BotAddress address, TimeSource time) {
         try {
-            return type(address.type()).create(address, new BotEnvironment(time, settings));
+            BotType type = type(address.type());
+            address.libraryAmong(type.libraries());
+            return type.create(address, new BotEnvironment(time, settings));
         } catch (LinkageError e) {
             throw new BotException(address + ": the driver cannot be loaded: " + ClassReason.of(e), e);
         }

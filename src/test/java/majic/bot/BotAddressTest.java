@@ -4,7 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
-import majic.environment.BotEnvironment;
+import majic.environment.Settings;
+import majic.team.BotFactory;
 import org.junit.jupiter.api.Test;
 
 class BotAddressTest {
@@ -34,12 +35,12 @@ class BotAddressTest {
                 return List.of("one", "two");
             }
         };
-        assertThatThrownBy(() -> type.create(BotAddress.parse("fake+three://a"), BotEnvironment.plain()))
+        BotFactory factory = new BotFactory(List.of(type), Settings.inMemory());
+        assertThatThrownBy(() -> factory.create("fake+three://a"))
                 .isInstanceOf(BotException.class)
                 .hasMessage("fake+three://a: there is no library three for it; it looks like fake://a or"
                         + " fake+one://a or fake+two://a");
-        assertThat(type.create(BotAddress.parse("fake://a"), BotEnvironment.plain()))
-                .isNotNull();
+        assertThat(factory.create("fake+two://a").type()).isEqualTo(type);
     }
 
     @Test

@@ -80,10 +80,10 @@ public class FakeType implements BotType {
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
+    public MajicBot create(BotAddress address, BotEnvironment environment) {
         FakeBot bot = new FakeBot(this, environment);
         preparation.accept(bot);
-        made.put(address, bot);
+        made.put(address.rest(), bot);
         return bot;
     }
 

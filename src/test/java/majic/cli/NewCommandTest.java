@@ -14,6 +14,7 @@ import java.util.jar.JarOutputStream;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import majic.act.make.ActMaker;
+import majic.bot.BotAddress;
 import majic.bot.BotType;
 import majic.environment.BotEnvironment;
 import majic.program.Plugins;
@@ -76,7 +77,7 @@ class NewCommandTest {
                 .singleElement()
                 .extracting(
                         BotType::label,
-                        type -> type.create("//moon:4000", BotEnvironment.plain())
+                        type -> type.create(BotAddress.parse("rover://moon:4000"), BotEnvironment.plain())
                                 .name())
                 .containsExactly("Rover", "the Rover");
     }

@@ -21,6 +21,7 @@ import java.util.OptionalInt;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.locks.LockSupport;
+import majic.bot.BotAddress;
 import majic.bot.FakeType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
@@ -57,7 +58,7 @@ final class ClientFlood implements AutoCloseable {
     private ClientFlood() throws IOException {
         Path folder = Files.createTempDirectory("majic-flood");
         program = new Program(new UserFolder(folder), null, false);
-        MajicBot bot = new FakeType().create("one", BotEnvironment.plain());
+        MajicBot bot = new FakeType().create(BotAddress.parse("fake:one"), BotEnvironment.plain());
         bot.connect();
         program.team().add(bot, OptionalInt.empty());
         program.team().addListener(new TeamListener() {

@@ -3,6 +3,7 @@ package majic.gui;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.BooleanSupplier;
+import majic.bot.BotAddress;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
@@ -59,8 +60,8 @@ public final class ToyType implements BotType {
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
-        ToyBot bot = new ToyBot(this, address, environment);
+    public MajicBot create(BotAddress address, BotEnvironment environment) {
+        ToyBot bot = new ToyBot(this, address.rest(), environment);
         made.add(bot);
         return bot;
     }

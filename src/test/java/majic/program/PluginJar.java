@@ -65,7 +65,7 @@ final class PluginJar {
                     public java.util.List<Reach> reaches() { return java.util.List.of(Reach.TCP); }
                     public int defaultPort() { return 0; }
                     public String advice() { return ""; }
-                    public majic.bot.MajicBot create(String address, majic.environment.BotEnvironment environment) {
+                    public majic.bot.MajicBot create(majic.bot.BotAddress address, majic.environment.BotEnvironment environment) {
                         return Other.make();
                     }
                 }

@@ -1,6 +1,7 @@
 package majic.gui.replay;
 
 import java.util.List;
+import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
@@ -27,7 +28,7 @@ record RecordedType(String name, String label, String make) implements BotType {
     }
 
     @Override
-    public MajicBot create(String address, BotEnvironment environment) {
+    public MajicBot create(BotAddress address, BotEnvironment environment) {
         throw new BotException(TEXTS.get("noDriver", name));
     }
 
