@@ -9,11 +9,13 @@ import java.awt.GridBagConstraints;
 import java.awt.GridBagLayout;
 import java.awt.KeyboardFocusManager;
 import java.beans.PropertyChangeListener;
+import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.StyledLabel;
+import majic.team.StopOrigin;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
@@ -60,7 +62,6 @@ final class StopPanel extends JPanel implements TeamListener {
         below.setName("stopCount");
         below.setForeground(Color.WHITE);
         stop.putClientProperty("JButton.buttonType", "roundRect");
-        stop.setToolTipText(TEXTS.get("stop.tip"));
         stop.addActionListener(event -> stopAll.run());
         release.setName("release");
         release.setToolTipText(TEXTS.get("release.tip"));
@@ -104,7 +105,16 @@ final class StopPanel extends JPanel implements TeamListener {
         stop.setBackground(latched ? DARK_RED : RED);
         stop.getAccessibleContext()
                 .setAccessibleName(latched ? TEXTS.get("stopped.name", confirmed(status)) : TEXTS.get("stop.name"));
+        stop.setToolTipText(tip(team.stopOrigin()));
         release.setVisible(latched);
+    }
+
+    /** Begins with the user and the desk at which STOP was pressed, if it was another one. */
+    private static String tip(Optional<StopOrigin> origin) {
+        String tip = TEXTS.get("stop.tip");
+        return origin.map(from -> TEXTS.get(from.time() == null ? "stop.by" : "stop.byAt", from.by(), from.timeText())
+                        + " " + tip)
+                .orElse(tip);
     }
 
     private static String keys() {

@@ -133,6 +133,13 @@ public final class Session {
         return offers;
     }
 
+    /** Sends a line if STOP is latched, with its origin, for listeners that were added after it. */
+    public void reportLatch() {
+        if (team.isLatched()) {
+            output.send(Line.Kind.NOTICE, team.latchText());
+        }
+    }
+
     /**
      * Passes all lines from now on to a listener, on a thread of its own.
      *
@@ -287,9 +294,7 @@ public final class Session {
         public void latchChanged(boolean latched) {
             output.send(
                     Line.Kind.NOTICE,
-                    latched
-                            ? "STOP is latched; \"release\" allows motion again"
-                            : "released: motion is allowed again, nothing resumes by itself");
+                    latched ? team.latchText() : "released: motion is allowed again, nothing resumes by itself");
         }
     }
 }

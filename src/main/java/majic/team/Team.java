@@ -3,6 +3,7 @@ package majic.team;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -41,6 +42,7 @@ public final class Team implements AutoCloseable {
     private final StopReceipts stopReceipts;
     private final StopSender stopSender;
     private volatile boolean latched;
+    private volatile @Nullable StopOrigin stopOrigin;
     private volatile boolean stopShared;
 
     /**
@@ -214,7 +216,16 @@ public final class Team implements AutoCloseable {
 
     /** STOP: as {@link #stop} for all robots, and no motion is accepted until {@link #release()}. */
     public void stopAll() {
-        latch(true);
+        stopAll(null);
+    }
+
+    /**
+     * STOP that was pressed elsewhere: as {@link #stopAll()}.
+     *
+     * @param origin is kept until {@link #release()} or the next STOP; null for a STOP of this program
+     */
+    public void stopAll(@Nullable StopOrigin origin) {
+        latch(true, origin);
         stops.stoppedAll();
         List<Member> all = members();
         Runnable announcement = announcement(all);
@@ -297,15 +308,16 @@ public final class Team implements AutoCloseable {
 
     /** Allows motion again after STOP. Nothing resumes by itself. */
     public void release() {
-        latch(false);
+        latch(false, null);
         members().forEach(Member::release);
         stopReceipts.released();
         events.deliver();
     }
 
     /** Queues the event together with each change, so that listeners receive events in the order of the changes. */
-    private void latch(boolean on) {
+    private void latch(boolean on, @Nullable StopOrigin origin) {
         synchronized (latching) {
+            stopOrigin = origin;
             latched = on;
             events.put(listener -> listener.latchChanged(on));
         }
@@ -345,6 +357,24 @@ public final class Team implements AutoCloseable {
      */
     public boolean isLatched() {
         return latched;
+    }
+
+    /**
+     * Describes the STOP that is latched, for messages.
+     *
+     * @return a sentence with its origin, if it was pressed elsewhere
+     */
+    public String latchText() {
+        return stopOrigin().map(StopOrigin::toString).orElse("STOP") + " is latched; \"release\" allows motion again";
+    }
+
+    /**
+     * Returns where the STOP comes from that is latched.
+     *
+     * @return empty if it was pressed in this program, or no STOP is latched
+     */
+    public Optional<StopOrigin> stopOrigin() {
+        return Optional.ofNullable(stopOrigin);
     }
 
     /**

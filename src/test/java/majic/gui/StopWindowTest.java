@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JButton;
 import javax.swing.MenuSelectionManager;
+import majic.team.StopOrigin;
 import majic.team.TeamListener;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
@@ -37,6 +38,20 @@ class StopWindowTest {
         window.add("two").confirmStops(false);
         window.click("stop");
         window.await("the count", () -> window.text("stopCount").equals("1 of 2 confirmed"));
+    }
+
+    @Test
+    void theTipOfTheButtonNamesTheUserAndTheDeskOfAStopThatWasPressedElsewhere() {
+        window.add("one");
+        window.team.stopAll(new StopOrigin("Anna at desk1", null));
+        window.await("the name", () -> tip().startsWith("STOP by Anna at desk1. Stops every robot"));
+
+        window.click("release");
+        window.await("the usual tip", () -> tip().startsWith("Stops every robot"));
+    }
+
+    private String tip() {
+        return window.find("stop", JButton.class).getToolTipText();
     }
 
     @Test

@@ -23,7 +23,7 @@ final class TeamListing {
             lines.add("bots: " + team.listing());
         }
         if (team.isLatched()) {
-            lines.add("bots: STOP is latched; \"release\" allows motion again");
+            lines.add("bots: " + team.latchText());
         }
         return lines;
     }

@@ -96,20 +96,17 @@ public final class SiteLatch implements AutoCloseable {
             latch.received(this, LatchMessage.parse(message.payload()));
         } catch (UnusableMessageException e) {
             String id = "unreadable-" + Integer.toHexString(message.text().hashCode());
-            latch.receivedWithoutId(this, new LatchMessage(true, id, Set.of(), "a message that cannot be read", ""));
+            latch.receivedWithoutId(
+                    this, new LatchMessage(true, id, Set.of(), "a message that cannot be read", "", null));
         }
-    }
-
-    /** Returns false while there is no connection; the latch is published with the next one then. */
-    boolean publishStop(String id) {
-        return publish(LatchMessage.stop(id, sender));
     }
 
     boolean publishRelease(Collection<String> ids) {
         return publish(LatchMessage.release(ids, sender));
     }
 
-    private boolean publish(LatchMessage message) {
+    /** Returns false while there is no connection; a STOP is published with the next one then. */
+    boolean publish(LatchMessage message) {
         try {
             connection.publish(BrokerMessage.json(topic, message.toJson(), Quality.AT_LEAST_ONCE)
                     .retain());

@@ -1,5 +1,6 @@
 package majic.shared.desk;
 
+import java.time.Instant;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -9,8 +10,11 @@ import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.shared.message.LatchMessage;
+import majic.shared.message.Sender;
+import majic.team.StopOrigin;
 import majic.team.Team;
 import majic.team.TeamListener;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The STOPs of all desks that latch one team. Each STOP has an id. The team is released when all ids that latch it are
@@ -25,13 +29,32 @@ final class TeamLatch implements TeamListener {
     private final Team team;
     private final List<SiteLatch> sites = new CopyOnWriteArrayList<>();
 
-    /** The ids that latch the team, oldest first, each with whether its STOP has been latched. */
-    private final Map<String, Boolean> active = new LinkedHashMap<>();
+    /** The STOPs that latch the team, by their ids, oldest first. */
+    private final Map<String, ActiveStop> active = new LinkedHashMap<>();
 
     private final Set<String> unpublished = new LinkedHashSet<>();
     private final Set<String> known = new LinkedHashSet<>();
     private int stopsOfOthers;
     private int releasesOfOthers;
+
+    /**
+     * One STOP that is not released.
+     *
+     * @param message as another desk has published it; null for a STOP of this desk
+     * @param time when this desk stopped; null for a STOP of another one, or if it is not known
+     * @param latched whether it has been latched here
+     */
+    private record ActiveStop(
+            @Nullable LatchMessage message, @Nullable Instant time, boolean latched) {
+        ActiveStop takingEffect() {
+            return new ActiveStop(message, time, true);
+        }
+
+        /** The STOP of another desk is published again in the name of that desk. */
+        LatchMessage messageOf(String id, Sender self) {
+            return message == null ? LatchMessage.stop(id, self, time) : message;
+        }
+    }
 
     private TeamLatch(Team team) {
         this.team = team;
@@ -65,10 +88,14 @@ final class TeamLatch implements TeamListener {
     /** STOP was latched before the team joined a site. */
     private synchronized void adoptPresentLatch() {
         if (team.isLatched()) {
-            String id = newId();
-            active.put(id, true);
-            unpublished.add(id);
+            addOwn(null);
         }
+    }
+
+    private void addOwn(@Nullable Instant time) {
+        String id = newId();
+        active.put(id, new ActiveStop(null, time, true));
+        unpublished.add(id);
     }
 
     private String newId() {
@@ -100,15 +127,16 @@ final class TeamLatch implements TeamListener {
             oldestTookEffect();
             return;
         }
-        String id = newId();
-        active.put(id, true);
-        unpublished.add(id);
+        addOwn(Instant.now());
         sites.forEach(this::publishUnpublished);
     }
 
     /** A release that follows ends this STOP too, even if its bytes are still being written. */
     private void oldestTookEffect() {
-        active.entrySet().stream().filter(stop -> !stop.getValue()).findFirst().ifPresent(stop -> stop.setValue(true));
+        active.entrySet().stream()
+                .filter(stop -> !stop.getValue().latched())
+                .findFirst()
+                .ifPresent(stop -> stop.setValue(stop.getValue().takingEffect()));
     }
 
     private void released() {
@@ -131,7 +159,7 @@ final class TeamLatch implements TeamListener {
 
     /** Whether a STOP was latched after a release had arrived, and before that release took effect, which ended it too. */
     private synchronized boolean isStoppedAgain() {
-        if (!active.containsValue(true)) {
+        if (active.values().stream().noneMatch(ActiveStop::latched)) {
             return false;
         }
         stopsOfOthers++;
@@ -141,7 +169,7 @@ final class TeamLatch implements TeamListener {
     /** Publishes the release of what the team was stopped for; a STOP that has just arrived is not released by it. */
     private synchronized void publishRelease() {
         List<String> ids = active.entrySet().stream()
-                .filter(Map.Entry::getValue)
+                .filter(stop -> stop.getValue().latched())
                 .map(Map.Entry::getKey)
                 .toList();
         active.keySet().removeAll(ids);
@@ -153,12 +181,17 @@ final class TeamLatch implements TeamListener {
 
     /** Publishes the STOPs that could not be published before, if there is a connection now. */
     synchronized void publishUnpublished(SiteLatch site) {
-        unpublished.removeIf(site::publishStop);
+        unpublished.removeIf(id -> publish(site, id));
     }
 
     /** Publishes the latch again, because the broker has forgotten it or others were released without this desk. */
     synchronized void repeat(SiteLatch site) {
-        active.keySet().stream().findFirst().ifPresent(site::publishStop);
+        active.keySet().stream().findFirst().ifPresent(id -> publish(site, id));
+    }
+
+    private boolean publish(SiteLatch site, String id) {
+        ActiveStop stop = active.get(id);
+        return stop == null || site.publish(stop.messageOf(id, site.sender()));
     }
 
     void received(SiteLatch site, LatchMessage message) {
@@ -185,13 +218,11 @@ final class TeamLatch implements TeamListener {
                 return;
             }
             know(message.id());
-            active.put(message.id(), false);
+            active.put(message.id(), new ActiveStop(message, null, false));
             stopsOfOthers++;
         }
-        site.connection().time().runAsync("STOP of another desk", () -> {
-            team.stopAll();
-            team.notice("STOP by " + message.by());
-        });
+        StopOrigin origin = new StopOrigin(message.by(), message.time());
+        site.connection().time().runAsync("STOP of another desk", () -> team.stopAll(origin));
     }
 
     private void receivedRelease(SiteLatch site, LatchMessage message) {

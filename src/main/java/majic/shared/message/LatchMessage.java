@@ -2,10 +2,14 @@ package majic.shared.message;
 
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.time.Instant;
+import java.time.format.DateTimeParseException;
+import java.time.temporal.ChronoUnit;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import majic.text.VisibleText;
+import org.jspecify.annotations.Nullable;
 
 /**
  * STOP of the whole team, or its release. Immutable.
@@ -15,8 +19,15 @@ import majic.text.VisibleText;
  * @param releases the ids of the STOPs that end; empty for a STOP
  * @param desk where it was pressed
  * @param person by whom
+ * @param time when, by the clock of that desk, for display only; null if it is not known
  */
-public record LatchMessage(boolean latched, String id, Set<String> releases, String desk, String person) {
+public record LatchMessage(
+        boolean latched,
+        String id,
+        Set<String> releases,
+        String desk,
+        String person,
+        @Nullable Instant time) {
     private static final String WHAT = "stop of the team";
     private static final int MOST_BYTES = 64 * 1024;
 
@@ -30,10 +41,11 @@ public record LatchMessage(boolean latched, String id, Set<String> releases, Str
      *
      * @param id random
      * @param by name of the user and desk at which STOP was pressed
+     * @param time when it was pressed; null if that is not known
      * @return the message
      */
-    public static LatchMessage stop(String id, Sender by) {
-        return new LatchMessage(true, id, Set.of(), by.desk(), by.person());
+    public static LatchMessage stop(String id, Sender by, @Nullable Instant time) {
+        return new LatchMessage(true, id, Set.of(), by.desk(), by.person(), time);
     }
 
     /**
@@ -44,7 +56,7 @@ public record LatchMessage(boolean latched, String id, Set<String> releases, Str
      * @return the message
      */
     public static LatchMessage release(Collection<String> ids, Sender by) {
-        return new LatchMessage(false, "", Set.copyOf(ids), by.desk(), by.person());
+        return new LatchMessage(false, "", Set.copyOf(ids), by.desk(), by.person(), null);
     }
 
     /**
@@ -69,6 +81,9 @@ public record LatchMessage(boolean latched, String id, Set<String> releases, Str
             ArrayNode ids = json.putArray("releases");
             releases.forEach(ids::add);
         }
+        if (time != null) {
+            json.put("time", time.truncatedTo(ChronoUnit.SECONDS).toString());
+        }
         return JsonObject.bytes(json.put("desk", desk).put("person", person));
     }
 
@@ -87,6 +102,16 @@ public record LatchMessage(boolean latched, String id, Set<String> releases, Str
                 latched ? json.text("id") : "",
                 latched ? Set.of() : Set.copyOf(List.copyOf(json.texts("releases"))),
                 json.text("desk", "another desk"),
-                json.text("person", ""));
+                json.text("person", ""),
+                time(json.text("time", "")));
+    }
+
+    /** A time that cannot be read is left out: nothing depends on it. */
+    private static @Nullable Instant time(String text) {
+        try {
+            return Instant.parse(text);
+        } catch (DateTimeParseException e) {
+            return null;
+        }
     }
 }

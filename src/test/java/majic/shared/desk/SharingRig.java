@@ -36,6 +36,13 @@ final class SharingRig implements AutoCloseable {
             }
 
             @Override
+            public void latchChanged(boolean latched) {
+                if (latched) {
+                    said.add(team.latchText());
+                }
+            }
+
+            @Override
             public void answered(Answer answer) {
                 said.add(answer.text());
             }

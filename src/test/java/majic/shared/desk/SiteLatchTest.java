@@ -2,6 +2,9 @@ package majic.shared.desk;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.time.Instant;
+import java.time.LocalDateTime;
+import java.time.ZoneId;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -14,6 +17,7 @@ import majic.shared.broker.FakeConnection;
 import majic.shared.broker.Quality;
 import majic.shared.message.LatchMessage;
 import majic.shared.message.Sender;
+import majic.team.StopOrigin;
 import majic.team.Team;
 import majic.team.TeamListener;
 import org.junit.jupiter.api.AutoClose;
@@ -102,6 +106,52 @@ class SiteLatchTest {
         }
         rig.clock.until(() -> rig.isSaid("released by Zoe at late"));
         late.close();
+    }
+
+    @Test
+    @SuppressWarnings("try")
+    void aDeskThatJoinsLaterSaysWhoseStopItObeysAndSinceWhen() {
+        Instant pressed = LocalDateTime.of(2026, 1, 5, 14, 2)
+                .atZone(ZoneId.systemDefault())
+                .toInstant();
+        LatchMessage stop = LatchMessage.stop("id-1", new Sender("desk9", "Eve", "s"), pressed);
+        rig.broker.publish(
+                BrokerMessage.json(TOPIC, stop.toJson(), Quality.AT_LEAST_ONCE).retain());
+        bothLatched(true);
+        rig.clock.until(() -> rig.isSaid("STOP by Eve at desk9"));
+        Team late = new Team(rig.clock.time());
+        FakeConnection using = open("late");
+        using.connect();
+
+        try (SiteLatch latch = new SiteLatch(late, using, "lab", Sender.ofThisRun("late", "Zoe"))) {
+            rig.clock.until(late::isLatched);
+            assertThat(late.latchText())
+                    .isEqualTo("STOP by Eve at desk9, pressed at 2026-01-05 14:02, is latched;"
+                            + " \"release\" allows motion again");
+            assertThat(late.stopOrigin()).contains(new StopOrigin("Eve at desk9", pressed));
+            late.release();
+            bothLatched(false);
+            assertThat(late.stopOrigin()).isEmpty();
+        }
+        late.close();
+    }
+
+    @Test
+    void aStopThatAnotherDeskPublishesAgainKeepsItsOrigin() {
+        other.stopAll();
+        bothLatched(true);
+        LatchMessage stop = kept();
+        rig.broker.stop();
+        rig.broker.forget();
+        rig.clock.until(() -> !rig.sharing.isConnected() && !sharing.isConnected());
+        connection.cut();
+        rig.broker.start();
+
+        rig.clock.until(() -> rig.broker.retained(TOPIC).isPresent());
+        assertThat(kept()).isEqualTo(stop);
+        assertThat(stop.by()).isEqualTo("Bob at desk3");
+        assertThat(stop.time()).isNotNull();
+        connection.restore();
     }
 
     private FakeConnection open(String clientId) {
@@ -281,7 +331,8 @@ class SiteLatchTest {
             bothLatched(false);
             rig.sleep(2);
             assertThat(rig.team.isLatched() || other.isLatched()).isFalse();
-            assertThat(rig.said.stream().filter("STOP by Bob at desk3"::equals)).hasSize(1);
+            assertThat(rig.said.stream().filter(line -> line.startsWith("STOP by Bob at desk3")))
+                    .hasSize(1);
         }
         assertThat(List.of(using.isConnected())).containsExactly(true);
     }

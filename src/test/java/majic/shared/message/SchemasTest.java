@@ -12,6 +12,7 @@ import com.networknt.schema.ValidationMessage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
@@ -41,7 +42,7 @@ class SchemasTest {
     /** One of each kind of message, with every field that its kind can have. */
     private static Map<String, List<byte[]>> messages() {
         Map<String, List<byte[]>> all = new TreeMap<>();
-        all.put("latch", List.of(LatchMessage.stop("id-1", ANNA).toJson(), release()));
+        all.put("latch", List.of(LatchMessage.stop("id-1", ANNA, Instant.EPOCH).toJson(), release()));
         all.put("presence", presences());
         all.put("description", List.of(description().toJson()));
         all.put("state", List.of(state(true).toJson(), state(false).toJson()));

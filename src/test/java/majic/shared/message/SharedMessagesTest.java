@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import java.nio.charset.StandardCharsets;
+import java.time.Instant;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
@@ -68,7 +69,7 @@ class SharedMessagesTest {
         SpeedMessage speed = new SpeedMessage(ANNA, 18, 120.5, -3, 99);
         HoldMessage hold = new HoldMessage(ANNA, 100);
         StopMessage stop = new StopMessage(ANNA, 18, "x");
-        LatchMessage latch = LatchMessage.stop("id-1", ANNA);
+        LatchMessage latch = LatchMessage.stop("id-1", ANNA, Instant.parse("2026-01-05T12:00:07Z"));
         LatchMessage release = LatchMessage.release(Set.of("id-1", "id-2"), ANNA);
         RobotMessage line = new RobotMessage(RobotMessage.Kind.ALARM, "connection lost");
 
