@@ -20,16 +20,22 @@ final class FrameActions {
     final IconAction killMajic;
 
     FrameActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
-        addBot = action("addBot", Pictogram.ADD, "addBot.tip", frame::addBot).withKey(KeyEvent.VK_N);
-        killBot = action("killBot", Pictogram.REMOVE, "killBot.tip", frame::removeBot);
-        loadAct =
-                action("loadAct", Pictogram.ACT, "loadAct.tip", frame::loadAct).withKey(KeyEvent.VK_L);
+        addBot = action("addBot", Pictogram.ADD, "addBot.tip", frame::addBot)
+                .withKey(KeyEvent.VK_N)
+                .openingDialog();
+        killBot = action("killBot", Pictogram.REMOVE, "killBot.tip", frame::removeBot)
+                .openingDialog();
+        loadAct = action("loadAct", Pictogram.ACT, "loadAct.tip", frame::loadAct)
+                .withKey(KeyEvent.VK_L)
+                .openingDialog();
         help = action("help", Pictogram.HELP, "help.tip", dialogs::help)
                 .withKey(KeyStroke.getKeyStroke(KeyEvent.VK_F1, 0));
         saveSession = action(
                         "saveSession", Pictogram.SESSION, "saveSession.tip", () -> dialogs.saveSession(editor::open))
-                .withKey(KeyEvent.VK_S);
-        saveLog = action("saveLog", Pictogram.LOG, "saveLog.tip", dialogs::saveLog);
+                .withKey(KeyEvent.VK_S)
+                .openingDialog();
+        saveLog = action("saveLog", Pictogram.LOG, "saveLog.tip", dialogs::saveLog)
+                .openingDialog();
         killMajic = action("killMajic", Pictogram.QUIT, "killMajic.tip", frame::quit)
                 .withKey(KeyEvent.VK_Q);
     }
@@ -60,16 +66,22 @@ final class FrameActions {
         MenuActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
             endAct = action("endAct", Pictogram.REMOVE, "endAct.tip", dialogs::endAct)
                     .withKey(KeyEvent.VK_E);
-            makeAct = action("makeAct", Pictogram.ACT, "makeAct.tip", dialogs::makeAct);
+            makeAct = action("makeAct", Pictogram.ACT, "makeAct.tip", dialogs::makeAct)
+                    .openingDialog();
             guide = action("guide", Pictogram.HELP, "guide.tip", dialogs::guide);
             about = action("about", Pictogram.HELP, "about.tip", dialogs::about);
             newScript = action("newScript", Pictogram.NEW, "newScript.tip", editor::newScript);
             openScript = action("openScript", Pictogram.OPEN, "openScript.tip", editor::chooseAndOpen)
-                    .withKey(KeyEvent.VK_O);
-            openRecording = action("openRecording", Pictogram.LOG, "openRecording.tip", dialogs::openRecording);
-            openTeam = action("openTeam", Pictogram.TEAM, "openTeam.tip", frame::openTeam);
-            saveTeam = action("saveTeam", Pictogram.TEAM, "saveTeam.tip", dialogs::saveTeam);
-            shareRobots = action("shareRobots", Pictogram.TEAM, "shareRobots.tip", dialogs::shareRobots);
+                    .withKey(KeyEvent.VK_O)
+                    .openingDialog();
+            openRecording = action("openRecording", Pictogram.LOG, "openRecording.tip", dialogs::openRecording)
+                    .openingDialog();
+            openTeam = action("openTeam", Pictogram.TEAM, "openTeam.tip", frame::openTeam)
+                    .openingDialog();
+            saveTeam = action("saveTeam", Pictogram.TEAM, "saveTeam.tip", dialogs::saveTeam)
+                    .openingDialog();
+            shareRobots = action("shareRobots", Pictogram.TEAM, "shareRobots.tip", dialogs::shareRobots)
+                    .openingDialog();
             shareRobots.setEnabled(dialogs.canShareRobots());
             tour = action("tour", Pictogram.TOUR, "tour.tip", dialogs::tour);
         }

@@ -182,7 +182,7 @@ final class FrameDialogs {
     }
 
     void saveTeam() {
-        save(TEXTS.get("saveTeam.title"), "lab.team", "team");
+        save(TEXTS.get("saveTeam"), "lab.team", "team");
     }
 
     void tour() {

@@ -2,13 +2,13 @@ package majic.gui;
 
 import com.formdev.flatlaf.FlatLaf;
 import java.util.List;
-import javax.swing.Action;
 import javax.swing.ButtonGroup;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenu;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
+import majic.gui.kit.IconAction;
 import majic.gui.kit.Mnemonics;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
@@ -61,12 +61,14 @@ final class FrameMenu extends JMenuBar {
     }
 
     /** Adds the given actions to a menu; null stands for a separator. */
-    private static void fill(JMenu menu, @Nullable Action... actions) {
-        for (Action action : actions) {
+    private static void fill(JMenu menu, @Nullable IconAction... actions) {
+        for (IconAction action : actions) {
             if (action == null) {
                 menu.addSeparator();
             } else {
-                menu.add(new JMenuItem(action)).setToolTipText(null);
+                JMenuItem entry = menu.add(new JMenuItem(action));
+                entry.setText(action.entryText());
+                entry.setToolTipText(null);
             }
         }
     }

@@ -40,6 +40,6 @@ final class FrameTeams {
     /** Asks for the file of a team, and opens it. */
     void chooseAndOpen() {
         FileFilter files = new FileNameExtensionFilter(TEXTS.get("teamFiles"), "team");
-        ChooseFile.toOpen(owner, services.settings(), TEXTS.get("openTeam.title"), files, opener::open);
+        ChooseFile.toOpen(owner, services.settings(), TEXTS.get("openTeam"), files, opener::open);
     }
 }

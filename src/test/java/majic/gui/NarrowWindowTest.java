@@ -10,6 +10,8 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Tag("jdk")
 class NarrowWindowTest {
@@ -54,5 +56,12 @@ class NarrowWindowTest {
                 SwingUtilities.convertRectangle(button.getParent(), button.getBounds(), window.frame.getContentPane());
         return new Rectangle(window.frame.getContentPane().getSize()).contains(bounds)
                 && button.getWidth() >= button.getPreferredSize().width;
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"Add Bot", "Kill Bot", "Load Act", "Save Session", "Save Log"})
+    void theEntryOfAnActionThatAsksFirstEndsWithAnEllipsisAndItsButtonDoesNot(String name) {
+        assertThat(window.entry(name + "…").getText()).isEqualTo(name + "…");
+        assertThat(window.text(name)).isEqualTo(name);
     }
 }
