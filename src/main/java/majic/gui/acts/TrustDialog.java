@@ -3,8 +3,6 @@ package majic.gui.acts;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Window;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.List;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
@@ -51,12 +49,7 @@ final class TrustDialog extends MajicDialog {
         lines(facts, TEXTS.get("packages"), file.packages(), "trustPackages");
         facts.add(consequence(), "spanx 2, growx, wmin 0, gaptop 6");
         JButton no = closing(TEXTS.get("doNotRun"));
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowOpened(WindowEvent event) {
-                no.requestFocusInWindow();
-            }
-        });
+        focusFirst(no);
         fill(facts, no, button(TEXTS.get("agree"), () -> {
             dispose();
             agreed.run();

@@ -1,8 +1,6 @@
 package majic.gui.bots;
 
 import java.awt.Window;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JPanel;
@@ -40,12 +38,7 @@ final class RenameDialog extends MajicDialog {
         ok.setName("OK");
         fill(content, ok, closing(TEXTS.get("rename.cancel")));
         advice.showFaint(TEXTS.get("rename.advice", member.number()));
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowOpened(WindowEvent event) {
-                name.requestFocusInWindow();
-            }
-        });
+        focusFirst(name);
     }
 
     private void rename() {

@@ -4,8 +4,6 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Window;
-import java.awt.event.WindowAdapter;
-import java.awt.event.WindowEvent;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -55,12 +53,7 @@ public final class HelpDialog extends MajicDialog {
         tabs.addChangeListener(change -> search());
         tabs.setPreferredSize(UIScale.scale(new Dimension(TABLE_WIDTH, 480)));
         fill(content(), closing(TEXTS.get("close")));
-        addWindowListener(new WindowAdapter() {
-            @Override
-            public void windowOpened(WindowEvent event) {
-                search.requestFocusInWindow();
-            }
-        });
+        focusFirst(search);
     }
 
     private void addPage(String name, String title) {

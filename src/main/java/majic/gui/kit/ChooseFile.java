@@ -63,7 +63,6 @@ public final class ChooseFile extends MajicDialog {
     public static void toOpen(Window owner, Settings settings, String title, FileFilter filter, Consumer<Path> chosen) {
         ChooseFile dialog = new ChooseFile(owner, settings, title, JFileChooser.OPEN_DIALOG);
         dialog.chooser.setFileFilter(filter);
-        dialog.whenOpened(field -> {});
         dialog.open(dialog.closingAfter(chosen));
     }
 
@@ -142,6 +141,7 @@ public final class ChooseFile extends MajicDialog {
                 dispose();
             }
         });
+        nameField().ifPresent(this::focusFirst);
         pack();
         setLocationRelativeTo(getOwner());
         setVisible(true);
@@ -199,20 +199,17 @@ public final class ChooseFile extends MajicDialog {
         File file = new File(name);
         chooser.setSelectedFile(file);
         int dot = file.getName().lastIndexOf('.');
-        whenOpened(field -> field.select(0, dot < 0 ? file.getName().length() : dot));
-    }
-
-    /** Gives the field of the name the focus once the dialog is open. */
-    private void whenOpened(Consumer<JTextField> prepared) {
+        int end = dot < 0 ? file.getName().length() : dot;
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
-                textFields(chooser).findFirst().ifPresent(field -> {
-                    field.requestFocusInWindow();
-                    prepared.accept(field);
-                });
+                nameField().ifPresent(field -> field.select(0, end));
             }
         });
+    }
+
+    private Optional<JTextField> nameField() {
+        return textFields(chooser).findFirst();
     }
 
     private static Stream<JTextField> textFields(Container container) {

@@ -1,5 +1,6 @@
 package majic.gui.kit;
 
+import java.awt.Component;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
@@ -11,6 +12,7 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import net.miginfocom.swing.MigLayout;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A dialog with its content above a row of buttons. Never modal, so that STOP, messages and map stay accessible. Esc
@@ -18,6 +20,8 @@ import net.miginfocom.swing.MigLayout;
  */
 public class MajicDialog extends JDialog {
     private static final long serialVersionUID = 1L;
+
+    private transient @Nullable Component first;
 
     public MajicDialog(Window owner, String title) {
         super(owner, title, ModalityType.MODELESS);
@@ -31,14 +35,24 @@ public class MajicDialog extends JDialog {
         addWindowListener(new WindowAdapter() {
             /**
              * Requests the focus, because a window manager may give it to another window when a previous dialog has
-             * just closed.
+             * just closed. A component gets it: if the dialog itself had it, what is typed would be lost.
              */
             @Override
             public void windowOpened(WindowEvent event) {
                 toFront();
-                requestFocus();
+                first().requestFocus();
             }
         });
+    }
+
+    private Component first() {
+        Component chosen = first == null ? getFocusTraversalPolicy().getInitialComponent(this) : first;
+        return chosen == null ? this : chosen;
+    }
+
+    /** Sets the component that gets the focus when the dialog opens, in place of the first one that can have it. */
+    protected final void focusFirst(Component component) {
+        first = component;
     }
 
     /** Adds content and buttons; the first button is the default one, which Enter presses. */
