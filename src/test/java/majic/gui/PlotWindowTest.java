@@ -11,15 +11,20 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
+import javax.swing.JTextField;
 import javax.swing.JToggleButton;
 import javax.swing.TransferHandler.TransferSupport;
+import javax.swing.event.ListDataEvent;
+import javax.swing.event.ListDataListener;
 import majic.bot.Pose;
 import majic.gui.plot.Plots;
 import majic.gui.plot.data.LiveSource;
@@ -134,6 +139,42 @@ class PlotWindowTest {
         window.await("the curve", () -> curves().contains("2 turnRate (deg/s)"));
         window.push("remove 1 y (mm)");
         assertThat(curves()).containsExactly("1 x (mm)", "1 heading (deg)", "2 turnRate (deg/s)");
+    }
+
+    /** A list that measures its rows asks for each of them at each change, which blocks the keys of STOP with many robots. */
+    @Test
+    void aLetterThatFindsParametersChangesTheListTwiceAndMeasuresNoRow() {
+        window.add("one");
+        window.add("two");
+        plotPose();
+        window.push("addCurves");
+        JList<?> parameters = window.awaitShowing("parameters", JList.class);
+        AtomicInteger changes = new AtomicInteger();
+        ListDataListener counting = listening(changes::incrementAndGet);
+        window.run(() -> parameters.getModel().addListDataListener(counting));
+        window.run(() -> window.find("curveFilter", JTextField.class).setText("t"));
+        assertThat(changes).hasValue(2);
+        assertThat(parameters.getFixedCellHeight()).isPositive();
+        assertThat(parameters.getFixedCellWidth()).isPositive();
+    }
+
+    private static ListDataListener listening(Runnable action) {
+        return new ListDataListener() {
+            @Override
+            public void intervalAdded(ListDataEvent event) {
+                action.run();
+            }
+
+            @Override
+            public void intervalRemoved(ListDataEvent event) {
+                action.run();
+            }
+
+            @Override
+            public void contentsChanged(ListDataEvent event) {
+                action.run();
+            }
+        };
     }
 
     private boolean drop(Transferable dragged) {

@@ -3,7 +3,6 @@ package majic.gui.help;
 import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
-import majic.gui.kit.Html;
 
 /**
  * Converts Markdown to HTML as Swing displays it, as far as the documents of MAJIC use Markdown: headings, paragraphs,
@@ -33,7 +32,7 @@ final class MarkdownHtml {
             html.append(code ? "</pre>" : "<pre>");
             code = !code;
         } else if (code) {
-            html.append(Html.escaped(line)).append('\n');
+            html.append(escaped(line)).append('\n');
         } else if (words.startsWith("|")) {
             tableRow(words);
         } else if (words.isEmpty() || words.startsWith("![")) {
@@ -113,7 +112,7 @@ final class MarkdownHtml {
         StringBuilder all = new StringBuilder();
         String[] parts = words.split("`", -1);
         for (int index = 0; index < parts.length; index++) {
-            String part = Html.escaped(parts[index]);
+            String part = escaped(parts[index]);
             all.append(index % 2 == 1 ? "<code>" + part + "</code>" : emphasis(part));
         }
         return all.toString();
@@ -123,5 +122,10 @@ final class MarkdownHtml {
         return words.replaceAll("!?\\[([^\\]]*)\\]\\([^)]*\\)", "$1")
                 .replaceAll("\\*\\*([^*]+)\\*\\*", "<b>$1</b>")
                 .replaceAll("\\*([^*]+)\\*", "<i>$1</i>");
+    }
+
+    /** Returns the text with all characters escaped that HTML would interpret as a tag. */
+    private static String escaped(String text) {
+        return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
     }
 }

@@ -1,15 +1,18 @@
 package majic.gui.plot;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.BorderLayout;
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.Font;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Locale;
-import javax.swing.DefaultListCellRenderer;
+import javax.swing.BorderFactory;
 import javax.swing.DefaultListModel;
 import javax.swing.JButton;
 import javax.swing.JComponent;
@@ -19,12 +22,13 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.ListCellRenderer;
 import javax.swing.event.DocumentEvent;
 import javax.swing.event.DocumentListener;
 import majic.bot.Parameter;
 import majic.bot.Unit;
-import majic.gui.kit.Html;
 import majic.gui.kit.MajicDialog;
+import majic.gui.kit.StyledLabel;
 import majic.gui.plot.data.PlotSource;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -67,7 +71,10 @@ final class AddCurvesDialog extends MajicDialog {
         filter.putClientProperty("JTextField.placeholderText", TEXTS.get("find.hint"));
         filter.getDocument().addDocumentListener(new Filtering());
         list.setName("parameters");
-        list.setCellRenderer(new Renderer());
+        Cell cell = new Cell();
+        list.setCellRenderer(cell);
+        list.setFixedCellHeight(cell.getPreferredSize().height);
+        list.setFixedCellWidth(1);
         list.addListSelectionListener(event -> add.setEnabled(!list.isSelectionEmpty()));
         list.addMouseListener(new MouseAdapter() {
             @Override
@@ -100,7 +107,8 @@ final class AddCurvesDialog extends MajicDialog {
 
     private void filter() {
         shown.clear();
-        all.stream().filter(entry -> entry.matches(filter.getText())).forEach(shown::addElement);
+        shown.addAll(
+                all.stream().filter(entry -> entry.matches(filter.getText())).toList());
         if (!shown.isEmpty()) {
             list.setSelectedIndex(0);
         }
@@ -134,21 +142,32 @@ final class AddCurvesDialog extends MajicDialog {
         }
     }
 
-    /** Shows the explanation behind the name. */
-    private static final class Renderer extends DefaultListCellRenderer {
+    /** Shows the explanation behind the name. All rows have one height, so that the list asks for the visible ones only. */
+    private static final class Cell extends JPanel implements ListCellRenderer<Entry> {
         private static final long serialVersionUID = 1L;
 
-        Renderer() {
-            putClientProperty("html.disable", false);
+        private final JLabel name = new StyledLabel("parameter", " ", Font.BOLD, 0);
+        private final JLabel help = new JLabel(" ");
+
+        Cell() {
+            super(new BorderLayout(UIScale.scale(8), 0));
+            setBorder(BorderFactory.createEmptyBorder(UIScale.scale(1), UIScale.scale(5), UIScale.scale(1), 0));
+            add(name, BorderLayout.WEST);
+            add(help, BorderLayout.CENTER);
         }
 
         @Override
         public Component getListCellRendererComponent(
-                JList<?> list, Object value, int index, boolean selected, boolean focused) {
-            Entry entry = (Entry) value;
-            String text = "<html><b>" + Html.escaped(entry.toString()) + "</b> &nbsp; "
-                    + Html.escaped(entry.parameter().help());
-            return super.getListCellRendererComponent(list, text, index, selected, focused);
+                JList<? extends Entry> list, Entry entry, int index, boolean selected, boolean focused) {
+            setBackground(selected ? list.getSelectionBackground() : list.getBackground());
+            Color text = selected ? list.getSelectionForeground() : list.getForeground();
+            name.setForeground(text);
+            help.setForeground(text);
+            name.setText(entry.toString());
+            help.setText(entry.parameter().help());
+            getAccessibleContext()
+                    .setAccessibleName(entry + " " + entry.parameter().help());
+            return this;
         }
     }
 }
