@@ -50,7 +50,12 @@ final class MarkRecord implements TeamListener, CommandListener {
 
     @Override
     public void latchChanged(boolean latched) {
-        add(0, TEXTS.get(latched ? "stop" : "released"), latched);
+        add(0, latched ? stopText() : TEXTS.get("released"), latched);
+    }
+
+    /** Returns the text of the mark of STOP. */
+    static String stopText() {
+        return TEXTS.get("stop");
     }
 
     /** Replaces the marks up to a time by those that were recorded. */

@@ -72,9 +72,13 @@ final class Past {
     static List<PlotMark> marks(RecordedHistory history, double offset) throws IOException {
         return history.marks(0).stream()
                 .filter(Past::isShown)
-                .map(mark -> new PlotMark(
-                        mark.seconds() + offset, mark.robot(), mark.text(), mark.kind() != Mark.Kind.BEGUN))
+                .map(mark ->
+                        new PlotMark(mark.seconds() + offset, mark.robot(), text(mark), mark.kind() != Mark.Kind.BEGUN))
                 .toList();
+    }
+
+    private static String text(Mark mark) {
+        return mark.kind() == Mark.Kind.STOP && mark.robot() == 0 ? MarkRecord.stopText() : mark.text();
     }
 
     private static boolean isShown(Mark mark) {

@@ -60,4 +60,15 @@ class RecordedSourceTest {
         source.show(part(2));
         assertThat(source.marks(0, 100)).extracting(PlotMark::seconds).containsExactly(5.0, 15.0);
     }
+
+    @Test
+    void aRecordedStopOfAllRobotsIsMarkedAsStop() throws Exception {
+        Path file = RecordedText.write(
+                folder.resolve("stopped"),
+                "majic-recording\t1\t2026-11-22T11:30:05Z\t1\t0.000",
+                "2.000\tevent\t0\tstop\tall robots",
+                "8.000\tline\tnotice\tthe end");
+        RecordedSource source = new RecordedSource(Recording.read(file), () -> 8);
+        assertThat(source.marks(0, 8)).extracting(PlotMark::text).containsExactly("STOP");
+    }
 }
