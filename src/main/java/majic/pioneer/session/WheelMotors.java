@@ -5,6 +5,7 @@ import majic.bot.BotException;
 import majic.bot.MotionFailed;
 import majic.driver.Motion;
 import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.arcos.Packet;
 import majic.time.TimeSource;
 
 /**
@@ -83,7 +84,16 @@ public final class WheelMotors {
         rolling = speed != 0;
         turning = rate != 0;
         sentNanos = time.nanos();
-        line.send(ArcosCommand.VEL.packet(speed), ArcosCommand.RVEL.packet(rate));
+        send(ArcosCommand.VEL.packet(speed), ArcosCommand.RVEL.packet(rate));
+    }
+
+    /** Sends first what moves the robot: a turn on the spot begins with its turn rate. */
+    private void send(Packet speed, Packet rate) {
+        if (rolling) {
+            line.send(speed, rate);
+        } else {
+            line.send(rate, speed);
+        }
     }
 
     /** Stops the robot; zero velocities follow STOP, which not every server obeys. */
