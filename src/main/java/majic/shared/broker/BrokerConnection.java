@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A connection to an MQTT 5 broker. A lost connection is made again by itself until the connection is closed; nothing
- * that was published meanwhile is kept for later, and the broker keeps nothing for this client either. Handlers and
- * watchers are called on one thread, in the order in which the broker sent. Thread-safe.
+ * that was published meanwhile is kept for later, and the broker keeps nothing for this client either. Watchers and all
+ * handlers but those of {@link #subscribeUrgently} are called on one thread, in the order in which the broker sent. Thread-safe.
  */
 public interface BrokerConnection extends AutoCloseable {
 
@@ -68,6 +68,19 @@ public interface BrokerConnection extends AutoCloseable {
      * @throws BotException if the broker refuses or does not acknowledge; the subscription is not made then
      */
     void subscribe(String filter, Quality quality, Handler handler);
+
+    /**
+     * Subscribes as {@link #subscribe}, to messages that must not wait for any others: commands for robots. The handler is called
+     * on the thread that reads from all brokers, in the order in which the broker sent these messages, and perhaps before
+     * {@link Watcher#connected}. Whatever that thread does delays all connections with brokers, so the handler must neither wait
+     * nor compute for longer than a fraction of a millisecond.
+     *
+     * @param filter as {@link #subscribe}
+     * @param quality as {@link #subscribe}
+     * @param handler as {@link #subscribe}, on the other thread
+     * @throws BotException as {@link #subscribe}
+     */
+    void subscribeUrgently(String filter, Quality quality, Handler handler);
 
     /**
      * Ends a subscription, if it exists; the broker is told without waiting for its acknowledgement. No message is passed

@@ -10,6 +10,7 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -24,6 +25,7 @@ final class HiveConnection implements BrokerConnection {
     private final BrokerAddress address;
     private final ConnectOptions options;
     private final ThreadPoolExecutor handlers;
+    private final TopicHandlers urgent = new TopicHandlers();
     private final TopicHandlers subscriptions = new TopicHandlers();
     private final List<Watcher> watchers = new CopyOnWriteArrayList<>();
     private final CountDownLatch end = new CountDownLatch(1);
@@ -68,7 +70,7 @@ final class HiveConnection implements BrokerConnection {
         handlers.execute(() -> awaitQuietly(ready));
         try {
             HiveSession[] opened = new HiveSession[1];
-            opened[0] = HiveSession.open(address, options, handlers, this::handle, cause -> lost(opened[0], cause));
+            opened[0] = HiveSession.open(address, options, handlers, new Handlers(), cause -> lost(opened[0], cause));
             begin(opened[0]);
         } finally {
             ready.countDown();
@@ -82,7 +84,8 @@ final class HiveConnection implements BrokerConnection {
                 throw new BotException("closed while connecting");
             }
             session = opened;
-            subscriptions.all().forEach(one -> opened.subscribe(one.filter(), one.quality()));
+            Stream.of(urgent, subscriptions)
+                    .forEach(kind -> kind.all().forEach(one -> opened.subscribe(one.filter(), one.quality())));
         }
         notify(Watcher::connected);
         if (!opened.isOpen()) {
@@ -94,12 +97,6 @@ final class HiveConnection implements BrokerConnection {
         List<Watcher> present = List.copyOf(watchers);
         handlers.execute(() -> present.forEach(
                 watcher -> TopicHandlers.guarded("reporting a connection", () -> event.accept(watcher))));
-    }
-
-    private void handle(BrokerMessage message) {
-        if (!isClosed()) {
-            subscriptions.dispatch(message);
-        }
     }
 
     private void lost(@Nullable HiveSession ended, Throwable cause) {
@@ -149,11 +146,20 @@ final class HiveConnection implements BrokerConnection {
 
     @Override
     public void subscribe(String filter, Quality quality, Handler handler) {
+        subscribe(subscriptions, filter, quality, handler);
+    }
+
+    @Override
+    public void subscribeUrgently(String filter, Quality quality, Handler handler) {
+        subscribe(urgent, filter, quality, handler);
+    }
+
+    private void subscribe(TopicHandlers kind, String filter, Quality quality, Handler handler) {
         TopicHandlers.Subscription added;
         CompletableFuture<?> acknowledged;
         synchronized (this) {
             requireNotClosed();
-            added = subscriptions.add(filter, quality, handler);
+            added = kind.add(filter, quality, handler);
             if (session == null) {
                 return;
             }
@@ -163,7 +169,7 @@ final class HiveConnection implements BrokerConnection {
             acknowledged.get(ACKNOWLEDGE_MS, TimeUnit.MILLISECONDS);
         } catch (ExecutionException | TimeoutException e) {
             if (isConnected()) {
-                subscriptions.remove(added);
+                kind.remove(added);
                 throw new BotException(
                         address + ": the broker does not accept the subscription to " + filter
                                 + "; has this user the right to read there?",
@@ -178,7 +184,8 @@ final class HiveConnection implements BrokerConnection {
     public void unsubscribe(String filter) {
         HiveSession present;
         synchronized (this) {
-            present = subscriptions.remove(filter) ? session : null;
+            boolean wasUrgent = urgent.remove(filter);
+            present = subscriptions.remove(filter) || wasUrgent ? session : null;
         }
         if (present != null) {
             present.unsubscribe(filter);
@@ -237,6 +244,21 @@ final class HiveConnection implements BrokerConnection {
             disconnect(ended);
         }
         handlers.shutdownNow();
+    }
+
+    /** Passes messages to the handlers. */
+    private final class Handlers implements HiveSession.Arrivals {
+        @Override
+        public boolean isUrgent(String topic) {
+            return urgent.hasHandler(topic);
+        }
+
+        @Override
+        public void received(BrokerMessage message, boolean isUrgent) {
+            if (!isClosed()) {
+                (isUrgent ? urgent : subscriptions).dispatch(message);
+            }
+        }
     }
 
     private static void disconnect(HiveSession ended) {

@@ -35,6 +35,19 @@ final class HiveSession {
     private final OutgoingQueue outgoing = new OutgoingQueue();
     private volatile boolean accepted;
 
+    /** What the messages of a session are for. */
+    interface Arrivals {
+        /** Returns whether handlers of a topic have to be called at once. Called on the thread of the network. */
+        boolean isUrgent(String topic);
+
+        /**
+         * Calls the handlers of a message.
+         *
+         * @param urgent true for the urgent ones, on the thread of the network; false for the others, on the executor
+         */
+        void received(BrokerMessage message, boolean urgent);
+    }
+
     private HiveSession(Mqtt5ClientBuilder builder, Consumer<Throwable> lost) {
         client = builder.addDisconnectedListener(context -> {
                     if (accepted) {
@@ -49,7 +62,8 @@ final class HiveSession {
     /**
      * Connects to a broker. Blocks for the timeout and 2.5 s at most, with the usual timeout for 8 s.
      *
-     * @param received called for each message, on the executor
+     * @param handlers runs the handlers that are not urgent
+     * @param arrivals receives each message
      * @param lost called once when an accepted session ends otherwise than by {@link #disconnect}
      * @throws ConnectFailed with the reason and advice
      */
@@ -57,7 +71,7 @@ final class HiveSession {
             BrokerAddress address,
             ConnectOptions options,
             Executor handlers,
-            Consumer<BrokerMessage> received,
+            Arrivals arrivals,
             Consumer<Throwable> lost) {
         BrokerCredentials credentials =
                 BrokerCredentials.find(address, options.environment().settings());
@@ -72,10 +86,20 @@ final class HiveSession {
                 .sslConfig(address.secure() ? HiveTls.config(credentials) : null)
                 .applyTransportConfig();
         HiveSession session = new HiveSession(builder, lost);
-        Consumer<Mqtt5Publish> arrival = publish -> received.accept(HiveMessages.received(publish));
-        session.client.publishes(MqttGlobalPublishFilter.ALL, arrival, handlers);
+        session.receive(arrivals, handlers);
         session.connect(address, connect(options, credentials), options.timeoutMs() + REPORT_MS);
         return session;
+    }
+
+    private void receive(Arrivals arrivals, Executor handlers) {
+        Consumer<Mqtt5Publish> urgent = publish -> {
+            if (arrivals.isUrgent(publish.getTopic().toString())) {
+                arrivals.received(HiveMessages.received(publish), true);
+            }
+        };
+        Consumer<Mqtt5Publish> others = publish -> arrivals.received(HiveMessages.received(publish), false);
+        client.publishes(MqttGlobalPublishFilter.ALL, urgent);
+        client.publishes(MqttGlobalPublishFilter.ALL, others, handlers);
     }
 
     private static Mqtt5Connect connect(ConnectOptions options, BrokerCredentials credentials) {

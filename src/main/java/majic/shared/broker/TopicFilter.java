@@ -3,6 +3,7 @@ package majic.shared.broker;
 /** Which topics a subscription is for, by the rules of MQTT. */
 final class TopicFilter {
     private final String[] levels;
+    private final boolean wildcards;
 
     /**
      * Reads a filter.
@@ -11,6 +12,7 @@ final class TopicFilter {
      */
     TopicFilter(String filter) {
         levels = filter.split("/", -1);
+        wildcards = filter.contains("#") || filter.contains("+");
         for (int i = 0; i < levels.length; i++) {
             boolean wildcard = levels[i].contains("#") || levels[i].contains("+");
             if (wildcard && (levels[i].length() > 1 || levels[i].equals("#") && i < levels.length - 1)) {
@@ -19,19 +21,34 @@ final class TopicFilter {
         }
     }
 
+    /** Returns whether it is for more than one topic. */
+    boolean hasWildcards() {
+        return wildcards;
+    }
+
     boolean matches(String topic) {
-        String[] given = topic.split("/", -1);
-        if (topic.startsWith("$") && !levels[0].equals(given[0])) {
+        if (topic.startsWith("$") && !levels[0].startsWith("$")) {
             return false;
         }
-        for (int i = 0; i < levels.length; i++) {
-            if (levels[i].equals("#")) {
+        int at = 0;
+        for (String level : levels) {
+            if (level.equals("#")) {
                 return true;
             }
-            if (i >= given.length || !levels[i].equals("+") && !levels[i].equals(given[i])) {
+            if (at > topic.length()) {
                 return false;
             }
+            int slash = topic.indexOf('/', at);
+            int end = slash < 0 ? topic.length() : slash;
+            if (!level.equals("+") && !isAt(level, topic, at, end)) {
+                return false;
+            }
+            at = end + 1;
         }
-        return levels.length == given.length;
+        return at > topic.length();
+    }
+
+    private static boolean isAt(String level, String topic, int from, int end) {
+        return level.length() == end - from && topic.startsWith(level, from);
     }
 }

@@ -3,12 +3,16 @@ package majic.shared.broker;
 import java.lang.System.Logger.Level;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 
 /** The subscriptions of one connection, and the handlers of their messages. Thread-safe. */
 final class TopicHandlers {
     private static final System.Logger LOG = System.getLogger(TopicHandlers.class.getName());
 
     private final Map<String, Subscription> byFilter = new ConcurrentHashMap<>();
+
+    /** Those whose filters have wildcards: only these have to be compared with each topic. */
+    private final Map<String, Subscription> withWildcards = new ConcurrentHashMap<>();
 
     /**
      * One subscription.
@@ -28,16 +32,21 @@ final class TopicHandlers {
     Subscription add(String filter, Quality quality, BrokerConnection.Handler handler) {
         Subscription added = new Subscription(filter, new TopicFilter(filter), quality, handler);
         byFilter.put(filter, added);
+        if (added.topics.hasWildcards()) {
+            withWildcards.put(filter, added);
+        }
         return added;
     }
 
     /** Removes the subscription of a filter; returns whether there was one. */
     boolean remove(String filter) {
+        withWildcards.remove(filter);
         return byFilter.remove(filter) != null;
     }
 
     /** Removes a subscription unless another one has replaced it. */
     void remove(Subscription refused) {
+        withWildcards.remove(refused.filter, refused);
         byFilter.remove(refused.filter, refused);
     }
 
@@ -46,12 +55,32 @@ final class TopicHandlers {
         return byFilter.values();
     }
 
+    /** Returns whether a message on a topic has a handler. */
+    boolean hasHandler(String topic) {
+        if (byFilter.containsKey(topic)) {
+            return true;
+        }
+        for (Subscription subscription : withWildcards.values()) {
+            if (subscription.topics.matches(topic)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     /** Passes a message to the handlers whose filters it matches; what they throw is logged. */
     void dispatch(BrokerMessage message) {
-        for (Subscription subscription : byFilter.values()) {
+        pass(message, byFilter.get(message.topic()));
+        for (Subscription subscription : withWildcards.values()) {
             if (subscription.topics.matches(message.topic())) {
-                guarded("handling a message on " + message.topic(), () -> subscription.handler.received(message));
+                pass(message, subscription);
             }
+        }
+    }
+
+    private static void pass(BrokerMessage message, @Nullable Subscription to) {
+        if (to != null) {
+            guarded("handling a message on " + message.topic(), () -> to.handler.received(message));
         }
     }
 

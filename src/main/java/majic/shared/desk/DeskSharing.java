@@ -110,7 +110,8 @@ public final class DeskSharing implements AutoCloseable {
 
     private void subscribe() {
         for (Part part : List.of(Part.STOP, Part.HOLD, Part.REQUEST, Part.SPEED)) {
-            connection.subscribe(desk.topics().robots(options.desk(), part), Quality.AT_LEAST_ONCE, this::received);
+            connection.subscribeUrgently(
+                    desk.topics().robots(options.desk(), part), Quality.AT_LEAST_ONCE, this::received);
         }
         connection.subscribe(
                 desk.topics().robots(options.desk(), Part.DESCRIPTION),

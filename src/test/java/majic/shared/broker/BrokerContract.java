@@ -20,7 +20,7 @@ abstract class BrokerContract {
     /** Long enough for a computer that is busy; a test that passes never waits so long. */
     private static final int PATIENCE_SECONDS = 60;
 
-    private final BlockingQueue<BrokerMessage> arrived = new LinkedBlockingQueue<>();
+    final BlockingQueue<BrokerMessage> arrived = new LinkedBlockingQueue<>();
 
     /** Creates a connection with a name of its own. */
     abstract BrokerConnection open(ConnectOptions options);
@@ -30,7 +30,7 @@ abstract class BrokerContract {
 
     abstract void restore(BrokerConnection connection);
 
-    private BrokerConnection connected(String name, @Nullable BrokerMessage will) {
+    BrokerConnection connected(String name, @Nullable BrokerMessage will) {
         ConnectOptions options = ConnectOptions.of(name + "-" + topic("id").hashCode(), BotEnvironment.plain())
                 .withTimeoutMs(Mosquitto.PATIENCE_MS);
         BrokerConnection connection = open(will == null ? options : options.withWill(will));
@@ -38,15 +38,15 @@ abstract class BrokerContract {
         return connection;
     }
 
-    private String topic(String name) {
+    String topic(String name) {
         return "test/" + System.identityHashCode(this) + "/" + name;
     }
 
-    private static BrokerMessage message(String topic, String text) {
+    static BrokerMessage message(String topic, String text) {
         return BrokerMessage.json(topic, text, Quality.AT_LEAST_ONCE);
     }
 
-    private BrokerMessage next() throws InterruptedException {
+    BrokerMessage next() throws InterruptedException {
         BrokerMessage next = arrived.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
         assertThat(next).as("a message").isNotNull();
         return next;
@@ -128,6 +128,7 @@ abstract class BrokerContract {
         try (BrokerConnection other = connected("other", null);
                 BrokerConnection lost = connected("lost", null)) {
             lost.subscribe(topic("news"), Quality.AT_LEAST_ONCE, arrived::add);
+            lost.subscribeUrgently(topic("urgent"), Quality.AT_LEAST_ONCE, arrived::add);
             lost.watch(recording(events));
             assertThat(events.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).isEqualTo(ONLINE);
             cut(lost);
@@ -142,6 +143,8 @@ abstract class BrokerContract {
             acknowledged(lost, message(topic("news"), "after"));
 
             assertThat(next().text()).isEqualTo("after");
+            acknowledged(lost, message(topic("urgent"), "urgent"));
+            assertThat(next().text()).isEqualTo("urgent");
         }
     }
 
@@ -181,8 +184,11 @@ abstract class BrokerContract {
         try (BrokerConnection one = connected("one", null)) {
             one.subscribe(topic("a"), Quality.AT_LEAST_ONCE, arrived::add);
             one.subscribe(topic("b"), Quality.AT_LEAST_ONCE, arrived::add);
+            one.subscribeUrgently(topic("urgent"), Quality.AT_LEAST_ONCE, arrived::add);
             one.unsubscribe(topic("a"));
+            one.unsubscribe(topic("urgent"));
             one.publish(message(topic("a"), "a"));
+            one.publish(message(topic("urgent"), "urgent"));
             one.publish(message(topic("b"), "b"));
 
             assertThat(next().text()).isEqualTo("b");

@@ -269,6 +269,11 @@ public final class FakeConnection implements BrokerConnection {
         }
     }
 
+    @Override
+    public void subscribeUrgently(String filter, Quality quality, Handler handler) {
+        subscribe(filter, quality, handler);
+    }
+
     /** Waits until the network is not held back. */
     private boolean awaitPassage() {
         try {

@@ -20,6 +20,12 @@ class TopicFilterTest {
         "+/+, /finance, true",
         "+, /finance, false",
         "sport, sports, false",
+        "sport/tennis, sport, false",
+        "sport, sport/tennis, false",
+        "sport/+/ranking, sport//ranking, true",
+        "sport/+/ranking, sport/tennis/score, false",
+        "sport/tennis, sport/tennisball, false",
+        "+/uptime, $SYS/uptime, false",
         "#, $SYS/uptime, false",
         "$SYS/#, $SYS/uptime, true"
     })
