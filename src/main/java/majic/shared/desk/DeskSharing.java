@@ -199,8 +199,7 @@ public final class DeskSharing implements AutoCloseable {
         silent.forEach(SharedRobot::reportSilence);
         double nextS = DeskTimer.PERIOD_S;
         for (SharedRobot robot : robots.values()) {
-            robot.freeUnused();
-            robot.publisher().tick();
+            robot.tick();
             RobotHold hold = robot.hold();
             nextS = hold == null || hold.isRevoked() ? nextS : Math.min(nextS, hold.heartbeatLeftS());
         }

@@ -2,6 +2,8 @@ package majic.shared.desk;
 
 import java.util.List;
 import java.util.OptionalLong;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import majic.bot.BotCommand;
@@ -33,6 +35,9 @@ final class RequestRunner {
     private final DeskContext desk;
     private final SharedRobot robot;
     private final SeenRequests seen;
+
+    /** Were given to the queue of the robot, and nothing has been answered yet. */
+    private final Queue<IncomingRequest> queued = new ConcurrentLinkedQueue<>();
 
     /** Does the work of a command and returns its answer. */
     private interface Work {
@@ -221,7 +226,17 @@ final class RequestRunner {
         } else {
             submit(command, hold);
         }
-        incoming.accept();
+        queued.add(incoming);
+    }
+
+    /**
+     * Answers the requests that have not ended by now: another answer follows. Called by the timer of the desk, because an
+     * answer that is sent at once would use the processor and the broker before the robot gets its command.
+     */
+    void acceptQueued() {
+        for (IncomingRequest next = queued.poll(); next != null; next = queued.poll()) {
+            next.accept();
+        }
     }
 
     private RobotHold holdFor(IncomingRequest incoming) {

@@ -319,8 +319,15 @@ final class SharedRobot implements StoppableRobot {
         }
     }
 
+    /** Does what is due. Called by the timer of the desk. */
+    void tick() {
+        requests.acceptQueued();
+        freeUnused();
+        publisher.tick();
+    }
+
     /** Ends a hold that began with a motion and is not used. */
-    void freeUnused() {
+    private void freeUnused() {
         RobotHold now = hold();
         if (now != null && now.isUnused()) {
             now.end();

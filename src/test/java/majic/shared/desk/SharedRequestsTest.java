@@ -46,6 +46,15 @@ class SharedRequestsTest {
     }
 
     @Test
+    void aRequestThatIsDoneAtOnceHasOneAnswer() {
+        long request = anna.ask(new RequestedAction.Set("light", List.of(Value.yesNo(true))));
+        anna.outcome(request);
+        rig.sleep(1);
+
+        assertThat(anna.replies(request)).extracting(RequestReply::outcome).containsExactly(Outcome.DONE);
+    }
+
+    @Test
     void theStateBeforeTheAnswerShowsTheRobotAtRest() {
         anna.outcome(anna.ask(new RequestedAction.Move(200, "")));
 
