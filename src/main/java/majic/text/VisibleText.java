@@ -22,8 +22,20 @@ public final class VisibleText {
      *     unsafe characters, and blanks in place of tabs
      */
     public static String of(String text) {
-        return UNSAFE.matcher(text.replace('\t', ' '))
-                .replaceAll(found -> Matcher.quoteReplacement(escape(found.group())));
+        return isPlain(text)
+                ? text
+                : UNSAFE.matcher(text.replace('\t', ' '))
+                        .replaceAll(found -> Matcher.quoteReplacement(escape(found.group())));
+    }
+
+    /** Most texts are plain, and the pattern takes much longer than this. */
+    private static boolean isPlain(String text) {
+        for (int at = 0; at < text.length(); at++) {
+            if (text.charAt(at) < ' ' || text.charAt(at) > '~') {
+                return false;
+            }
+        }
+        return true;
     }
 
     /**

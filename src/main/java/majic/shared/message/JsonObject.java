@@ -119,8 +119,17 @@ final class JsonObject {
         if (!node.isTextual()) {
             throw wrong(field, "it is a text");
         }
-        String text = HALF_CHARACTER.matcher(node.textValue()).replaceAll("\uFFFD");
-        return shortened(text, LONGEST_TEXT);
+        return shortened(withoutHalfCharacters(node.textValue()), LONGEST_TEXT);
+    }
+
+    /** Most texts contain no surrogates, and the pattern takes much longer than the look for one. */
+    private static String withoutHalfCharacters(String text) {
+        for (int at = 0; at < text.length(); at++) {
+            if (Character.isSurrogate(text.charAt(at))) {
+                return HALF_CHARACTER.matcher(text).replaceAll("\uFFFD");
+            }
+        }
+        return text;
     }
 
     double number(String field) {

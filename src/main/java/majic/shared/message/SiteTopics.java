@@ -37,9 +37,7 @@ public record SiteTopics(String site) {
         /** Heartbeats of the holder. */
         HOLD;
 
-        private String level() {
-            return name().toLowerCase(Locale.ROOT);
-        }
+        private final String level = name().toLowerCase(Locale.ROOT);
     }
 
     /**
@@ -104,7 +102,7 @@ public record SiteTopics(String site) {
     }
 
     private String ofRobot(String desk, String robot, Part part) {
-        return site + VERSION + "desks/" + desk + "/robots/" + robot + "/" + part.level();
+        return site + VERSION + "desks/" + desk + "/robots/" + robot + "/" + part.level;
     }
 
     /**
@@ -121,7 +119,7 @@ public record SiteTopics(String site) {
 
     private static Optional<Part> part(String level) {
         for (Part part : Part.values()) {
-            if (part.level().equals(level)) {
+            if (part.level.equals(level)) {
                 return Optional.of(part);
             }
         }
