@@ -85,9 +85,10 @@ public final class RecordedLine implements AutoCloseable {
     }
 
     private void pass(String text, Sink robot) throws IOException {
+        long arrivedNanos = System.nanoTime();
         synchronized (sent) {
             sent.append(text);
-            arrivalNanos.put(sent.length(), System.nanoTime());
+            arrivalNanos.put(sent.length(), arrivedNanos);
             sent.notifyAll();
         }
         robot.take(text);

@@ -16,7 +16,8 @@ import majic.shared.broker.Mosquitto;
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
  * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}, {@code load},
- * {@code crash}, {@code shared}, {@code ros}; without arguments all are measured. The address of a robot behind a rosbridge server, such as
+ * {@code crash}, {@code shared}, {@code ros}; without arguments all are measured. {@code shared:10x100} measures one row of
+ * {@code shared}, with 10 desks and 100 robots. The address of a robot behind a rosbridge server, such as
  * {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to 12 degrees.
  */
 public final class Figures {
@@ -31,6 +32,8 @@ public final class Figures {
 
     /** Desks and robots of each row of {@code shared}. */
     private static final int[][] SHARED = {{1, 10}, {10, 100}, {50, 200}, {50, 1000}};
+
+    private static final String SHARED_ROW = "shared:";
 
     private static final int MOST_OF_A_LAB = 500;
 
@@ -51,7 +54,8 @@ public final class Figures {
     public static void main(String[] names) throws IOException, InterruptedException {
         List<String> wanted = names.length == 0 ? ALL : List.of(names);
         ChildProgram programs = ChildProgram.create();
-        Figures figures = new Figures(WITHOUT_WINDOW.containsAll(wanted) ? programs : programs.withClassData());
+        Figures figures =
+                new Figures(wanted.stream().allMatch(Figures::isWithoutWindow) ? programs : programs.withClassData());
         for (String name : wanted) {
             switch (name) {
                 case "start" -> figures.start();
@@ -65,11 +69,24 @@ public final class Figures {
                 case "lab" -> figures.lab();
                 case "load" -> figures.load();
                 case "crash" -> figures.crash();
-                case "shared" -> figures.shared();
+                case "shared" -> figures.shared(SHARED);
                 case "ros" -> figures.ros();
-                default -> figures.ros(name);
+                default -> figures.measureNamed(name);
             }
         }
+    }
+
+    private static boolean isWithoutWindow(String name) {
+        return WITHOUT_WINDOW.contains(name) || name.startsWith(SHARED_ROW);
+    }
+
+    private void measureNamed(String name) throws IOException, InterruptedException {
+        if (!name.startsWith(SHARED_ROW)) {
+            ros(name);
+            return;
+        }
+        String[] row = name.substring(SHARED_ROW.length()).split("x");
+        shared(new int[][] {{Integer.parseInt(row[0]), Integer.parseInt(row[1])}});
     }
 
     /** Alternates the three starts, so that a change of the computer's load affects all of them. */
@@ -188,7 +205,7 @@ public final class Figures {
     }
 
     /** Measures desks that share robots over Mosquitto, with more desks and robots from row to row. */
-    private void shared() throws IOException, InterruptedException {
+    private void shared(int[][] rows) throws IOException, InterruptedException {
         say("robots shared over Mosquitto; times in ms, processor time as a share of one core, bytes a robot");
         say("(commands at most 2 times the bare messages of the same size, processor time and bytes a robot flat)");
         if (Mosquitto.installed().isEmpty()) {
@@ -197,7 +214,7 @@ public final class Figures {
         }
         say(SharedTable.head());
         Path folder = Files.createTempDirectory("majic-figures-broker");
-        for (int[] row : SHARED) {
+        for (int[] row : rows) {
             List<ChildProgram.Lab> labs = new ArrayList<>();
             try (Mosquitto broker = Mosquitto.start(
                     folder,

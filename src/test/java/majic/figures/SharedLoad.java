@@ -51,8 +51,8 @@ final class SharedLoad {
     /** Commands at the beginning, before Java has compiled their code. */
     private static final int FIRST = 30;
 
-    /** The first part of the commands warms up; it is this many times shorter. */
-    private static final int WARMING_UP = 3;
+    /** So many commands warm up: with the options of the launcher, Java compiles a method after 200 calls. */
+    private static final int WARMING_UP = 300;
 
     private static final int STOPS = 10;
     private static final int BETWEEN_MS = 20;
@@ -227,7 +227,7 @@ final class SharedLoad {
      */
     private double[] commands(BrokerMessage like, int count, Commands commands) throws InterruptedException {
         try (BareMessages bare = new BareMessages(broker, like)) {
-            List<Double> warmingUp = times(commands.give(bare, count / WARMING_UP));
+            List<Double> warmingUp = times(commands.give(bare, WARMING_UP));
             bare.reset();
             List<Sample> samples = commands.give(bare, count);
             List<Double> times = times(samples);
