@@ -99,7 +99,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         start = startPage();
         team = new TeamPane(session, selection, actions, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
-        stopKeys = new StopKeys(this::stopAll);
+        stopKeys = new StopKeys(session.team(), this::stopAll);
         helpKey = new HelpKey(dialogs::help);
         place();
         listen(parser);

@@ -4,31 +4,63 @@ import java.awt.Component;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
+import java.util.Collections;
+import java.util.Set;
+import java.util.WeakHashMap;
+import java.util.function.Consumer;
 import javax.swing.JComboBox;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
 import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.MajicDialog;
+import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Makes F12 and Esc stop all robots in every window and dialog, whatever component has the focus. F12 always stops. Esc
  * does not stop while it has something to close: a menu, an open list, a dialog, or what a {@link ClosesByEsc} has open.
+ *
+ * <p>F12 does not wait for the event dispatch thread: while that thread handles an earlier event, the thread "early keys" stops.
+ * Esc waits, because what it closes is known only when all earlier events were handled.
  */
 final class StopKeys implements KeyEventDispatcher, AutoCloseable {
+    private final Team team;
     private final Runnable stopAll;
+    private final EarlyKeyQueue queue = EarlyKeyQueue.installed();
+    private final Consumer<KeyEvent> pressedEarly = this::stopEarly;
+
+    /** The presses of F12 that have stopped before the event dispatch thread received them. */
+    private final Set<KeyEvent> early = Collections.synchronizedSet(Collections.newSetFromMap(new WeakHashMap<>()));
 
     /**
      * Creates the keys; {@link #install()} makes them work.
      *
-     * @param stopAll stops all robots
+     * @param team the robots
+     * @param stopAll stops all robots, and shows on the event dispatch thread if there is none
      */
-    StopKeys(Runnable stopAll) {
+    StopKeys(Team team, Runnable stopAll) {
+        this.team = team;
         this.stopAll = stopAll;
     }
 
     void install() {
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(this);
+        queue.addListener(pressedEarly);
+    }
+
+    /** Called on the thread "early keys". Without a robot, the key is left to the event dispatch thread. */
+    private void stopEarly(KeyEvent event) {
+        if (event.getKeyCode() == KeyEvent.VK_F12) {
+            early.add(event);
+            boolean stopped = false;
+            try {
+                stopped = team.stopAllIfAny();
+            } finally {
+                if (!stopped) {
+                    early.remove(event);
+                }
+            }
+        }
     }
 
     /** Runs before the focused component receives the key, which is passed on in any case. */
@@ -36,10 +68,15 @@ final class StopKeys implements KeyEventDispatcher, AutoCloseable {
     public boolean dispatchKeyEvent(KeyEvent event) {
         boolean stops =
                 event.getKeyCode() == KeyEvent.VK_F12 || (event.getKeyCode() == KeyEvent.VK_ESCAPE && !escCloses());
-        if (event.getID() == KeyEvent.KEY_PRESSED && stops) {
+        if (event.getID() == KeyEvent.KEY_PRESSED && stops && !hasStopped(event)) {
             stopAll.run();
         }
         return false;
+    }
+
+    /** An early stop does not count if input from before the key, such as a click on Release, has released it. */
+    private boolean hasStopped(KeyEvent event) {
+        return early.remove(event) && team.isLatched();
     }
 
     private boolean escCloses() {
@@ -67,6 +104,7 @@ final class StopKeys implements KeyEventDispatcher, AutoCloseable {
 
     @Override
     public void close() {
+        queue.removeListener(pressedEarly);
         KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(this);
     }
 }

@@ -1,21 +1,20 @@
 package majic.figures;
 
-import java.awt.AWTEvent;
-import java.awt.EventQueue;
-import java.awt.Toolkit;
+import java.awt.KeyEventDispatcher;
+import java.awt.KeyboardFocusManager;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Measures how long F12 takes from the keyboard to the event dispatch thread. */
-final class KeyArrivals extends EventQueue {
+final class KeyArrivals implements KeyEventDispatcher {
     private final List<Double> delaysMs = new ArrayList<>();
     private long pressedNanos;
 
-    /** Watches the events of the windows from now on. */
+    /** Watches the keys of all windows from now on; must be called before a window is created that handles the key. */
     static KeyArrivals watch() {
         KeyArrivals arrivals = new KeyArrivals();
-        Toolkit.getDefaultToolkit().getSystemEventQueue().push(arrivals);
+        KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(arrivals);
         return arrivals;
     }
 
@@ -30,16 +29,10 @@ final class KeyArrivals extends EventQueue {
     }
 
     @Override
-    protected void dispatchEvent(AWTEvent event) {
-        if (event instanceof KeyEvent key
-                && key.getKeyCode() == KeyEvent.VK_F12
-                && key.getID() == KeyEvent.KEY_PRESSED) {
-            arrived();
+    public synchronized boolean dispatchKeyEvent(KeyEvent event) {
+        if (event.getKeyCode() == KeyEvent.VK_F12 && event.getID() == KeyEvent.KEY_PRESSED) {
+            delaysMs.add((System.nanoTime() - pressedNanos) / 1e6);
         }
-        super.dispatchEvent(event);
-    }
-
-    private synchronized void arrived() {
-        delaysMs.add((System.nanoTime() - pressedNanos) / 1e6);
+        return false;
     }
 }

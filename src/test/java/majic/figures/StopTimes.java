@@ -99,10 +99,10 @@ final class StopTimes {
      * @param addresses the robots that read, with their types, such as {@code pioneer://127.0.0.1:8101}
      */
     static List<String> measure(List<String> addresses) throws Exception {
+        KeyArrivals arrivals = KeyArrivals.watch();
         StopTimes times = new StopTimes(Files.createTempDirectory("majic-stop"));
         times.start(addresses);
         List<String> lines = new ArrayList<>();
-        KeyArrivals arrivals = KeyArrivals.watch();
         lines.add(times.line("F12", () -> {
             arrivals.begin();
             times.keys.press();
@@ -189,7 +189,7 @@ final class StopTimes {
         List<Double> sorted = delaysMs.stream().skip(1).sorted().toList();
         return String.format(
                 Locale.ROOT,
-                "%-8s of that until the event dispatch thread has the key: median %.1f ms, longest %.1f ms",
+                "%-8s the event dispatch thread has the key: median %.1f ms, longest %.1f ms",
                 "",
                 sorted.get(sorted.size() / 2),
                 sorted.get(sorted.size() - 1));
