@@ -19,13 +19,13 @@ import majic.bot.LinkLost;
 import majic.driver.RobotWait;
 import majic.link.Links;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 /** Binaries to a server, also to one that goes away or takes no more in the middle of one. */
 class UploadTest {
-    private static final int PATIENCE_MS = 60_000;
 
     private final UrbiConnection.Owner owner = mock();
     private ServerSocket server;
@@ -88,7 +88,7 @@ class UploadTest {
                 .hasMessageContaining("takes no more data");
 
         assertThatThrownBy(() -> connection.send("stop x;")).isInstanceOf(LinkLost.class);
-        verify(owner, timeout(PATIENCE_MS)).broken(any(), any());
+        verify(owner, timeout(WaitLimit.MS)).broken(any(), any());
     }
 
     @Test

@@ -14,6 +14,7 @@ import majic.bot.FakeBot;
 import majic.bot.MajicBot;
 import majic.bot.MajicBot.Connection;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -43,7 +44,7 @@ class ConnectionNewsTest implements BotListener {
     @Test
     void aListenerMayWaitForAThreadThatClosesTheRobot() throws InterruptedException {
         whenLost = () -> CompletableFuture.runAsync(bot::close, task -> new Thread(task).start())
-                .orTimeout(10, TimeUnit.SECONDS)
+                .orTimeout(WaitLimit.SECONDS, TimeUnit.SECONDS)
                 .join();
 
         bot.cut();
@@ -65,7 +66,7 @@ class ConnectionNewsTest implements BotListener {
     private List<Connection> next(int count) throws InterruptedException {
         List<Connection> changes = new ArrayList<>();
         while (changes.size() < count) {
-            changes.add(Objects.requireNonNull(heard.poll(60, TimeUnit.SECONDS), "a further change"));
+            changes.add(Objects.requireNonNull(heard.poll(WaitLimit.SECONDS, TimeUnit.SECONDS), "a further change"));
         }
         return changes;
     }

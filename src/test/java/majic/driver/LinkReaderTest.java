@@ -16,6 +16,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import majic.time.WaitLimit;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -79,7 +80,7 @@ class LinkReaderTest {
     private void readUntil(String end) {
         ReplayLink link = new ReplayLink(new byte[] {'a'}, new byte[] {'b'}, new byte[] {'c'});
         new LinkReader<>(link, "the robot closed it", handler).start("test reader");
-        verify(handler, timeout(10_000))
+        verify(handler, timeout(WaitLimit.MS))
                 .ended(assertArg(cause -> assertThat(cause).hasMessage(end)));
     }
 

@@ -44,6 +44,7 @@ import majic.team.BotFactory;
 import majic.team.Team;
 import majic.text.MarkedTexts;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.assertj.swing.core.BasicRobot;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.core.Robot;
@@ -80,15 +81,23 @@ public final class TestWindow implements AutoCloseable {
         kept.forEach(settings::put);
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         parser = MajicParser.prompt(session);
-        robot = BasicRobot.robotWithNewAwtHierarchyWithoutScreenLock();
-        robot.settings().delayBetweenEvents(0);
-        robot.settings().eventPostingDelay(0);
+        robot = robot();
         frame = GuiActionRunner.execute(this::makeFrame);
         robot.showWindow(frame);
         await("the keys", frame::isFocused);
         await("the menus to have entries", () -> frame.getJMenuBar().getMenu(0).getItemCount() > 0);
         settle();
         checks.windowIsOpen();
+    }
+
+    private static Robot robot() {
+        Robot made = BasicRobot.robotWithNewAwtHierarchyWithoutScreenLock();
+        made.settings().delayBetweenEvents(0);
+        made.settings().eventPostingDelay(0);
+        made.settings().timeoutToBeVisible(WaitLimit.MS);
+        made.settings().timeoutToFindPopup(WaitLimit.MS);
+        made.settings().idleTimeout(WaitLimit.MS);
+        return made;
     }
 
     private static java.awt.Robot input() {

@@ -20,6 +20,7 @@ import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
 import majic.environment.BotEnvironment;
+import majic.time.WaitLimit;
 import org.jspecify.annotations.Nullable;
 
 /** A robot of the window's tests; records the commands it gets. */
@@ -79,7 +80,7 @@ public final class ToyBot extends BotDriver {
 
     private void awaitClosing() {
         try {
-            if (!closed.await(30, TimeUnit.SECONDS)) {
+            if (!closed.await(WaitLimit.SECONDS, TimeUnit.SECONDS)) {
                 throw new BotException("the test forgot to close this robot");
             }
         } catch (InterruptedException e) {

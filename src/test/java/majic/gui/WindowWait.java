@@ -1,15 +1,13 @@
 package majic.gui;
 
 import java.util.function.BooleanSupplier;
+import majic.time.WaitLimit;
 import org.assertj.swing.timing.Condition;
 import org.assertj.swing.timing.Pause;
 import org.assertj.swing.timing.Timeout;
 
 /** Waits for the content of a window. */
 public final class WindowWait {
-    /** Long, since a busy computer is slow; a wait that is over ends at once. */
-    private static final long PATIENCE_MS = 60_000;
-
     private WindowWait() {}
 
     /**
@@ -26,6 +24,6 @@ public final class WindowWait {
                         return condition.getAsBoolean();
                     }
                 },
-                Timeout.timeout(PATIENCE_MS));
+                Timeout.timeout(WaitLimit.MS));
     }
 }

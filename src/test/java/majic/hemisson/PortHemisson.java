@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.UnaryOperator;
 import majic.drivertest.TestClock;
@@ -13,6 +12,7 @@ import majic.link.Links;
 import majic.link.PseudoTerminal;
 import majic.simulation.TransitCheck;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import majicsim.net.LineCount;
 
 /**
@@ -76,20 +76,12 @@ final class PortHemisson implements AutoCloseable {
     }
 
     void awaitMotion() {
-        await(moving);
+        WaitLimit.await("the motion", moving);
     }
 
     /** Waits until it has received a stop after it moved. */
     void awaitStop() {
-        await(standing);
-    }
-
-    private static void await(CountDownLatch latch) {
-        try {
-            latch.await(1, TimeUnit.MINUTES);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        WaitLimit.await("the stop", standing);
     }
 
     @Override

@@ -19,6 +19,7 @@ import javax.net.ssl.TrustManagerFactory;
 import majic.KeyTool;
 import majic.bot.ConnectFailed;
 import majic.ros.MajicRos;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeAll;
@@ -31,7 +32,6 @@ import org.junit.jupiter.api.parallel.Isolated;
 @Isolated("replaces the trust store of this Java")
 class TlsLinkTest {
     private static final char[] PASSWORD = "for the test".toCharArray();
-    private static final int TIMEOUT_MS = 60_000;
 
     @TempDir
     private static Path folder;
@@ -100,7 +100,7 @@ class TlsLinkTest {
     void bytesGoBothWaysAndAreCounted() throws Exception {
         SSLContext.setDefault(context());
         try (Link link = Links.secure("127.0.0.1", server.getLocalPort())) {
-            link.open(TIMEOUT_MS);
+            link.open(WaitLimit.MS);
             link.write("hello".getBytes(StandardCharsets.US_ASCII));
             byte[] buffer = new byte[100];
             int count = link.read(buffer);
@@ -115,7 +115,7 @@ class TlsLinkTest {
     void aCertificateThatIsNotTrustedIsRefused() {
         Link link = Links.secure("127.0.0.1", server.getLocalPort());
 
-        assertThatThrownBy(() -> link.open(TIMEOUT_MS)).isInstanceOf(SSLException.class);
+        assertThatThrownBy(() -> link.open(WaitLimit.MS)).isInstanceOf(SSLException.class);
         assertThat(link.traffic().open()).isFalse();
     }
 
@@ -124,7 +124,7 @@ class TlsLinkTest {
         SSLContext.setDefault(context());
 
         assertThatThrownBy(
-                        () -> Links.secure("localhost", server.getLocalPort()).open(TIMEOUT_MS))
+                        () -> Links.secure("localhost", server.getLocalPort()).open(WaitLimit.MS))
                 .isInstanceOf(SSLException.class)
                 .hasMessageContaining("localhost");
     }

@@ -3,15 +3,13 @@ package majic.panel;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.Test;
 
 class RefreshTicksTest {
-    private static final int BOUND_S = 60;
-
     private final AtomicInteger updates = new AtomicInteger();
 
     @Test
@@ -99,7 +97,7 @@ class RefreshTicksTest {
         return reported.get();
     }
 
-    private static void await(CountDownLatch latch) throws InterruptedException {
-        assertThat(latch.await(BOUND_S, TimeUnit.SECONDS)).isTrue();
+    private static void await(CountDownLatch latch) {
+        WaitLimit.await("the updates", latch);
     }
 }

@@ -3,7 +3,6 @@ package majic.panel;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import majic.bot.BotListener;
@@ -13,6 +12,7 @@ import majic.bot.FakeType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.gui.kit.EventThreadChecks;
+import majic.time.WaitLimit;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.AutoClose;
@@ -49,7 +49,7 @@ class RefreshingPanelWindowTest {
             }
         });
         bot.connect();
-        assertThat(delivered.await(60, TimeUnit.SECONDS)).isTrue();
+        WaitLimit.await("the changes of the connection", delivered);
         SwingUtilities.invokeAndWait(() -> {
             panel.refreshIfChanged();
             panel.refreshIfChanged();

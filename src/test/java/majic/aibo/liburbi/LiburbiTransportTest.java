@@ -33,6 +33,7 @@ import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiTransport.Receiver;
 import majic.aibo.urbi.UrbiValue;
 import majic.link.TcpConnector;
+import majic.time.WaitLimit;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -46,7 +47,6 @@ import org.mockito.junit.jupiter.MockitoExtension;
 /** Tests the adapter with doubles of the library's classes, on a real socket. */
 @ExtendWith(MockitoExtension.class)
 class LiburbiTransportTest {
-    private static final int PATIENCE_MS = 60_000;
 
     @Mock
     private UClient client;
@@ -143,11 +143,11 @@ class LiburbiTransportTest {
         listener.accept(text(1300, null, "!!! Unknown identifier: x"));
 
         InOrder order = inOrder(receiver);
-        order.verify(receiver, timeout(PATIENCE_MS))
+        order.verify(receiver, timeout(WaitLimit.MS))
                 .received(new UrbiMessage(1200, "mj_1", new UrbiMessage.Result(new UrbiValue.Num(87))));
-        order.verify(receiver, timeout(PATIENCE_MS))
+        order.verify(receiver, timeout(WaitLimit.MS))
                 .received(new UrbiMessage(1250, "mj_1", new UrbiMessage.Info("end")));
-        order.verify(receiver, timeout(PATIENCE_MS))
+        order.verify(receiver, timeout(WaitLimit.MS))
                 .received(new UrbiMessage(1300, "notag", new UrbiMessage.Failure("Unknown identifier: x")));
         assertThat(mayWait[0]).isFalse();
     }
@@ -167,8 +167,8 @@ class LiburbiTransportTest {
         listener.accept(picture);
         listener.accept(sound);
 
-        verify(receiver, timeout(PATIENCE_MS)).received(argThat(message -> isBinary(message, "jpeg", "208", "160")));
-        verify(receiver, timeout(PATIENCE_MS))
+        verify(receiver, timeout(WaitLimit.MS)).received(argThat(message -> isBinary(message, "jpeg", "208", "160")));
+        verify(receiver, timeout(WaitLimit.MS))
                 .received(argThat(message -> isBinary(message, "raw", "2", "16000", "16", "1")));
     }
 
@@ -200,7 +200,7 @@ class LiburbiTransportTest {
         listener.accept(text(2, "b", "2"));
         listener.accept(text(3, "c", "3"));
 
-        verify(receiver, timeout(PATIENCE_MS))
+        verify(receiver, timeout(WaitLimit.MS))
                 .received(argThat(message -> message.tag().equals("c")));
         verify(receiver, never()).ended(any());
     }
@@ -214,7 +214,7 @@ class LiburbiTransportTest {
         listener.accept(damaged);
         listener.accept(text(2, "b", "2"));
 
-        verify(receiver, timeout(PATIENCE_MS))
+        verify(receiver, timeout(WaitLimit.MS))
                 .received(argThat(message -> message.tag().equals("b")));
     }
 
@@ -235,7 +235,7 @@ class LiburbiTransportTest {
         }
 
         goOn.countDown();
-        verify(receiver, timeout(PATIENCE_MS).times(1000)).received(any());
+        verify(receiver, timeout(WaitLimit.MS).times(1000)).received(any());
     }
 
     @Test
@@ -247,7 +247,7 @@ class LiburbiTransportTest {
                 .isInstanceOf(IOException.class)
                 .hasMessage("the dog closed it");
 
-        verify(receiver, timeout(PATIENCE_MS)).ended(argThat(cause -> "the dog closed it".equals(cause.getMessage())));
+        verify(receiver, timeout(WaitLimit.MS)).ended(argThat(cause -> "the dog closed it".equals(cause.getMessage())));
         assertThat(socket.isOpen()).isFalse();
         assertThatThrownBy(() -> transport.write(bytes("y;"))).hasMessage("the connection is closed");
     }
@@ -286,7 +286,7 @@ class LiburbiTransportTest {
         when(client.effectiveSend(any(), anyInt())).thenReturn(1).thenThrow(new IOException("Broken pipe"));
         open();
 
-        verify(receiver, timeout(PATIENCE_MS)).ended(argThat(cause -> "the dog closed it".equals(cause.getMessage())));
+        verify(receiver, timeout(WaitLimit.MS)).ended(argThat(cause -> "the dog closed it".equals(cause.getMessage())));
         verify(client, times(2)).effectiveSend(bytes(";"), 1);
     }
 
@@ -318,7 +318,7 @@ class LiburbiTransportTest {
 
         reading.get().start();
 
-        verify(receiver, timeout(PATIENCE_MS))
+        verify(receiver, timeout(WaitLimit.MS))
                 .ended(argThat(cause -> String.valueOf(cause.getMessage())
                         .startsWith("liburbi-java stopped reading: java.lang.IllegalStateException")));
     }
@@ -335,8 +335,8 @@ class LiburbiTransportTest {
 
         ArgumentCaptor<IOException> cause = ArgumentCaptor.captor();
         InOrder order = inOrder(receiver);
-        order.verify(receiver, timeout(PATIENCE_MS)).received(any());
-        order.verify(receiver, timeout(PATIENCE_MS)).ended(cause.capture());
+        order.verify(receiver, timeout(WaitLimit.MS)).received(any());
+        order.verify(receiver, timeout(WaitLimit.MS)).ended(cause.capture());
         assertThat(cause.getValue()).hasMessage("closed");
         verify(client).disconnect();
         assertThat(wasOpen[0]).isTrue();

@@ -15,6 +15,7 @@ import java.util.List;
 import majic.driver.ReplayLink;
 import majic.driver.RobotWait;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.Test;
 import org.mockito.InOrder;
 
@@ -32,7 +33,7 @@ class ErrorsInMessagesTest {
         new UrbiConnection("sensors", new LinkTransport(link, time), owner, new RobotWait(time, time.signal()))
                 .open(1000);
 
-        verify(owner, timeout(10_000)).broken(any(), eq("the dog closed it"));
+        verify(owner, timeout(WaitLimit.MS)).broken(any(), eq("the dog closed it"));
         InOrder order = inOrder(owner);
         for (String tag : List.of("a", "b", "c")) {
             order.verify(owner).received(argThat(message -> message.tag().equals(tag)));

@@ -10,6 +10,7 @@ import static org.mockito.Mockito.verify;
 import java.nio.charset.StandardCharsets;
 import majic.driver.ReplayLink;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.Test;
 
 /** One connection and its reader thread. */
@@ -22,7 +23,7 @@ class HemissonSessionTest {
 
         new HemissonSession(new ReplayLink(greeting, greeting), TimeSource.system(), listener).start();
 
-        verify(listener, timeout(10_000)).broken(any());
+        verify(listener, timeout(WaitLimit.MS)).broken(any());
         verify(listener, times(2)).wasReset();
     }
 }

@@ -16,6 +16,7 @@ import majic.pioneer.state.Limits;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.Ramps;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.Test;
 import org.mockito.InOrder;
 
@@ -43,7 +44,7 @@ class ArcosLineTest {
 
         new ArcosLine(link, TimeSource.system()).open(listener);
 
-        verify(listener, timeout(10_000)).ended(any());
+        verify(listener, timeout(WaitLimit.MS)).ended(any());
         InOrder order = inOrder(listener);
         order.verify(listener).received(argThat(packet -> packet.type() == 0x32));
         order.verify(listener).received(argThat(packet -> packet.type() == 0x33));

@@ -10,6 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import majic.environment.BotEnvironment;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.condition.EnabledIf;
@@ -22,7 +23,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 @EnabledIf("isInstalled")
 class AccessListTest {
     private static final String TOPICS = "lab/majic/1/";
-    private static final int PATIENCE_S = 60;
 
     @TempDir
     private static Path folder;
@@ -63,7 +63,7 @@ class AccessListTest {
                 .environment();
         BrokerConnection connection = BrokerConnections.open(
                 BrokerAddress.parse("mqtt://127.0.0.1:" + broker.port() + "/lab"),
-                ConnectOptions.of(user, environment).withTimeoutMs(Mosquitto.PATIENCE_MS));
+                ConnectOptions.of(user, environment).withTimeoutMs(WaitLimit.MS));
         connection.connect();
         return connection;
     }
@@ -75,7 +75,7 @@ class AccessListTest {
             connection.publish(
                     BrokerMessage.json(TOPICS + topic, "{}", Quality.AT_LEAST_ONCE),
                     refusal -> answer.complete(refusal == null ? "accepted" : "refused: " + refusal.getMessage()));
-            return answer.get(PATIENCE_S, TimeUnit.SECONDS);
+            return answer.get(WaitLimit.SECONDS, TimeUnit.SECONDS);
         }
     }
 
@@ -111,7 +111,7 @@ class AccessListTest {
                     List.of("request", "speed", "hold", "stop", "description", "state", "changes", "messages")) {
                 desk.publish(BrokerMessage.json(TOPICS + "desks/desk2/robots/9/" + part, "{}", Quality.AT_LEAST_ONCE));
             }
-            end.get(PATIENCE_S, TimeUnit.SECONDS);
+            end.get(WaitLimit.SECONDS, TimeUnit.SECONDS);
         }
 
         assertThat(received)

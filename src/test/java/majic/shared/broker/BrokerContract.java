@@ -10,15 +10,13 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import majic.bot.BotException;
 import majic.environment.BotEnvironment;
+import majic.time.WaitLimit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** What every broker and every connection does. Each test uses topics of its own. */
 abstract class BrokerContract {
     private static final String ONLINE = "connected";
-
-    /** Long enough for a computer that is busy; a test that passes never waits so long. */
-    private static final int PATIENCE_SECONDS = 60;
 
     final BlockingQueue<BrokerMessage> arrived = new LinkedBlockingQueue<>();
 
@@ -32,7 +30,7 @@ abstract class BrokerContract {
 
     BrokerConnection connected(String name, @Nullable BrokerMessage will) {
         ConnectOptions options = ConnectOptions.of(name + "-" + topic("id").hashCode(), BotEnvironment.plain())
-                .withTimeoutMs(Mosquitto.PATIENCE_MS);
+                .withTimeoutMs(WaitLimit.MS);
         BrokerConnection connection = open(will == null ? options : options.withWill(will));
         connection.connect();
         return connection;
@@ -47,7 +45,7 @@ abstract class BrokerContract {
     }
 
     BrokerMessage next() throws InterruptedException {
-        BrokerMessage next = arrived.poll(PATIENCE_SECONDS, TimeUnit.SECONDS);
+        BrokerMessage next = arrived.poll(WaitLimit.SECONDS, TimeUnit.SECONDS);
         assertThat(next).as("a message").isNotNull();
         return next;
     }
@@ -103,7 +101,7 @@ abstract class BrokerContract {
         CompletableFuture<String> outcome = new CompletableFuture<>();
         connection.publish(
                 message, problem -> outcome.complete(problem == null ? "acknowledged" : problem.getMessage()));
-        assertThat(outcome.get(PATIENCE_SECONDS, TimeUnit.SECONDS)).isEqualTo("acknowledged");
+        assertThat(outcome.get(WaitLimit.SECONDS, TimeUnit.SECONDS)).isEqualTo("acknowledged");
     }
 
     @Test
@@ -130,16 +128,16 @@ abstract class BrokerContract {
             lost.subscribe(topic("news"), Quality.AT_LEAST_ONCE, arrived::add);
             lost.subscribeUrgently(topic("urgent"), Quality.AT_LEAST_ONCE, arrived::add);
             lost.watch(recording(events));
-            assertThat(events.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).isEqualTo(ONLINE);
+            assertThat(events.poll(WaitLimit.SECONDS, TimeUnit.SECONDS)).isEqualTo(ONLINE);
             cut(lost);
-            assertThat(events.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).startsWith("lost: ");
+            assertThat(events.poll(WaitLimit.SECONDS, TimeUnit.SECONDS)).startsWith("lost: ");
             assertThat(lost.isConnected()).isFalse();
             assertThatThrownBy(() -> lost.publish(message(topic("news"), "while lost")))
                     .isInstanceOf(BotException.class)
                     .hasMessageStartingWith("not connected");
             acknowledged(other, message(topic("news"), "missed"));
             restore(lost);
-            assertThat(events.poll(PATIENCE_SECONDS, TimeUnit.SECONDS)).isEqualTo(ONLINE);
+            assertThat(events.poll(WaitLimit.SECONDS, TimeUnit.SECONDS)).isEqualTo(ONLINE);
             acknowledged(lost, message(topic("news"), "after"));
 
             assertThat(next().text()).isEqualTo("after");

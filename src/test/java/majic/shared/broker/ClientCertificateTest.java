@@ -17,6 +17,7 @@ import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.environment.BotEnvironment;
 import majic.server.ListenKey;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -86,7 +87,7 @@ class ClientCertificateTest {
                 .environment();
         return BrokerConnections.open(
                 BrokerAddress.parse("mqtts://localhost:" + broker.port() + "/test"),
-                ConnectOptions.of("client", environment).withTimeoutMs(Mosquitto.PATIENCE_MS));
+                ConnectOptions.of("client", environment).withTimeoutMs(WaitLimit.MS));
     }
 
     private ConnectFailed refusal(String keyStore) throws IOException {

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.environment.BotEnvironment;
+import majic.time.WaitLimit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
@@ -23,7 +24,7 @@ class ConnectErrorsTest {
     private static final byte BUSY = (byte) 0x89;
 
     private static ConnectFailed failure(String address) {
-        return failure(address, Mosquitto.PATIENCE_MS);
+        return failure(address, WaitLimit.MS);
     }
 
     private static ConnectFailed failure(String address, int timeoutMs) {

@@ -15,9 +15,6 @@ import java.util.stream.Stream;
 
 /** A Mosquitto on a free port of this computer, with a configuration of its own; killed by {@link #close}. */
 public final class Mosquitto implements AutoCloseable {
-    /** How long a connection may take on a computer that is busy, ms. */
-    static final int PATIENCE_MS = 60_000;
-
     private final Process process;
     private final int port;
 

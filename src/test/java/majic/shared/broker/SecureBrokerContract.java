@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.environment.BotEnvironment;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -38,7 +39,7 @@ abstract class SecureBrokerContract {
                 FolderSettings.withCredentials(folder, lines).environment();
         return BrokerConnections.open(
                 BrokerAddress.parse("mqtts://localhost:" + port() + "/test"),
-                ConnectOptions.of("anna", environment).withTimeoutMs(Mosquitto.PATIENCE_MS));
+                ConnectOptions.of("anna", environment).withTimeoutMs(WaitLimit.MS));
     }
 
     private ConnectFailed refusal(String... lines) throws IOException {

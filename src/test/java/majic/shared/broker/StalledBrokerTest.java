@@ -8,6 +8,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import majic.bot.BotException;
 import majic.environment.BotEnvironment;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -68,7 +69,8 @@ class StalledBrokerTest {
         connection.close();
 
         for (int i = 0; i < 3; i++) {
-            assertThat(outcomes.poll(1, TimeUnit.MINUTES)).startsWith("the broker did not take the message on stop");
+            assertThat(outcomes.poll(WaitLimit.SECONDS, TimeUnit.SECONDS))
+                    .startsWith("the broker did not take the message on stop");
         }
     }
 
@@ -81,7 +83,7 @@ class StalledBrokerTest {
                 callers.add(Thread.currentThread());
             }
         });
-        Thread caller = callers.poll(1, TimeUnit.MINUTES);
+        Thread caller = callers.poll(WaitLimit.SECONDS, TimeUnit.SECONDS);
         assertThat(caller).isNotNull();
         assertThat(Thread.getAllStackTraces().keySet())
                 .filteredOn(thread -> thread.getName().startsWith("MQTT"))

@@ -1,0 +1,33 @@
+package majic.time;
+
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+
+/**
+ * How long a test waits on the wall clock for something that has to happen. Long, because a busy computer is slow; a wait
+ * ends as soon as it has happened. Shorter than the time after which a hanging test is ended, so that the failure names
+ * what did not happen.
+ */
+public final class WaitLimit {
+    public static final int SECONDS = 60;
+    public static final int MS = SECONDS * 1000;
+
+    private WaitLimit() {}
+
+    /**
+     * Waits for a latch, and fails if it is not released in time.
+     *
+     * @param what names it in the failure
+     * @param latch released by another thread
+     */
+    public static void await(String what, CountDownLatch latch) {
+        try {
+            if (!latch.await(SECONDS, TimeUnit.SECONDS)) {
+                throw new AssertionError("timed out waiting for " + what);
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+            throw new AssertionError("interrupted while waiting for " + what, e);
+        }
+    }
+}
