@@ -56,6 +56,7 @@ class LoginWindowTest {
     @Test
     void severalRobotsOfABrokerNeedOneAnswer() {
         window.command("add toy://strict/lab/desk2/1 as 1");
+        window.awaitDialogWithKeys(TITLE);
         window.command("add toy://strict/lab/desk2/2 as 2");
         window.await("both refusals", () -> window.text("messages").split("refuses the user name", -1).length == 3);
         answer("anna", "secret");
