@@ -33,6 +33,7 @@ class FullTeamWindowTest {
         window.type.made.get(4).confirmStops(false);
         window.click("cardStop5");
         window.await("the alarm", () -> window.isShowing("stopAlarm"));
+        window.run(window.frame::validate);
         assertCardsAreWhole();
     }
 

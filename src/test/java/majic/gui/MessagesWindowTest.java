@@ -127,6 +127,7 @@ class MessagesWindowTest {
         window.add("two");
         window.command("1 move 5");
         window.command("2 move 5");
+        window.awaitMessage("1 move 5: done");
         window.awaitMessage("2 move 5: done");
         window.click("messageRobots");
         window.press(KeyEvent.VK_DOWN);

@@ -178,7 +178,7 @@ class ScriptEditorWindowTest {
         awaitStatus("Running line 2");
         window.press(KeyEvent.VK_ESCAPE);
         awaitStatus("Last run: stopped");
-        assertThat(bot.told).endsWith("halt");
+        awaitHalt(bot);
         window.await("STOP in the editor", () -> window.text("smallStop").equals("STOPPED"));
         window.run(window.team::release);
         window.press(KeyEvent.VK_F12);
@@ -195,7 +195,7 @@ class ScriptEditorWindowTest {
         awaitStatus("Running line 2");
         window.push("editor End");
         awaitStatus("Last run: stopped");
-        assertThat(bot.told).endsWith("halt");
+        awaitHalt(bot);
         assertThat(other.told).isEmpty();
         assertThat(window.team.isLatched()).isFalse();
     }
@@ -453,5 +453,11 @@ class ScriptEditorWindowTest {
         public Object getTransferData(DataFlavor flavor) {
             return List.of(file.toFile());
         }
+    }
+
+    private void awaitHalt(ToyBot bot) {
+        window.await(
+                "the robot to halt",
+                () -> List.copyOf(bot.told).lastIndexOf("halt") == bot.told.size() - 1 && !bot.told.isEmpty());
     }
 }

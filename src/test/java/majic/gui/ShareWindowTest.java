@@ -43,7 +43,7 @@ class ShareWindowTest {
         share(" ");
 
         window.await("the request", () -> window.text("shareState").startsWith("Fill in the broker"));
-        assertThat(window.find("shareBroker", JTextField.class).isFocusOwner()).isTrue();
+        window.await("the focus", window.find("shareBroker", JTextField.class)::isFocusOwner);
         assertThat(window.sharing.now()).isEmpty();
         assertThat(window.isEnabled("shareBegin")).isTrue();
     }
