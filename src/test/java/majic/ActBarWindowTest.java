@@ -10,6 +10,7 @@ import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import majic.environment.Settings;
 import majic.gui.MajicFrame;
+import majic.gui.WindowWait;
 import majic.gui.kit.EventThreadChecks;
 import majic.program.Program;
 import majic.program.UserFolder;
@@ -49,7 +50,7 @@ class ActBarWindowTest {
             SwingUtilities.invokeAndWait(() -> frame.setSize(1280, 800));
             PictureWindow.add(program, parser, List.of("pioneer"));
             parser.parseText("1 act PioneerWander");
-            PictureWindow.awaitWindow(() -> PictureWindow.isShowing(frame, "endAct1"));
+            WindowWait.await("the bar of the act", () -> PictureWindow.isShowing(frame, "endAct1"));
             Container panel = (Container) PictureWindow.find(frame, "bot1");
             SwingUtilities.invokeAndWait(frame::validate);
             SwingUtilities.invokeAndWait(() -> DISTANCES.forEach(name -> {

@@ -59,7 +59,9 @@ final class PictureWindow {
         for (String type : types) {
             int wanted = program.team().members().size() + 1;
             parser.parseText("add sim:" + type);
-            awaitWindow(() -> program.team().members().size() == wanted);
+            WindowWait.await(
+                    "the simulated " + type + " to join",
+                    () -> program.team().members().size() == wanted);
         }
     }
 

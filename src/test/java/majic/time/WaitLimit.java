@@ -9,7 +9,7 @@ import java.util.concurrent.TimeUnit;
  * what did not happen.
  */
 public final class WaitLimit {
-    public static final int SECONDS = 60;
+    public static final int SECONDS = 120;
     public static final int MS = SECONDS * 1000;
 
     private WaitLimit() {}
