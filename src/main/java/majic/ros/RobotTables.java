@@ -1,18 +1,24 @@
 package majic.ros;
 
 import java.io.IOException;
-import java.nio.file.Files;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import majic.environment.Settings;
+import majic.file.RegularFile;
 import majic.ros.graph.KnownRobots;
+import majic.text.IoReason;
+import majic.text.VisibleText;
 
 /** Reads the table of known robots: MAJIC's own and, in front of it, the user's, a file in MAJIC's own folder. */
 final class RobotTables {
     /** The user's table. */
     static final String FILE = "ros-robots.txt";
+
+    private static final int MOST_BYTES = 1_000_000;
 
     private RobotTables() {}
 
@@ -29,14 +35,25 @@ final class RobotTables {
             return known;
         }
         try {
-            return known.with(FILE, Files.readString(file.get()));
+            return known.with(FILE, text(file.get()));
         } catch (NoSuchFileException e) {
             return known;
         } catch (IOException e) {
-            alarm.accept("the table of robots " + file.get() + " cannot be read: " + e.getMessage());
+            alarm.accept("the table of robots " + file.get() + " cannot be read: " + IoReason.of(e));
         } catch (IllegalArgumentException e) {
-            alarm.accept("the table of robots is not used: " + e.getMessage());
+            alarm.accept(VisibleText.of("the table of robots is not used: " + e.getMessage()));
         }
         return known;
+    }
+
+    private static String text(Path file) throws IOException {
+        byte[] bytes = RegularFile.read(file, MOST_BYTES + 1);
+        if (bytes.length > MOST_BYTES) {
+            throw new IOException("it is larger than " + MOST_BYTES / 1_000_000 + " MB");
+        }
+        return StandardCharsets.UTF_8
+                .newDecoder()
+                .decode(ByteBuffer.wrap(bytes))
+                .toString();
     }
 }

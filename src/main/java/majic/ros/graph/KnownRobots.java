@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -19,6 +20,9 @@ import org.jspecify.annotations.Nullable;
 public final class KnownRobots {
     /** A robot that is not in the table: careful limits, and nothing that could be wrong. */
     public static final KnownRobot UNKNOWN = new RobotEntry("unknown robot").robot();
+
+    private static final int LONGEST_LINE = 500;
+    private static final Pattern INVISIBLE = Pattern.compile("\\p{C}");
 
     private final List<Entry> entries;
 
@@ -62,7 +66,7 @@ public final class KnownRobots {
             String content = each.replaceFirst("(^|\\s)#.*", "").strip();
             if (!content.isEmpty()) {
                 try {
-                    open = read(List.of(content.split("\\s+")), open, all);
+                    open = read(content, open, all);
                 } catch (IllegalArgumentException e) {
                     throw new IllegalArgumentException(name + " line " + line + ": " + e.getMessage(), e);
                 }
@@ -74,12 +78,16 @@ public final class KnownRobots {
     }
 
     /** Reads one line; returns the entry that the next line belongs to. */
-    private RobotEntry read(List<String> words, @Nullable RobotEntry open, List<Entry> done) {
+    private RobotEntry read(String content, @Nullable RobotEntry open, List<Entry> done) {
+        if (content.length() > LONGEST_LINE) {
+            throw new IllegalArgumentException("the line is longer than " + LONGEST_LINE + " characters");
+        }
+        List<String> words = List.of(content.split("\\s+"));
         String key = words.get(0);
         List<String> rest = words.subList(1, words.size());
         if (key.equals("robot")) {
             end(open, done);
-            return new RobotEntry(String.join(" ", rest));
+            return new RobotEntry(checkedName(String.join(" ", rest)));
         }
         if (open == null) {
             throw new IllegalArgumentException("an entry begins with \"robot NAME\"");
@@ -90,6 +98,15 @@ public final class KnownRobots {
             open.set(key, rest);
         }
         return open;
+    }
+
+    /** Returns a name by which a robot can be found. */
+    private static String checkedName(String name) {
+        if (word(name).isEmpty() || INVISIBLE.matcher(name).find()) {
+            throw new IllegalArgumentException(
+                    "behind \"robot\" a name is missing; it has letters or digits, and no invisible characters");
+        }
+        return name;
     }
 
     private static void end(@Nullable RobotEntry open, List<Entry> done) {
@@ -112,7 +129,7 @@ public final class KnownRobots {
     }
 
     private static String word(String name) {
-        return name.toLowerCase(Locale.ROOT).replaceAll("[^a-z0-9]", "");
+        return name.toLowerCase(Locale.ROOT).replaceAll("[^\\p{L}\\p{N}]", "");
     }
 
     /**

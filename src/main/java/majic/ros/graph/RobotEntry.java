@@ -8,6 +8,11 @@ final class RobotEntry {
     /** From rest to the highest speed where the acceleration is not known, seconds. */
     private static final double RAMP_S = 0.8;
 
+    /** Of all limits, in their units. */
+    private static final double LEAST = 0.001;
+
+    private static final double MOST = 1_000_000;
+
     private final String name;
     private final List<RobotSign> signs = new ArrayList<>();
     private double radiusMm = 200;
@@ -85,13 +90,13 @@ final class RobotEntry {
     private static double number(List<String> words, int index) {
         try {
             double number = Double.parseDouble(words.get(index));
-            if (number > 0 && Double.isFinite(number)) {
+            if (number >= LEAST && number <= MOST) {
                 return number;
             }
         } catch (NumberFormatException | IndexOutOfBoundsException e) {
-            throw new IllegalArgumentException("a positive number is missing", e);
+            throw new IllegalArgumentException("a number from 0.001 to 1000000 is missing", e);
         }
-        throw new IllegalArgumentException(words.get(index) + " is not a positive number");
+        throw new IllegalArgumentException(words.get(index) + " is not a number from 0.001 to 1000000");
     }
 
     List<RobotSign> signs() {

@@ -108,8 +108,11 @@ class KnownRobotsTest {
     @Test
     void aWrongLineIsRefusedWithItsPlaceAndWhatWouldBeRight() {
         assertRefused("radius 100", "robots line 1: an entry begins with \"robot NAME\"");
-        assertRefused("robot A", "radius ten", "robots line 2: a positive number is missing");
-        assertRefused("robot A", "radius -3", "robots line 2: -3 is not a positive number");
+        assertRefused("robot A", "radius ten", "robots line 2: a number from 0.001 to 1000000 is missing");
+        assertRefused("robot A", "radius -3", "robots line 2: -3 is not a number from 0.001 to 1000000");
+        assertRefused("robot A", "speed 1e308", "robots line 2: 1e308 is not a number from 0.001 to 1000000");
+        assertRefused("robot A", "robot !!", "robots line 2: behind \"robot\" a name is missing");
+        assertRefused("robot A", "note " + "x".repeat(500), "robots line 2: the line is longer than 500 characters");
         assertRefused("robot A", "", "when colour red", "robots line 3: \"colour\" is no test");
         assertRefused("robot A", "when param /x", "robots line 2: \"param\" needs 2 more word(s)");
         assertRefused("robot A", "like B", "robots line 2: there is no robot B above");

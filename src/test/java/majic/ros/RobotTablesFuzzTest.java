@@ -1,0 +1,91 @@
+package majic.ros;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.code_intelligence.jazzer.junit.FuzzTest;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import majic.environment.Settings;
+import majic.ros.graph.KnownRobot;
+import majic.ros.graph.KnownRobots;
+import majic.text.OneSentence;
+import majic.text.VisibleText;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Arbitrary tables of robots: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see CONTRIBUTING.md).
+ */
+class RobotTablesFuzzTest {
+    private static final int LONGEST_REPORT = 4000;
+
+    @TempDir
+    private Path folder;
+
+    private final List<String> alarms = new ArrayList<>();
+
+    @FuzzTest
+    void anyTableIsUsedInFrontOfMajicsOwnOrRefusedInOneSentence(byte[] table) throws IOException {
+        alarms.clear();
+        Files.write(folder.resolve("ros-robots.txt"), table);
+
+        KnownRobots known = RobotTables.read(settings(folder), alarms::add);
+
+        List<String> own = KnownRobots.builtIn().names();
+        assertThat(known.names()).endsWith(own.toArray(String[]::new));
+        if (!alarms.isEmpty()) {
+            assertThat(known.names()).isEqualTo(own);
+            assertThat(alarms).singleElement().satisfies(OneSentence::check);
+            assertThat(alarms.get(0))
+                    .contains("ros-robots.txt")
+                    .hasSizeLessThan(LONGEST_REPORT + folder.toString().length());
+        }
+        assertThat(known.names()).allSatisfy(name -> canBeDriven(known.named(name)));
+    }
+
+    /** A robot of the table has positive limits; of several with one name, the first is found. */
+    private static void canBeDriven(Optional<KnownRobot> found) {
+        KnownRobot robot = found.orElseThrow();
+        assertThat(robot.name()).isNotBlank().isEqualTo(VisibleText.of(robot.name()));
+        assertThat(List.of(
+                        robot.radiusMm(),
+                        robot.speedMmPerSec(),
+                        robot.turnDegPerSec(),
+                        robot.accelerationMmPerSec2(),
+                        robot.accelerationDegPerSec2(),
+                        robot.slowestMmPerSec(),
+                        robot.slowestDegPerSec()))
+                .allMatch(limit -> limit > 0 && Double.isFinite(limit));
+        assertThat(robot.slowestMmPerSec()).isLessThanOrEqualTo(robot.speedMmPerSec());
+        assertThat(robot.afterCommands()).isNotBlank();
+    }
+
+    private static Settings settings(Path folder) {
+        return new Settings() {
+            @Override
+            public Optional<String> get(String key) {
+                return Optional.empty();
+            }
+
+            @Override
+            public void put(String key, String value) {
+                throw new AssertionError("a table changes no setting");
+            }
+
+            @Override
+            public SortedSet<String> keys(String prefix) {
+                return new TreeSet<>();
+            }
+
+            @Override
+            public Optional<Path> folder() {
+                return Optional.of(folder);
+            }
+        };
+    }
+}
