@@ -16,7 +16,7 @@ import majic.text.OneSentence;
  */
 class ScriptFuzzTest {
     /** What would read or write files of any name. */
-    private static final Pattern FILES = Pattern.compile("(?i)save|run|act|trust|log");
+    private static final Pattern FILES = Pattern.compile("(?iu)save|run|act|trust|log");
 
     private static final Pattern MOTION = Pattern.compile("(?m)^(move|turn|drive|headPan) ");
 

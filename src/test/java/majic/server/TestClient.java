@@ -34,7 +34,11 @@ final class TestClient implements AutoCloseable {
     }
 
     TestClient sayRaw(String text) throws IOException {
-        socket.getOutputStream().write(text.getBytes(StandardCharsets.UTF_8));
+        return sayBytes(text.getBytes(StandardCharsets.UTF_8));
+    }
+
+    TestClient sayBytes(byte[] bytes) throws IOException {
+        socket.getOutputStream().write(bytes);
         return this;
     }
 
