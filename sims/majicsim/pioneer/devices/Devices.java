@@ -13,6 +13,9 @@ public final class Devices {
 
     private static final double DRIVING_AMPERES = 3;
 
+    /** How much time may be let pass at once. */
+    private static final long LONGEST_NANOS = 100_000_000;
+
     private final Settings settings = new Settings();
     private final UserPort userPort = new UserPort();
     private final Infrared infrared = new Infrared();
@@ -31,6 +34,15 @@ public final class Devices {
     private final Charger charger;
     private final Gripper gripper;
     private final Gyro gyro;
+
+    /** Whether a device may be active, so that its time passes in each step. */
+    private boolean used = true;
+
+    /** The time that has not yet passed on the devices, with effort and turn rate meanwhile. */
+    private long leftNanos;
+
+    private double leftEffort;
+    private double leftDegPerSec;
 
     public Devices(Equipment equipment, Noise noise) {
         charger = new Charger(equipment.hasCharger(), battery);
@@ -63,14 +75,17 @@ public final class Devices {
     }
 
     public Buzzer buzzer() {
+        use();
         return buzzer;
     }
 
     public Battery battery() {
+        use();
         return battery;
     }
 
     public Charger charger() {
+        use();
         return charger;
     }
 
@@ -79,24 +94,29 @@ public final class Devices {
     }
 
     public HostBaud hostBaud() {
+        use();
         return hostBaud;
     }
 
     public Gripper gripper() {
+        use();
         return gripper;
     }
 
     public Gyro gyro() {
+        use();
         return gyro;
     }
 
     /** AUX1 to AUX3. */
     public List<AuxPort> auxPorts() {
+        use();
         return auxPorts;
     }
 
     /** Begins or ends a session: restores the stored values and ends the tune (ARCOS sheet 5.1). */
     public void restore() {
+        use();
         settings.restore();
         buzzer.silence();
         buzzer.mute(false);
@@ -130,16 +150,43 @@ public final class Devices {
     }
 
     /**
-     * Lets time pass.
+     * Lets time pass. As long as the devices are at rest and nothing changes, it passes a tenth of a second at a time, or when
+     * one of them is read or changed.
      *
      * @param effort how much of its top speed the robot drives, 0 to 1
      * @param trueDegPerSec its true turn rate
      */
     public void step(long nanos, double effort, double trueDegPerSec) {
-        double seconds = nanos / 1e9;
-        battery.step(seconds, IDLE_AMPERES + DRIVING_AMPERES * effort - charger.amperes());
+        if (effort != leftEffort || trueDegPerSec != leftDegPerSec) {
+            catchUp();
+            leftEffort = effort;
+            leftDegPerSec = trueDegPerSec;
+        }
+        leftNanos += nanos;
+        if (used || leftNanos >= LONGEST_NANOS) {
+            catchUp();
+        }
+    }
+
+    /** Called before a device is read or changed, which may end its rest. */
+    private void use() {
+        catchUp();
+        used = true;
+    }
+
+    private void catchUp() {
+        if (leftNanos > 0) {
+            long nanos = leftNanos;
+            leftNanos = 0;
+            pass(nanos, nanos / 1e9);
+            used = !isAtRest();
+        }
+    }
+
+    private void pass(long nanos, double seconds) {
+        battery.step(seconds, IDLE_AMPERES + DRIVING_AMPERES * leftEffort - charger.amperes());
         gripper.step(seconds);
-        gyro.step(nanos, trueDegPerSec);
+        gyro.step(nanos, leftDegPerSec);
         buzzer.step(nanos);
         alarm.step(nanos);
         hostBaud.step(nanos);
