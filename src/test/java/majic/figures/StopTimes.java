@@ -223,7 +223,7 @@ final class StopTimes {
                 .toList();
     }
 
-    /** Connects those again that were lost on a busy computer. */
+    /** Waits for those that were lost on a busy computer, which the window connects again. */
     private void moveHealthy() throws InterruptedException {
         MajicParser parser = MajicParser.prompt(program.session());
         List<MajicBot> bots = team.members().subList(0, healthy.size()).stream()
@@ -233,7 +233,8 @@ final class StopTimes {
             if (!bots.get(robot - 1).isConnected()) {
                 System.out.println(
                         "  robot " + robot + " was lost: " + bots.get(robot - 1).lostReason());
-                bots.get(robot - 1).connect();
+                MajicBot lost = bots.get(robot - 1);
+                await(lost::isConnected);
             }
             parser.parseText(robot + " turn 3600");
         }
