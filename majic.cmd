@@ -48,8 +48,15 @@ for %%A in (%*) do if /i "%%~A"=="--broker" goto broker
 exit /b %ERRORLEVEL%
 
 :broker
-echo majic: fetching the embedded broker (100 MB) into target\broker, once 1>&2
-call mvn -q -B -f "%HERE%src\build\broker\pom.xml" package <nul >nul
+echo majic: fetching the embedded broker (100 MB) into target\broker, once; this takes a minute or more 1>&2
+if exist "%HERE%target\broker.part" rmdir /s /q "%HERE%target\broker.part"
+call mvn -q -B -f "%HERE%src\build\broker\pom.xml" "-Dmajic.broker=%HERE%target\broker.part" package <nul >"%HERE%target\broker.log" 2>&1
+if errorlevel 1 goto nobroker
+ren "%HERE%target\broker.part" broker
+goto start
+
+:nobroker
+echo majic: the embedded broker was not fetched; target\broker.log has the reason. Start MAJIC again to try again, or install another broker, such as Mosquitto 1>&2
 goto start
 
 :package

@@ -86,15 +86,21 @@ need_packaging_tools() {
     done
 }
 
-# fetch_broker HERE: copies the libraries of the embedded broker to target/broker, which are not part of MAJIC.
+# fetch_broker HERE: copies the libraries of the embedded broker to target/broker, which are not part of MAJIC. The folder
+# gets this name when it is complete, so that a fetch that was interrupted is done again.
 fetch_broker() {
     [ ! -d "$1/target/broker" ] || return 0
-    say "fetching the embedded broker (100 MB) into target/broker, once"
-    if ! (cd "$1" && mvn -q -B -f src/build/broker/pom.xml package </dev/null >target/broker.log 2>&1); then
-        rm -rf "$1/target/broker"
-        say "fetching failed; all of it stands in $1/target/broker.log"
-        return 1
+    say "fetching the embedded broker (100 MB) into target/broker, once; this takes a minute or more"
+    part=$1/target/broker.part
+    log=$1/target/broker.log
+    rm -rf "$part"
+    if (cd "$1" && mvn -q -B -f src/build/broker/pom.xml "-Dmajic.broker=$part" package </dev/null >"$log" 2>&1); then
+        mv "$part" "$1/target/broker"
+        return 0
     fi
+    reason=$(sed -n 's/.*Could not transfer artifact [^ ]* from[^(]*(\([^)]*\)): \(.*\)/\1: \2/p' "$log" | sed 's/ -> \[Help.*//' | head -n 1)
+    say "the embedded broker was not fetched: ${reason:-an error that $log shows}; start MAJIC again to try again, or install another broker, such as Mosquitto"
+    return 1
 }
 
 # fetch_wanted_broker HERE ARGUMENT...: the same if an argument is --broker.
