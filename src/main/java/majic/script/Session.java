@@ -198,6 +198,16 @@ public final class Session {
     }
 
     /**
+     * Checks that no robot of the team is connected at an address, as {@code add} does.
+     *
+     * @param address as {@code add} would take it
+     * @throws majic.bot.BotException naming the robot that is
+     */
+    public void checkUnused(String address) {
+        connector.checkUnused(address);
+    }
+
+    /**
      * Returns the address of a robot.
      *
      * @param member a robot of the team

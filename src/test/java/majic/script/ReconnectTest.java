@@ -52,6 +52,17 @@ class ReconnectTest {
     }
 
     @Test
+    void anAddressIsNotAddedTwiceAlthoughItsDeviceAcceptsSeveralConnections() throws InterruptedException {
+        fixture.runPipe("add sim:aibo");
+
+        assertThat(fixture.runPipe("add sim:aibo", "add SIM:Aibo as 5"))
+                .filteredOn(line -> line.endsWith("sim:aibo: robot 1 is connected to it already")
+                        || line.endsWith("SIM:Aibo: robot 1 is connected to it already"))
+                .hasSize(2);
+        assertThat(fixture.team.members()).hasSize(1);
+    }
+
+    @Test
     void aRefusalOfATakenAddressNamesItsRobot() throws InterruptedException {
         fixture.runPipe("add sim:aibo");
         fixture.aibo.prepare(second -> second.refuse(new BotException("closed at once")));

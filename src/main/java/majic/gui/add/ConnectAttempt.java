@@ -89,6 +89,7 @@ final class ConnectAttempt {
 
     private void joinNew() {
         session.team().checkRoom(OptionalInt.empty());
+        session.checkUnused(address);
         MajicBot made = session.factory().create(address);
         bot = made;
         join(made);

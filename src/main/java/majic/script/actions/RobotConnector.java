@@ -15,6 +15,7 @@ import majic.script.run.SessionState;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
+import org.jspecify.annotations.Nullable;
 
 /** Adds robots to the team and removes them. Both block for as long as the robot takes. Thread-safe. */
 public final class RobotConnector {
@@ -65,6 +66,7 @@ public final class RobotConnector {
             return lost.get();
         }
         team.checkRoom(number);
+        checkUnused(address);
         MajicBot bot = factory.create(address);
         connectNew(bot, address);
         Member member = join(bot, number);
@@ -83,6 +85,24 @@ public final class RobotConnector {
         if (!isHere) {
             team.checkRoom(number);
         }
+    }
+
+    /**
+     * Checks that no robot of the team is connected at an address: some devices, such as an Aibo, accept several connections, and
+     * two robots of the team would command one device.
+     *
+     * @throws BotException naming the robot that is
+     */
+    public void checkUnused(String address) {
+        Optional<Member> there =
+                at(address).filter(member -> member.bot().isConnected()).findFirst();
+        if (there.isPresent()) {
+            throw connectedAlready(address, there.get(), null);
+        }
+    }
+
+    private static BotException connectedAlready(String address, Member there, @Nullable BotException cause) {
+        return new BotException(address + ": robot " + there.number() + " is connected to it already", cause);
     }
 
     /** The robot that is connected under just this number and address. */
@@ -140,9 +160,7 @@ public final class RobotConnector {
             bot.close();
             Optional<Member> holder =
                     at(address).filter(member -> member.bot().isConnected()).findFirst();
-            throw holder.map(member ->
-                            new BotException(address + ": robot " + member.number() + " is connected to it already", e))
-                    .orElse(e);
+            throw holder.map(member -> connectedAlready(address, member, e)).orElse(e);
         }
     }
 
