@@ -4,7 +4,6 @@ import java.util.List;
 import majic.bot.BotType;
 import majic.gui.kit.RobotSharing;
 import majic.shared.SharedType;
-import majic.shared.desk.SiteLatch;
 import majic.shared.message.Sender;
 import majic.team.Team;
 
@@ -22,7 +21,7 @@ final class UsedSites {
         for (BotType type : types) {
             if (type instanceof SharedType shared) {
                 shared.sendAs(() -> sender(sharing));
-                shared.observeSites((connection, address, by) -> new SiteLatch(team, connection, address.site(), by));
+                shared.observeSites((connection, address, by) -> new UsedSite(team, connection, address, by));
             }
         }
     }

@@ -96,6 +96,15 @@ public record BrokerAddress(boolean secure, String host, int port, String site) 
         return host + ":" + port;
     }
 
+    /**
+     * Returns the address for errors, in which the port matters although it was not typed.
+     *
+     * @return with the port, also if it is the usual one
+     */
+    public String withPort() {
+        return (secure ? SECURE_SCHEME : SCHEME) + "://" + hostAndPort() + "/" + site;
+    }
+
     /** Returns the address as it is typed, without the port if it is the usual one. */
     @Override
     public String toString() {

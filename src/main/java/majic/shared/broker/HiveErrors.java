@@ -39,7 +39,7 @@ final class HiveErrors {
         if (cause(failure, Mqtt5DisconnectException.class).isPresent()) {
             return new ConnectFailed(
                     Reason.WRONG_DEVICE,
-                    address + ": what answers at this port is no broker that speaks MQTT 5; is the port right, and the"
+                    address.withPort() + ": what answers at this port is no broker that speaks MQTT 5; is the port right, and the"
                             + " broker new enough?",
                     failure);
         }
@@ -50,7 +50,7 @@ final class HiveErrors {
     static ConnectFailed noAnswer(BrokerAddress address, Throwable failure) {
         return new ConnectFailed(
                 Reason.NO_ANSWER,
-                address + ": the port was reached, but no broker answers there; is the port right, or does it need "
+                address.withPort() + ": the port was reached, but no broker answers there; is the port right, or does it need "
                         + otherScheme(address),
                 failure);
     }
@@ -59,7 +59,7 @@ final class HiveErrors {
         boolean byBroker = cause(failure, ConnectionClosedException.class).isPresent();
         return new ConnectFailed(
                 byBroker ? Reason.WRONG_DEVICE : Reason.OTHER,
-                address
+                address.withPort()
                         + ": the connection was closed before a broker answered; is this the port of a broker for MQTT 5, or does it need "
                         + otherScheme(address),
                 failure);
@@ -75,21 +75,21 @@ final class HiveErrors {
             case BAD_USER_NAME_OR_PASSWORD, NOT_AUTHORIZED, BAD_AUTHENTICATION_METHOD, BANNED ->
                 new ConnectFailed(
                         Reason.WRONG_LOGIN,
-                        address + ": the broker refuses the user name or the password" + said
+                        address.withPort() + ": the broker refuses the user name or the password" + said
                                 + "; are they in the file brokers.properties of the user's folder, or in the environment"
                                 + " as MAJIC_MQTT_USER and MAJIC_MQTT_PASSWORD?",
                         failure);
             case UNSUPPORTED_PROTOCOL_VERSION ->
                 new ConnectFailed(
                         Reason.WRONG_DEVICE,
-                        address + ": the broker does not speak MQTT 5" + said + "; use a newer one",
+                        address.withPort() + ": the broker does not speak MQTT 5" + said + "; use a newer one",
                         failure);
             case SERVER_BUSY, SERVER_UNAVAILABLE, QUOTA_EXCEEDED, CONNECTION_RATE_EXCEEDED ->
-                new ConnectFailed(Reason.BUSY, address + ": the broker is busy" + said + "; try again later", failure);
+                new ConnectFailed(Reason.BUSY, address.withPort() + ": the broker is busy" + said + "; try again later", failure);
             default ->
                 new ConnectFailed(
                         Reason.OTHER,
-                        address + ": the broker refuses the connection: " + words(answer.getReasonCode()) + said,
+                        address.withPort() + ": the broker refuses the connection: " + words(answer.getReasonCode()) + said,
                         failure);
         };
     }
@@ -99,7 +99,7 @@ final class HiveErrors {
         if (alert.matches()) {
             return new ConnectFailed(
                     Reason.OTHER,
-                    address + ": " + refusedCertificate(alert.group(1))
+                    address.withPort() + ": " + refusedCertificate(alert.group(1))
                             + "; is the file with the certificate and its key named in the file brokers.properties, as"
                             + " broker." + address.host() + ".key-store=FILE.p12?",
                     failure);
@@ -107,14 +107,14 @@ final class HiveErrors {
         if (cause(failure, SSLHandshakeException.class).isPresent()) {
             return new ConnectFailed(
                     Reason.OTHER,
-                    address + ": no trusted TLS connection: " + innermost(failure)
+                    address.withPort() + ": no trusted TLS connection: " + innermost(failure)
                             + "; is a certificate that this computer does not know named in the file brokers.properties, as"
                             + " broker." + address.host() + ".ca=FILE.pem?",
                     failure);
         }
         return new ConnectFailed(
                 Reason.WRONG_DEVICE,
-                address + ": the port speaks no TLS; is the port right, or is the address mqtt://" + address.host()
+                address.withPort() + ": the port speaks no TLS; is the port right, or is the address mqtt://" + address.host()
                         + ":" + address.port() + "/" + address.site() + "?",
                 failure);
     }

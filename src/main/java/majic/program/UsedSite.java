@@ -1,0 +1,56 @@
+package majic.program;
+
+import majic.shared.broker.BrokerAddress;
+import majic.shared.broker.BrokerConnection;
+import majic.shared.desk.SiteLatch;
+import majic.shared.message.Sender;
+import majic.team.Team;
+
+/**
+ * One site of which a program uses robots, or has used some: its team obeys the STOP of the site, and messages say when the
+ * connection that STOP needs is lost and when it is back, also if the team has no robot there any more. Thread-safe.
+ */
+final class UsedSite implements BrokerConnection.Watcher, AutoCloseable {
+    private final Team team;
+    private final BrokerAddress address;
+    private final SiteLatch latch;
+    private volatile boolean lost;
+    private volatile boolean closed;
+
+    /**
+     * Joins the team to the STOP of the site.
+     *
+     * @param connection an open connection, which stays open
+     * @throws majic.bot.BotException if the broker refuses the subscription
+     */
+    UsedSite(Team team, BrokerConnection connection, BrokerAddress address, Sender sender) {
+        this.team = team;
+        this.address = address;
+        this.latch = new SiteLatch(team, connection, address.site(), sender);
+        connection.watch(this);
+    }
+
+    @Override
+    public void lost(String reason) {
+        if (!closed) {
+            lost = true;
+            team.notice("the connection with the broker " + address.hostAndPort() + " is lost (" + reason
+                    + "): until it is back, STOP of the site " + address.site() + " does not reach this desk");
+        }
+    }
+
+    @Override
+    public void connected() {
+        if (!closed && lost) {
+            lost = false;
+            team.notice("connected with the broker " + address.hostAndPort() + " again: STOP of the site "
+                    + address.site() + " reaches this desk");
+        }
+    }
+
+    @Override
+    public void close() {
+        closed = true;
+        latch.close();
+    }
+}
