@@ -95,18 +95,22 @@ class LauncherTest {
         java("", "ls target/broker");
         broker("mkdir \"$folder\"; touch \"$folder/broker.jar\"");
 
-        assertThat(start("", "--broker")).contains("fetching the embedded broker").endsWith("broker.jar\n");
+        assertThat(start("", "--broker"))
+                .contains("fetching the embedded broker")
+                .endsWith("broker.jar\n");
         assertThat(start("", "--broker")).doesNotContain("fetching").endsWith("broker.jar\n");
     }
 
     @Test
     void aFetchOfTheBrokerThatFailsHalfWayIsExplainedAndDoneAgain() throws Exception {
         java("", "ls target");
-        broker("mkdir \"$folder\"; touch \"$folder/half\"; echo '[ERROR] Failed to execute goal: Could not transfer artifact"
-                + " a:b:jar:1 from/to central (https://repo.example.org/maven2): Connection reset -> [Help 1]'; exit 1");
+        broker(
+                "mkdir \"$folder\"; touch \"$folder/half\"; echo '[ERROR] Failed to execute goal: Could not transfer artifact"
+                        + " a:b:jar:1 from/to central (https://repo.example.org/maven2): Connection reset -> [Help 1]'; exit 1");
         assertThat(start("", "--broker"))
-                .contains("the embedded broker was not fetched: https://repo.example.org/maven2: Connection reset; start MAJIC"
-                        + " again to try again")
+                .contains(
+                        "the embedded broker was not fetched: https://repo.example.org/maven2: Connection reset; start MAJIC"
+                                + " again to try again")
                 .doesNotContain("broker\n");
 
         java("", "ls target/broker");

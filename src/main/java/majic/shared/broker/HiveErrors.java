@@ -39,7 +39,8 @@ final class HiveErrors {
         if (cause(failure, Mqtt5DisconnectException.class).isPresent()) {
             return new ConnectFailed(
                     Reason.WRONG_DEVICE,
-                    address.withPort() + ": what answers at this port is no broker that speaks MQTT 5; is the port right, and the"
+                    address.withPort()
+                            + ": what answers at this port is no broker that speaks MQTT 5; is the port right, and the"
                             + " broker new enough?",
                     failure);
         }
@@ -50,7 +51,8 @@ final class HiveErrors {
     static ConnectFailed noAnswer(BrokerAddress address, Throwable failure) {
         return new ConnectFailed(
                 Reason.NO_ANSWER,
-                address.withPort() + ": the port was reached, but no broker answers there; is the port right, or does it need "
+                address.withPort()
+                        + ": the port was reached, but no broker answers there; is the port right, or does it need "
                         + otherScheme(address),
                 failure);
     }
@@ -85,11 +87,13 @@ final class HiveErrors {
                         address.withPort() + ": the broker does not speak MQTT 5" + said + "; use a newer one",
                         failure);
             case SERVER_BUSY, SERVER_UNAVAILABLE, QUOTA_EXCEEDED, CONNECTION_RATE_EXCEEDED ->
-                new ConnectFailed(Reason.BUSY, address.withPort() + ": the broker is busy" + said + "; try again later", failure);
+                new ConnectFailed(
+                        Reason.BUSY, address.withPort() + ": the broker is busy" + said + "; try again later", failure);
             default ->
                 new ConnectFailed(
                         Reason.OTHER,
-                        address.withPort() + ": the broker refuses the connection: " + words(answer.getReasonCode()) + said,
+                        address.withPort() + ": the broker refuses the connection: " + words(answer.getReasonCode())
+                                + said,
                         failure);
         };
     }
@@ -114,8 +118,8 @@ final class HiveErrors {
         }
         return new ConnectFailed(
                 Reason.WRONG_DEVICE,
-                address.withPort() + ": the port speaks no TLS; is the port right, or is the address mqtt://" + address.host()
-                        + ":" + address.port() + "/" + address.site() + "?",
+                address.withPort() + ": the port speaks no TLS; is the port right, or is the address mqtt://"
+                        + address.host() + ":" + address.port() + "/" + address.site() + "?",
                 failure);
     }
 
