@@ -50,7 +50,7 @@ exit /b %ERRORLEVEL%
 :broker
 echo majic: fetching the embedded broker (100 MB) into target\broker, once; this takes a minute or more 1>&2
 if exist "%HERE%target\broker.part" rmdir /s /q "%HERE%target\broker.part"
-call mvn -q -B -f "%HERE%src\build\broker\pom.xml" "-Dmajic.broker=%HERE%target\broker.part" package <nul >"%HERE%target\broker.log" 2>&1
+call mvn -q -B -Dmaven.wagon.rto=30000 -Daether.connector.requestTimeout=30000 -f "%HERE%src\build\broker\pom.xml" "-Dmajic.broker=%HERE%target\broker.part" package <nul >"%HERE%target\broker.log" 2>&1
 if errorlevel 1 goto nobroker
 ren "%HERE%target\broker.part" broker
 goto start

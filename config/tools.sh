@@ -86,6 +86,9 @@ need_packaging_tools() {
     done
 }
 
+# Maven waits for half an hour when the network falls silent; the names are those of Maven 3.8 and of later ones.
+fetch_timeouts="-Dmaven.wagon.rto=30000 -Daether.connector.requestTimeout=30000"
+
 # fetch_broker HERE: copies the libraries of the embedded broker to target/broker, which are not part of MAJIC. The folder
 # gets this name when it is complete, so that a fetch that was interrupted is done again.
 fetch_broker() {
@@ -94,7 +97,7 @@ fetch_broker() {
     part=$1/target/broker.part
     log=$1/target/broker.log
     rm -rf "$part"
-    if (cd "$1" && mvn -q -B -f src/build/broker/pom.xml "-Dmajic.broker=$part" package </dev/null >"$log" 2>&1); then
+    if (cd "$1" && mvn -q -B $fetch_timeouts -f src/build/broker/pom.xml "-Dmajic.broker=$part" package </dev/null >"$log" 2>&1); then
         mv "$part" "$1/target/broker"
         return 0
     fi

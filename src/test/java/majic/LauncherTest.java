@@ -124,7 +124,7 @@ class LauncherTest {
                 "bin/mvn",
                 MAVEN.replace(
                         "#!/bin/sh\n",
-                        "#!/bin/sh\ncase \"$*\" in *-Dmajic.broker=*) folder=${5#-Dmajic.broker=}; " + fetching
+                        "#!/bin/sh\ncase \"$*\" in *-Dmajic.broker=*) folder=${7#-Dmajic.broker=}; " + fetching
                                 + "; exit ;; esac\n"));
     }
 
