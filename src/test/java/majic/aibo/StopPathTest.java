@@ -10,6 +10,7 @@ import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.time.Signal;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
@@ -35,7 +36,7 @@ class StopPathTest {
         dog.awaitReceived("stop walk");
 
         assertThat(drive).isNotDone();
-        stop.join();
+        WaitLimit.join("the stop", stop);
     }
 
     /** On a thread of its own: the common pool may have just one. */

@@ -9,6 +9,7 @@ import majic.bot.FakeBot;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -45,7 +46,7 @@ class EarlyStopTest {
         await(toldAhead);
         assertThat(bot.sent()).isEmpty();
         stuck.countDown();
-        CompletableFuture.allOf(drive, stop).join();
+        WaitLimit.join("drive and stop", CompletableFuture.allOf(drive, stop));
         assertThat(bot.sent()).containsExactly("drive 100 0", "halt");
     }
 
@@ -69,7 +70,7 @@ class EarlyStopTest {
         awaitClosing();
         stuck.countDown();
 
-        CompletableFuture.allOf(drive, close).join();
+        WaitLimit.join("drive and close", CompletableFuture.allOf(drive, close));
         assertThat(bot.sent()).containsExactly("drive 100 0", "halt", "close");
     }
 

@@ -12,6 +12,7 @@ import java.util.function.BooleanSupplier;
 import majic.bot.FakeBot;
 import majic.time.Signal;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -89,7 +90,7 @@ class NoThreadsLeftTest {
 
         until(() -> first.sent().contains("halt") && second.sent().contains("halt"));
         testIsOver.countDown();
-        stop.join();
+        WaitLimit.join("the stop", stop);
     }
 
     @Test

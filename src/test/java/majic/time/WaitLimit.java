@@ -1,7 +1,9 @@
 package majic.time;
 
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
 
 /**
  * How long a test waits on the wall clock for something that has to happen. Long, because a busy computer is slow; a wait
@@ -29,5 +31,23 @@ public final class WaitLimit {
             Thread.currentThread().interrupt();
             throw new AssertionError("interrupted while waiting for " + what, e);
         }
+    }
+
+    /**
+     * Waits for a task, and fails if it does not end in time. Unlike {@code join} alone, which no interrupt ends.
+     *
+     * @param <T> its result
+     * @param what names it in the failure
+     * @param task completed by another thread
+     * @return its result
+     */
+    public static <T> T join(String what, CompletableFuture<T> task) {
+        return task.copy()
+                .orTimeout(SECONDS, TimeUnit.SECONDS)
+                .exceptionallyCompose(problem -> CompletableFuture.failedFuture(
+                        problem instanceof TimeoutException
+                                ? new AssertionError("timed out waiting for " + what)
+                                : problem))
+                .join();
     }
 }

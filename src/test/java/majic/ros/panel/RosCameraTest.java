@@ -14,6 +14,7 @@ import javax.swing.SwingUtilities;
 import majic.gui.WindowWait;
 import majic.panel.PictureFile;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
@@ -41,7 +42,7 @@ class RosCameraTest {
         CompletableFuture<Integer> width = new CompletableFuture<>();
         SwingUtilities.invokeLater(() -> width.complete(
                 camera.view().image().map(BufferedImage::getWidth).orElse(0)));
-        return width.join();
+        return WaitLimit.join("the picture", width);
     }
 
     @Test
@@ -88,7 +89,7 @@ class RosCameraTest {
         CompletableFuture<String> name = new CompletableFuture<>();
         SwingUtilities.invokeLater(
                 () -> name.complete(camera.view().getAccessibleContext().getAccessibleName()));
-        return name.join();
+        return WaitLimit.join("the picture", name);
     }
 
     private static void await(CountDownLatch latch) {
