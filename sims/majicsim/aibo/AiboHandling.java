@@ -1,6 +1,11 @@
 package majicsim.aibo;
 
 import java.util.List;
+import majicsim.aibo.body.BodyOrientation;
+import majicsim.aibo.body.Sensors;
+import majicsim.aibo.sound.Microphone;
+import majicsim.aibo.sound.PlayedSound;
+import majicsim.aibo.sound.Speaker;
 
 /** Physical access to the dog: its touch sensors, its posture in the room, its battery and sounds. Every call must hold the lab's lock. */
 public final class AiboHandling {

@@ -1,5 +1,15 @@
 package majicsim.aibo;
 
+import majicsim.aibo.body.BodyOrientation;
+import majicsim.aibo.body.Gait;
+import majicsim.aibo.body.GaitTask;
+import majicsim.aibo.body.Head;
+import majicsim.aibo.body.Joint;
+import majicsim.aibo.body.Sensors;
+import majicsim.aibo.camera.Camera;
+import majicsim.aibo.camera.CameraLens;
+import majicsim.aibo.sound.Microphone;
+import majicsim.aibo.sound.Speaker;
 import majicsim.aibo.urbi.Kernel;
 import majicsim.aibo.urbi.MemoryStick;
 import majicsim.aibo.urbi.run.Functions;
