@@ -2,6 +2,8 @@ package majic.shared.desk;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Predicate;
@@ -37,6 +39,10 @@ public final class DeskSharing implements AutoCloseable {
     private final DeskTimer timer;
     private final DeskPresence presence;
     private final Map<Integer, SharedRobot> robots = new ConcurrentSkipListMap<>();
+
+    /** Topics of these robots, so that none is taken apart again for each command. */
+    private final Map<String, SiteTopics.OfRobot> knownTopics = new ConcurrentHashMap<>();
+
     private final SharedTeam shared;
     private final @Nullable DeskFleet fleet;
     private final MessageLimit strays;
@@ -120,9 +126,10 @@ public final class DeskSharing implements AutoCloseable {
     }
 
     private void received(BrokerMessage message) {
-        desk.topics().ofRobot(message.topic()).ifPresent(topic -> {
+        topicOf(message).ifPresent(topic -> {
             SharedRobot robot = robots.get(topic.robot());
             if (robot != null) {
+                knownTopics.putIfAbsent(message.topic(), topic);
                 robot.received(topic.part(), message);
             } else if (strays.allows()) {
                 desk.reply(
@@ -133,6 +140,11 @@ public final class DeskSharing implements AutoCloseable {
                                         + ")"));
             }
         });
+    }
+
+    private Optional<SiteTopics.OfRobot> topicOf(BrokerMessage message) {
+        SiteTopics.OfRobot known = knownTopics.get(message.topic());
+        return known == null ? desk.topics().ofRobot(message.topic()) : Optional.of(known);
     }
 
     /** A description of another session is an old one of this desk, or one of a desk that has just lost the name. */
