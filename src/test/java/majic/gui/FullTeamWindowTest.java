@@ -37,6 +37,15 @@ class FullTeamWindowTest {
         assertCardsAreWhole();
     }
 
+    /** So much of it shows "Hemisson" in full in the usual font. */
+    @Test
+    void theNameHasAlmostTwoThirdsOfANarrowCard() {
+        Component line = window.find("cardLine3", Component.class);
+        Component stop = window.find("cardStop3", Component.class);
+        assertThat(stop.getX() - line.getX())
+                .isGreaterThan((int) (0.65 * line.getParent().getWidth()));
+    }
+
     private void assertCardsAreWhole() {
         Container strip = window.find("teamStrip", Container.class);
         List<Component> cards = Stream.of(strip.getComponents()).toList();

@@ -11,6 +11,7 @@ import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import java.util.Objects;
 import java.util.OptionalInt;
+import java.util.stream.Stream;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -99,7 +100,6 @@ final class RobotCard extends JPanel implements PlotHost {
         JButton button = new JButton(text, icon);
         button.setName(name);
         button.setFocusable(false);
-        button.setMargin(new Insets(1, 5, 1, 5));
         button.setIconTextGap(3);
         button.setToolTipText(tip);
         button.getAccessibleContext().setAccessibleName(tip);
@@ -153,9 +153,7 @@ final class RobotCard extends JPanel implements PlotHost {
         }
         size = newSize;
         removeAll();
-        stop.setText(newSize == CardSize.FULL ? TEXTS.get("card.stop") : "");
-        reconnect.setText(newSize == CardSize.FULL ? TEXTS.get("card.reconnect") : "");
-        badge.setIcon(new NumberBadge(member.number(), isOneLine(newSize) ? 18 : 26));
+        adapt(newSize);
         switch (newSize) {
             case FULL -> {
                 arrange("insets 4 8 4 6", "[grow][grow][grow]");
@@ -187,11 +185,21 @@ final class RobotCard extends JPanel implements PlotHost {
             }
         }
         if (newSize != CardSize.BADGE) {
-            add(reconnect, "hmin 18, hmax 100%, gapleft 4");
-            add(stop, "hmin 18, hmax 100%, gapleft 4");
+            int gap = newSize == CardSize.NARROW ? 2 : 4;
+            Stream.of(reconnect, stop).forEach(button -> add(button, "hmin 18, hmax 100%, gapleft " + gap));
         }
         shown = null;
         update();
+    }
+
+    /** Gives the parts the texts and margins that a size has room for. */
+    private void adapt(CardSize newSize) {
+        stop.setText(newSize == CardSize.FULL ? TEXTS.get("card.stop") : "");
+        reconnect.setText(newSize == CardSize.FULL ? TEXTS.get("card.reconnect") : "");
+        int side = newSize == CardSize.NARROW ? 2 : 5;
+        Stream.of(stop, reconnect).forEach(button -> button.setMargin(new Insets(1, side, 1, side)));
+        badge.setIcon(new NumberBadge(member.number(), isOneLine(newSize) ? 18 : 26));
+        line.setIconTextGap(newSize == CardSize.NARROW ? 3 : 4);
     }
 
     private void arrange(String insets, String rows) {
