@@ -67,11 +67,10 @@ public final class RecordingsDialog extends MajicDialog {
                 }
             }
         });
-        JPanel content = new JPanel(new MigLayout("insets 0, wrap 1, hidemode 3", "[grow, fill]", "[][grow, fill][]"));
+        JPanel content = new JPanel(new MigLayout("insets 0, wrap 1", "[grow, fill]", "[][grow, fill][]"));
         content.add(label(TEXTS.get("recordings"), list));
         content.add(new JScrollPane(list), "w 420, h 220");
-        content.add(problem);
-        problem.setVisible(false);
+        content.add(problem, "wmin 0");
         open.setEnabled(false);
         fill(content, open, button(TEXTS.get("otherFile"), this::chooseFile), closing(TEXTS.get("cancel")));
         EventThread.background(
@@ -137,7 +136,5 @@ public final class RecordingsDialog extends MajicDialog {
     private void showProblem(String reason) {
         open.setEnabled(list.getSelectedValue() != null);
         problem.show(reason, true);
-        problem.setVisible(true);
-        pack();
     }
 }
