@@ -11,6 +11,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.awt.geom.RoundRectangle2D;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
@@ -19,6 +20,7 @@ import majic.gui.kit.Palette;
 import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
 import majic.lab.LabAccess.Wall;
+import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 import majic.text.Texts;
 
@@ -35,6 +37,7 @@ public final class MapPainter {
     private static final double LAMP_PX = 4;
     private static final Color SHINE = new Color(0xFFC107);
     private static final int INSET = 12;
+    private static final int MARGIN = 4;
 
     /** Maximum length in pixels of the scale at the other end of that space. */
     private static final int SCALE_PX = 115;
@@ -89,12 +92,23 @@ public final class MapPainter {
         g.setComposite(AlphaComposite.SrcOver);
         glyph.paintTruth(g);
         glyph.paintSelection(g);
+        paintBeside(robot, place);
+    }
+
+    /** Draws a text beside a robot, on a margin of the floor's colour so that it is readable over walls and robots. */
+    private void paintBeside(MapScene.Robot robot, String text) {
         Point2D at = view.pixel(robot.reported().xMm(), robot.reported().yMm());
         double aside = robot.bodyMm() * view.pxPerMm() + INSET;
-        int width = g.getFontMetrics().stringWidth(place);
+        FontMetrics metrics = g.getFontMetrics();
+        int width = metrics.stringWidth(text);
         boolean fits = at.getX() + aside + width <= view.width();
+        double x = fits ? at.getX() + aside : at.getX() - aside - width;
+        double top = at.getY() - metrics.getAscent();
+        int height = metrics.getAscent() + metrics.getDescent();
+        g.setColor(DrawingColors.translucent(Palette.paper(), 0.75));
+        g.fill(new RoundRectangle2D.Double(x - MARGIN, top, width + 2 * MARGIN, height, MARGIN, MARGIN));
         g.setColor(Palette.text());
-        g.drawString(place, (float) (fits ? at.getX() + aside : at.getX() - aside - width), (float) at.getY());
+        g.drawString(text, (float) x, (float) at.getY());
     }
 
     private void paintWall(Wall wall) {
