@@ -33,11 +33,20 @@ public final class KnownRobots {
     }
 
     /**
-     * Reads MAJIC's own table.
+     * Returns MAJIC's own table, which is read once.
      *
      * @return the table
      */
     public static KnownRobots builtIn() {
+        return BuiltIn.TABLE;
+    }
+
+    /** Reads the table when it is used first. */
+    private static final class BuiltIn {
+        private static final KnownRobots TABLE = readBuiltIn();
+    }
+
+    private static KnownRobots readBuiltIn() {
         try (InputStream file = KnownRobots.class.getResourceAsStream("robots.txt")) {
             if (file == null) {
                 throw new IllegalStateException("robots.txt is missing beside " + KnownRobots.class);
