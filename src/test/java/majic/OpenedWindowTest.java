@@ -68,6 +68,11 @@ class OpenedWindowTest {
     }
 
     @Test
+    void theDisplayIsNotAskedForWhatDraggingNeeds() {
+        assertNoneIsLoaded("sun\\.awt\\.X11\\.(XDnD|MotifDnD)Constants");
+    }
+
+    @Test
     void noDialogEditorOrPlotIsMade() {
         assertNoneIsLoaded("majic\\.gui\\.(add\\.AddBotDialog|bots\\.StripKeys|editor\\.ScriptArea|plot\\.PlotView)");
     }

@@ -146,6 +146,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
         setSize(Math.min(UIScale.scale(1280), screen.width), Math.min(UIScale.scale(800), screen.height));
         setLocationRelativeTo(null);
+        FileDrop.postponeInside(getRootPane());
         new FrameMemory(this, content.splits(), services.settings());
     }
 

@@ -293,6 +293,7 @@ class ScriptEditorWindowTest {
             window.await(name + " to accept files", () -> text.getTransferHandler() instanceof FileDrop);
             TransferSupport files = new TransferSupport(text, new DraggedFile(file));
             assertThat(text.getTransferHandler().canImport(files)).isTrue();
+            assertThat(text.getDropTarget().isActive()).isTrue();
         }
     }
 

@@ -62,6 +62,23 @@ public final class FileDrop extends TransferHandler {
                 dropped);
     }
 
+    /**
+     * Removes the targets for dropped texts that the look and feel has given to the texts of a window, so that the window
+     * is visible sooner: the first target makes the toolkit ask the display for everything that it needs for dragging.
+     * {@link #installInside} makes them anew.
+     *
+     * @param root the window's root pane; not shown yet
+     */
+    public static void postponeInside(Container root) {
+        for (Component part : root.getComponents()) {
+            if (part instanceof JTextComponent) {
+                part.setDropTarget(null);
+            } else if (part instanceof Container container) {
+                postponeInside(container);
+            }
+        }
+    }
+
     private static void follow(Container container, ContainerListener added, Consumer<List<Path>> dropped) {
         container.addContainerListener(added);
         Stream.of(container.getComponents()).forEach(part -> visit(part, added, dropped));
