@@ -11,6 +11,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JTextPane;
 import javax.swing.UIManager;
 import javax.swing.text.DefaultCaret;
+import javax.swing.text.EditorKit;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
@@ -26,11 +27,15 @@ final class MessageText extends JTextPane {
     private transient @Nullable Supplier<JPopupMenu> menu;
 
     MessageText() {
-        setEditorKit(new WrappingKit());
         setName("messages");
         setEditable(false);
         setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
         getAccessibleContext().setAccessibleName(TEXTS.get("messages"));
+    }
+
+    @Override
+    protected EditorKit createDefaultEditorKit() {
+        return new WrappingKit();
     }
 
     @Override
