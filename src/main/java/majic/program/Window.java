@@ -44,6 +44,7 @@ public final class Window {
      * @throws UsageException if the display cannot be used
      */
     public int run(Supplier<FirstRobots> firstRobots) {
+        WindowPreloader.prepareWindow();
         MajicFrame frame = open(this::show);
         awaitPainted();
         program.announce();

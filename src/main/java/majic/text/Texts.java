@@ -41,6 +41,11 @@ public final class Texts {
         return new Texts(user);
     }
 
+    /** Reads the texts of the package of a class, so that the first use of them does not wait for their file. */
+    public static void load(Class<?> user) {
+        bundles.apply(user, Locale.getDefault());
+    }
+
     /**
      * Returns a text.
      *
