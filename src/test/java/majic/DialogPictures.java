@@ -72,9 +72,8 @@ final class DialogPictures {
                 .findFirst()
                 .orElse(frame);
         // The tour is placed beside the window, where a picture of the window does not show it.
-        SwingUtilities.invokeAndWait(() -> shown()
-                .filter(window -> window.getOwner() == frame
-                        && !frame.getBounds().contains(window.getBounds()))
+        SwingUtilities.invokeAndWait(() -> shown().filter(window ->
+                        window.getOwner() == frame && !frame.getBounds().contains(window.getBounds()))
                 .forEach(window -> window.setLocationRelativeTo(frame)));
         painter.paint(
                 painted,
