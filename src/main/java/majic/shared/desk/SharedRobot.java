@@ -326,11 +326,15 @@ final class SharedRobot implements StoppableRobot {
         publisher.tick();
     }
 
-    /** Ends a hold that began with a motion and is not used. */
+    /** Ends a hold that began with a motion and is not used, on another thread: listeners of the team are called at its end. */
     private void freeUnused() {
         RobotHold now = hold();
         if (now != null && now.isUnused()) {
-            now.end();
+            desk.connection().time().runAsync("freeing an unused robot", () -> {
+                if (now.isUnused()) {
+                    now.end();
+                }
+            });
         }
     }
 

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import java.util.function.ToLongFunction;
 import majic.bot.FakeBot;
 import majic.driver.BotDriver;
@@ -21,6 +23,8 @@ import majic.shared.message.StateChange;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.QueuedCommand;
+import majic.team.TeamListener;
+import majic.time.Signal;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
@@ -87,6 +91,41 @@ class HoldsTest {
             long validUntil = clock.applyAsLong(message.payload()) + 700;
             anna.publish(Part.HOLD, new HoldMessage(anna.sender, validUntil).toJson(), Quality.AT_MOST_ONCE, "");
         });
+    }
+
+    /** The timer looks for missing heartbeats, so nothing may block it. */
+    @Test
+    void aListenerThatBlocksAtTheEndOfAnUnusedHoldDoesNotBlockTheTimerOfTheDesk() {
+        Signal released = rig.clock.time().signal();
+        AtomicBoolean isReleased = new AtomicBoolean();
+        AtomicBoolean blocked = new AtomicBoolean();
+        rig.team.addListener(new TeamListener() {
+            @Override
+            public void ownerChanged(Member robot) {
+                if (robot.owner() == null) {
+                    blocked.set(true);
+                    await(released, isReleased::get);
+                }
+            }
+        });
+        anna.outcome(anna.ask(new RequestedAction.Move(100, "")));
+        rig.clock.until(blocked::get);
+        long clock = anna.state().clock();
+
+        try {
+            anna.until(state -> state.clock() >= clock + 3000);
+        } finally {
+            isReleased.set(true);
+            released.raise();
+        }
+    }
+
+    private static void await(Signal signal, BooleanSupplier condition) {
+        try {
+            signal.await(condition, Signal.FOR_EVER);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     @Test
