@@ -30,7 +30,7 @@ final class BareMessages implements AutoCloseable {
         command = like;
         sender = open(broker, "bare-sender-" + like.quality());
         receiver = open(broker, "bare-receiver-" + like.quality());
-        receiver.subscribe(like.topic(), like.quality(), this::received);
+        receiver.subscribeUrgently(like.topic(), like.quality(), this::received);
     }
 
     private static BrokerConnection open(BrokerAddress broker, String client) {
