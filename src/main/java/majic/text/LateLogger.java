@@ -18,11 +18,11 @@ public final class LateLogger implements System.Logger {
     /**
      * Returns a logger with the name of a class; creates none in the JDK yet.
      *
-     * @param of the class that logs
+     * @param user the class that logs
      * @return the logger
      */
-    public static System.Logger of(Class<?> of) {
-        return new LateLogger(of.getName());
+    public static System.Logger of(Class<?> user) {
+        return new LateLogger(user.getName());
     }
 
     private System.Logger logger() {
