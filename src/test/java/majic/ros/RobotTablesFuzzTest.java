@@ -9,9 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.SortedSet;
-import java.util.TreeSet;
-import majic.environment.Settings;
+import majic.environment.FolderSettings;
 import majic.ros.graph.KnownRobot;
 import majic.ros.graph.KnownRobots;
 import majic.text.OneSentence;
@@ -36,7 +34,7 @@ class RobotTablesFuzzTest {
         alarms.clear();
         Files.write(folder.resolve("ros-robots.txt"), table);
 
-        KnownRobots known = RobotTables.read(settings(folder), alarms::add);
+        KnownRobots known = RobotTables.read(new FolderSettings(folder), alarms::add);
 
         List<String> names = known.names();
         List<String> added = names.subList(0, names.size() - OWN.size());
@@ -66,29 +64,5 @@ class RobotTablesFuzzTest {
                 .allMatch(limit -> limit > 0 && Double.isFinite(limit));
         assertThat(robot.slowestMmPerSec()).isLessThanOrEqualTo(robot.speedMmPerSec());
         assertThat(robot.afterCommands()).isNotBlank();
-    }
-
-    private static Settings settings(Path folder) {
-        return new Settings() {
-            @Override
-            public Optional<String> get(String key) {
-                return Optional.empty();
-            }
-
-            @Override
-            public void put(String key, String value) {
-                throw new AssertionError("a table changes no setting");
-            }
-
-            @Override
-            public SortedSet<String> keys(String prefix) {
-                return new TreeSet<>();
-            }
-
-            @Override
-            public Optional<Path> folder() {
-                return Optional.of(folder);
-            }
-        };
     }
 }

@@ -7,10 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.SortedSet;
-import java.util.TreeSet;
-import majic.environment.Settings;
+import majic.environment.FolderSettings;
 import majic.ros.graph.KnownRobots;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -22,31 +19,8 @@ class RobotTablesTest {
 
     private final List<String> alarms = new ArrayList<>();
 
-    /** Settings that have a folder and keep nothing. */
-    private final class InFolder implements Settings {
-        @Override
-        public Optional<String> get(String key) {
-            return Optional.empty();
-        }
-
-        @Override
-        public void put(String key, String value) {
-            throw new AssertionError("a table changes no setting");
-        }
-
-        @Override
-        public SortedSet<String> keys(String prefix) {
-            return new TreeSet<>();
-        }
-
-        @Override
-        public Optional<Path> folder() {
-            return Optional.of(folder);
-        }
-    }
-
     private KnownRobots read() {
-        return RobotTables.read(new InFolder(), alarms::add);
+        return RobotTables.read(new FolderSettings(folder), alarms::add);
     }
 
     @Test

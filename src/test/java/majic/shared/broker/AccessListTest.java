@@ -58,7 +58,7 @@ class AccessListTest {
 
     private static BrokerConnection as(String user) throws IOException {
         Path home = Files.createTempDirectory(folder, user);
-        BotEnvironment environment = FolderSettings.withCredentials(
+        BotEnvironment environment = WrittenCredentials.in(
                         home, "broker.127.0.0.1.user=" + user, "broker.127.0.0.1.password=pw-" + user)
                 .environment();
         BrokerConnection connection = BrokerConnections.open(

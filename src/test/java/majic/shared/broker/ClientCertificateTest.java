@@ -79,7 +79,7 @@ class ClientCertificateTest {
     }
 
     private BrokerConnection open(String keyStore, String password) throws IOException {
-        BotEnvironment environment = FolderSettings.withCredentials(
+        BotEnvironment environment = WrittenCredentials.in(
                         home,
                         "broker.localhost.ca=" + ofBroker.resolve(ListenKey.CERTIFICATE),
                         keyStore,
