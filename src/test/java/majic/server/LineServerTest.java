@@ -23,6 +23,7 @@ import majic.script.Session;
 import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -226,7 +227,7 @@ class LineServerTest {
 
     @Test
     void aFloodOfConnectionsAndOfLinesHoldsUpNoStop() throws Exception {
-        TestClient stopper = client().say("1 drive 100 0 for 60s");
+        TestClient stopper = driving();
         int threadsBefore = Thread.activeCount();
         Thread connecting = new Thread(this::connectAndLeave);
         connecting.start();
@@ -242,6 +243,13 @@ class LineServerTest {
         assertThat(threads).isLessThan(threadsBefore + 15);
         flooding.close();
         lines.join();
+    }
+
+    /** Returns a client whose drive is in progress: until then, its stop would discard the drive. */
+    private TestClient driving() throws IOException {
+        TestClient client = client().say("1 drive 100 0 for 60s");
+        WaitLimit.until("the drive", () -> bot.sent().contains("drive 100 0"));
+        return client;
     }
 
     private void connectAndLeave() {
@@ -267,9 +275,7 @@ class LineServerTest {
 
     @Test
     void aClientsStopGoesPastItsOwnFlood() throws IOException {
-        TestClient client = client().say("1 drive 100 0 for 60s")
-                .sayRaw("1 get x\n".repeat(5000))
-                .say("1 stop");
+        TestClient client = driving().sayRaw("1 get x\n".repeat(5000)).say("1 stop");
         assertThat(client.await("lines not run: stopped")).isNotNull();
         assertThat(client.await("1 drive 100 0 for 60s")).endsWith(": stopped");
     }

@@ -5,9 +5,11 @@ import java.io.IOException;
 import java.io.InputStreamReader;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import majic.time.WaitLimit;
 
 /** A client of a line server. */
 final class TestClient implements AutoCloseable {
@@ -16,6 +18,7 @@ final class TestClient implements AutoCloseable {
 
     TestClient(Socket socket) throws IOException {
         this.socket = socket;
+        socket.setSoTimeout(WaitLimit.MS);
         answers = new BufferedReader(new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8));
     }
 
@@ -51,13 +54,19 @@ final class TestClient implements AutoCloseable {
         return answers.ready();
     }
 
-    /** Returns the first answer that contains a text; null if the connection ends before. */
+    /** Returns the first answer that contains a text; null if the connection ends before. Fails if none comes in time. */
     String await(String part) throws IOException {
-        String line = next();
-        while (line != null && !line.contains(part)) {
-            line = next();
+        String last = "none";
+        try {
+            String line = next();
+            while (line != null && !line.contains(part)) {
+                last = line;
+                line = next();
+            }
+            return line;
+        } catch (SocketTimeoutException e) {
+            throw new AssertionError("timed out waiting for an answer with: " + part + "; the last answer: " + last, e);
         }
-        return line;
     }
 
     /** Ends the sending direction and returns all further answers. */

@@ -7,8 +7,6 @@ import static org.mockito.Mockito.mock;
 import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.locks.LockSupport;
-import java.util.function.BooleanSupplier;
 import majic.bot.FakeBot;
 import majic.time.Signal;
 import majic.time.TimeSource;
@@ -88,7 +86,9 @@ class NoThreadsLeftTest {
 
         CompletableFuture<Void> stop = CompletableFuture.runAsync(team::stopAll, task -> new Thread(task).start());
 
-        until(() -> first.sent().contains("halt") && second.sent().contains("halt"));
+        WaitLimit.until(
+                "both stops",
+                () -> first.sent().contains("halt") && second.sent().contains("halt"));
         testIsOver.countDown();
         WaitLimit.join("the stop", stop);
     }
@@ -112,13 +112,6 @@ class NoThreadsLeftTest {
 
         assertThat(first.sent()).contains("close");
         assertThat(second.sent()).contains("close");
-    }
-
-    private static void until(BooleanSupplier so) {
-        while (!so.getAsBoolean()) {
-            assertThat(Thread.currentThread().isInterrupted()).isFalse();
-            LockSupport.parkNanos(100_000);
-        }
     }
 
     private static void await(CountDownLatch latch) {

@@ -7,8 +7,6 @@ import java.util.OptionalInt;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.locks.LockSupport;
-import java.util.function.BooleanSupplier;
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
 import majic.bot.MotionReport;
@@ -16,6 +14,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.Permit;
 import majic.time.TimeSource;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -46,14 +45,7 @@ class StopOrderTest {
 
     private static void awaitSent(String command, FakeBot... bots) {
         for (FakeBot bot : bots) {
-            until(() -> bot.sent().contains(command));
-        }
-    }
-
-    private static void until(BooleanSupplier so) {
-        while (!so.getAsBoolean()) {
-            assertThat(Thread.currentThread().isInterrupted()).isFalse();
-            LockSupport.parkNanos(100_000);
+            WaitLimit.until(command, () -> bot.sent().contains(command));
         }
     }
 
@@ -132,7 +124,7 @@ class StopOrderTest {
 
         team.stopAll();
 
-        until(() -> ended.contains("Guard"));
+        WaitLimit.until("the end of the act", () -> ended.contains("Guard"));
     }
 
     @Test
@@ -175,7 +167,7 @@ class StopOrderTest {
 
         aside(first::cut);
 
-        until(move::isCompletedExceptionally);
+        WaitLimit.until("the end of the move", move::isCompletedExceptionally);
     }
 
     @Test
@@ -189,7 +181,7 @@ class StopOrderTest {
 
         aside(first::cut);
 
-        until(() -> ended.contains("Guard"));
+        WaitLimit.until("the end of the act", () -> ended.contains("Guard"));
         assertThat(lease.isRevoked()).isTrue();
     }
 
@@ -206,7 +198,7 @@ class StopOrderTest {
 
         team.stopAll();
 
-        until(() -> answered.containsAll(List.of(1, 2)));
+        WaitLimit.until("both answers", () -> answered.containsAll(List.of(1, 2)));
     }
 
     @Test
@@ -225,11 +217,11 @@ class StopOrderTest {
         });
 
         aside(team::stopAll);
-        until(() -> telling.getCount() == 0);
+        WaitLimit.await("the latch", telling);
         team.release();
         gate.open();
 
-        until(() -> told.size() == 2);
+        WaitLimit.until("latch and release", () -> told.size() == 2);
         assertThat(told).containsExactly(true, false);
         assertThat(team.isLatched()).isFalse();
     }
