@@ -4,13 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import com.code_intelligence.jazzer.junit.FuzzTest;
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.CopyOnWriteArrayList;
-import majic.text.OneSentence;
+import majic.file.FuzzedFile;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
@@ -23,15 +21,9 @@ class HistoryFuzzTest {
     @TempDir
     private Path folder;
 
-    private final List<String> alarms = new CopyOnWriteArrayList<>();
-
     @FuzzTest
     void anyFileGivesReadableLinesAndADamagedOneIsKept(byte[] content) throws IOException {
-        Path file = folder.resolve("history");
-        Path copy = folder.resolve("history.damaged");
-        Files.deleteIfExists(copy);
-        Files.write(file, content);
-        alarms.clear();
+        FuzzedFile file = FuzzedFile.write(folder.resolve("history"), content);
 
         List<String> lines = read(file);
 
@@ -40,17 +32,15 @@ class HistoryFuzzTest {
                 .hasSizeLessThanOrEqualTo(History.LONGEST)
                 .noneMatch(line -> line.isBlank() || line.matches(UNREADABLE));
         assertThat(read(file)).isEqualTo(lines);
-        assertThat(alarms).hasSize(Files.exists(copy) ? 1 : 0).allSatisfy(OneSentence::check);
-        if (Files.exists(copy)) {
-            assertThat(Files.readAllBytes(copy)).isEqualTo(content);
-            assertThat(Files.readString(file, StandardCharsets.UTF_8).lines()).isEqualTo(lines);
+        if (file.isKeptAsDamaged()) {
+            assertThat(Files.readString(file.path()).lines()).isEqualTo(lines);
         }
     }
 
     /** The report of a damaged file comes to the event thread before the lines. */
-    private List<String> read(Path file) {
+    private static List<String> read(FuzzedFile file) {
         CompletableFuture<List<String>> lines = new CompletableFuture<>();
-        new HistoryFile(file, alarms::add).read(lines::complete);
+        new HistoryFile(file.path(), file::alarm).read(lines::complete);
         return lines.join();
     }
 }
