@@ -14,11 +14,11 @@ final class ActSummary extends JPanel {
 
     private final JLabel title = new PlainLabel("actTitle", "");
     private final JLabel origin = new PlainLabel("actOrigin", "");
-    private final Paragraph description = new Paragraph("actDescription", 6, 34);
-    private final Paragraph note = new Paragraph("actNote", 3, 34);
+    private final Paragraph description = new Paragraph("actDescription", 1, 34);
+    private final Paragraph note = new Paragraph("actNote", 1, 34);
 
     ActSummary() {
-        super(new MigLayout("insets 0, gap 0 6, wrap 1, hidemode 3", "[grow, fill]", "[][][grow, fill][]"));
+        super(new MigLayout("insets 0, gap 0 6, wrap 1, hidemode 3", "[grow, fill]", ""));
         title.putClientProperty("FlatLaf.styleClass", "h3");
         add(title, "wmin 0");
         add(origin, "wmin 0");

@@ -74,10 +74,10 @@ final class ChooseActDialog extends MajicDialog {
         panel.add(new JLabel(targets.heading()), "spanx 2, wrap");
         panel.add(new JScrollPane(list));
         JPanel described =
-                new JPanel(new MigLayout("insets 0, gap 0 8, wrap 1, hidemode 3", "[grow, fill]", "[grow, fill][]"));
+                new JPanel(new MigLayout("insets 0, gap 0 8, wrap 1, hidemode 3", "[grow, fill]", "[][grow, fill]"));
         described.add(summary, "wmin 0");
         described.add(arguments, "wmin 0");
-        panel.add(described, "wmin 0, wrap");
+        panel.add(described, "wmin 0, spany 2, wrap");
         panel.add(button(TEXTS.get("fromFile"), this::chooseFile));
         return panel;
     }
