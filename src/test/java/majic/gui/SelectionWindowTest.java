@@ -89,6 +89,16 @@ class SelectionWindowTest {
     }
 
     @Test
+    void tabGoesToTheCardOfTheRobotThatAltAndADigitSelected() {
+        window.focus("commandLine");
+        window.pressWithAlt(KeyEvent.VK_2);
+        assertThat(window.cards())
+                .filteredOn(
+                        number -> window.find("card" + number, Component.class).isFocusable())
+                .containsExactly("2");
+    }
+
+    @Test
     void onACardTheArrowKeysSelectTheNeighbourAndSpaceAddsOrRemovesARobot() {
         window.focus("card1");
         window.press(KeyEvent.VK_DOWN);

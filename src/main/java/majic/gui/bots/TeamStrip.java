@@ -156,14 +156,23 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
         cards().forEach(RobotCard::changed);
     }
 
-    /** Marks the selected robots, and scrolls to the first if none of them is visible. */
+    /** Marks the selected robots, and scrolls to the first if none of them is visible; Tab goes to the first. */
     private void showSelection() {
         cards().forEach(card -> card.setSelected(selection.contains(card.member())));
         List<RobotCard> marked = cards().stream().filter(RobotCard::isSelected).toList();
-        if (!marked.isEmpty()
-                && marked.stream().noneMatch(card -> getVisibleRect().intersects(card.getBounds()))) {
-            scrollRectToVisible(marked.get(0).getBounds());
+        if (!marked.isEmpty()) {
+            if (marked.stream().noneMatch(card -> getVisibleRect().intersects(card.getBounds()))) {
+                scrollRectToVisible(marked.get(0).getBounds());
+            }
+            if (cards().stream().noneMatch(Component::isFocusOwner)) {
+                reachByTab(marked.get(0));
+            }
         }
+    }
+
+    /** Makes a card the only one that Tab reaches. */
+    private void reachByTab(RobotCard card) {
+        cards().forEach(other -> other.setFocusable(other == card));
     }
 
     /** Returns by how many cards the one below a card is further. */
@@ -249,7 +258,7 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
         /** Makes the focused card the one that Tab returns to. */
         @Override
         public void focusGained(FocusEvent event) {
-            cards().forEach(other -> other.setFocusable(other == card));
+            reachByTab(card);
             scrollRectToVisible(card.getBounds());
             card.repaint();
         }
