@@ -77,6 +77,17 @@ class MakeActWindowTest {
     }
 
     @Test
+    void aScriptThatWasMendedIsReadAgain() throws IOException {
+        Path script = Files.writeString(folder.resolve("square.majic"), "move 100\n");
+        window.write("makeFrom", script.toString());
+        window.await("the mistake", () -> window.text("makeOutcome").contains("square.majic:1:1"));
+        Files.writeString(script, "me move 100\n");
+        window.write("makeFrom", script.toString());
+        make();
+        assertThat(own.acts().find("square").carriesCode()).isFalse();
+    }
+
+    @Test
     void aFileIsOverwrittenOnlyOnceThatWasAgreedTo() throws IOException {
         Path there = Files.writeString(folder.resolve("Spy.act"), "precious");
         window.write("makeFrom", own.source("Spy", OwnActs.SPY).toString());

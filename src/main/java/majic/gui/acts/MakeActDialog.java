@@ -103,10 +103,10 @@ public final class MakeActDialog extends MajicDialog {
                 file -> target.setText(file.toString()));
     }
 
-    /** Finds the acts in the source, whenever another path was entered. */
+    /** Finds the acts in the source if another path was entered, or if none was found before: the file may be mended. */
     private void look() {
         String path = from.getText().strip();
-        if (path.equals(looked)) {
+        if (path.equals(looked) && source != null) {
             return;
         }
         looked = path;
@@ -125,6 +125,7 @@ public final class MakeActDialog extends MajicDialog {
     private void found(String path, ActSource found) {
         if (path.equals(looked)) {
             source = found;
+            act.removeAllItems();
             found.acts().forEach(act::addItem);
             make.setEnabled(true);
             outcome.show(found.acts().size() == 1 ? "" : TEXTS.get("several"), false);
