@@ -61,6 +61,7 @@ final class FrameActions {
         final IconAction openTeam;
         final IconAction saveTeam;
         final IconAction shareRobots;
+        final IconAction driveByKeys;
         final IconAction tour;
 
         MenuActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
@@ -83,6 +84,8 @@ final class FrameActions {
             shareRobots = action("shareRobots", Pictogram.TEAM, "shareRobots.tip", dialogs::shareRobots)
                     .openingDialog();
             shareRobots.setEnabled(dialogs.canShareRobots());
+            driveByKeys = action("driveByKeys", Pictogram.DRIVE, "driveByKeys.tip", frame::driveByKeys)
+                    .withKey(KeyEvent.VK_D);
             tour = action("tour", Pictogram.TOUR, "tour.tip", dialogs::tour);
         }
     }

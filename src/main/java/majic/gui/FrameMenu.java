@@ -96,7 +96,8 @@ final class FrameMenu extends JMenuBar {
                 others.saveTeam,
                 null,
                 others.shareRobots,
-                null);
+                null,
+                others.driveByKeys);
         JMenuItem reconnect = new JCheckBoxMenuItem(
                 TEXTS.get("reconnect"), frame.reconnecting().isEnabled());
         reconnect.addActionListener(event -> frame.reconnecting().enable(reconnect.isSelected()));
@@ -109,8 +110,9 @@ final class FrameMenu extends JMenuBar {
             }
         });
         robot.addChangeListener(change -> gamepad.setSelected(frame.gamepad().isOn()));
-        robot.add(reconnect);
         robot.add(gamepad);
+        robot.addSeparator();
+        robot.add(reconnect);
     }
 
     private static void fillLab(JMenu lab, MajicFrame frame) {

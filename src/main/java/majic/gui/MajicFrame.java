@@ -292,6 +292,15 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         team.changed(member);
     }
 
+    /** Lets the arrow keys drive the selected robots; shows a message if there is no robot. */
+    void driveByKeys() {
+        if (session.team().members().isEmpty()) {
+            channel.showError(TEXTS.get("noRobot"));
+        } else {
+            team.focusPad();
+        }
+    }
+
     void showWholeMap() {
         team.map().fit();
     }

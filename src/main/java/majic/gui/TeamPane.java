@@ -79,6 +79,10 @@ final class TeamPane extends JSplitPane {
         return map;
     }
 
+    void focusPad() {
+        panels.focusPad();
+    }
+
     /** Shows a change of a robot of which the team sends no event. */
     void changed(Member member) {
         panels.ownerChanged(member);

@@ -35,6 +35,16 @@ class DriveByHandWindowTest {
     }
 
     @Test
+    void ctrlDGoesToThePad() {
+        window.focus("commandLine");
+        window.pressWithCtrl(KeyEvent.VK_D);
+        window.hold(KeyEvent.VK_UP);
+        window.await("a drive", () -> bot.told.contains(AHEAD));
+        window.letGo(KeyEvent.VK_UP);
+        awaitStationary();
+    }
+
+    @Test
     void losingTheFocusStops() {
         holdUp();
         window.run(() -> window.find("commandLine", CommandLine.class).requestFocus());

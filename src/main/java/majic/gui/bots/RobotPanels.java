@@ -162,6 +162,13 @@ public final class RobotPanels extends JPanel implements TeamListener {
         windows.clear();
     }
 
+    /** Gives the focus to the pad that drives the selected robots; has no effect while there is no robot. */
+    public void focusPad() {
+        if (pad != null) {
+            pad.requestFocusInWindow();
+        }
+    }
+
     private void showSelection() {
         List<Member> chosen = selection.members();
         List<Member> docked = chosen.stream()

@@ -10,6 +10,11 @@ public enum Pictogram {
             .line(11, 13, 18.5, 13)
             .line(19, 3, 19, 9)
             .line(16, 6, 22, 6)),
+    DRIVE(new LineArt()
+            .area(12, 3.5, 15.5, 8.5, 8.5, 8.5)
+            .area(12, 20.5, 15.5, 15.5, 8.5, 15.5)
+            .area(3.5, 12, 7, 9, 7, 15)
+            .area(20.5, 12, 17, 9, 17, 15)),
     END(new LineArt().area(6, 6, 18, 6, 18, 18, 6, 18)),
     FIND(new LineArt().circle(10.5, 10.5, 6).line(15, 15, 20, 20)),
     HELP(new LineArt()
