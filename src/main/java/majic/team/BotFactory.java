@@ -8,11 +8,14 @@ import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.TreeSet;
 import java.util.WeakHashMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotType;
@@ -32,6 +35,9 @@ public final class BotFactory {
 
     /** The types in the order of the thesis, then the one of today's robots, those of other desks; others follow by name. */
     private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros", "mqtt");
+
+    private static final Pattern SERVER = Pattern.compile(
+            "(?<type>\\w+)(?:\\+\\w+)?:(?:tcp:)?//(?<host>\\[[^]]+]|[^/:?]+)(?<port>:\\d+)?(?<rest>.*)");
 
     private final List<BotType> types;
     private final Settings settings;
@@ -141,6 +147,33 @@ public final class BotFactory {
                     text + ": not a robot's address; did you mean " + BotAddress.SIMULATED + ":" + text + "?");
         }
         return BotAddress.parse(text);
+    }
+
+    /**
+     * Returns whether two addresses are those of one robot. Upper and lower case, the makers' library, {@code tcp:} and a usual
+     * port that only one of them has make no difference.
+     *
+     * @param one as typed
+     * @param other as typed
+     * @return false for two names of one computer, which are not looked up
+     */
+    public boolean isSameRobot(String one, String other) {
+        return one.equalsIgnoreCase(other) || complete(one).equalsIgnoreCase(complete(other));
+    }
+
+    private String complete(String text) {
+        Matcher server = SERVER.matcher(text);
+        if (!server.matches()) {
+            return text;
+        }
+        String port = types.stream()
+                .filter(type -> type.name().equalsIgnoreCase(server.group("type")))
+                .findFirst()
+                .map(type -> ":" + type.defaultPort())
+                .orElse("");
+        return server.group("type") + "://" + server.group("host")
+                + Objects.requireNonNullElse(server.group("port"), port)
+                + server.group("rest");
     }
 
     private MajicBot createSimulated(BotAddress address) {

@@ -63,6 +63,15 @@ class ReconnectTest {
     }
 
     @Test
+    void oneRobotIsNotAddedTwiceUnderTwoFormsOfItsAddress() throws InterruptedException {
+        fixture.runPipe("add aibo://dog as 7");
+
+        assertThat(fixture.runPipe("add aibo:tcp://dog:1234", "add Aibo+liburbi://DOG"))
+                .filteredOn(line -> line.endsWith("robot 7 is connected to it already"))
+                .hasSize(2);
+    }
+
+    @Test
     void aRefusalOfATakenAddressNamesItsRobot() throws InterruptedException {
         fixture.runPipe("add sim:aibo");
         fixture.aibo.prepare(second -> second.refuse(new BotException("closed at once")));

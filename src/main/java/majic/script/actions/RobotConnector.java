@@ -5,6 +5,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
+import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.MajicBot;
@@ -107,7 +108,7 @@ public final class RobotConnector {
 
     /** The robot that is connected under just this number and address. */
     private Optional<Member> alreadyThere(String address, OptionalInt number) {
-        return at(address)
+        return drivenAt(address)
                 .filter(member -> number.isPresent() && number.getAsInt() == member.number())
                 .filter(member -> member.bot().isConnected())
                 .findFirst();
@@ -135,14 +136,27 @@ public final class RobotConnector {
     }
 
     private Optional<Member> here(String address, OptionalInt number, MajicBot.Connection connection) {
-        return at(address)
+        return drivenAt(address)
                 .filter(member -> number.isEmpty() || number.getAsInt() == member.number())
                 .filter(member -> member.bot().connection() == connection)
                 .findFirst();
     }
 
+    /** The robots at an address that are driven by the library it names, or by none if it names none. */
+    private Stream<Member> drivenAt(String address) {
+        return at(address)
+                .filter(member -> address(member).map(RobotConnector::library).equals(Optional.of(library(address))));
+    }
+
+    private static Optional<String> library(String address) {
+        return BotAddress.parse(address).library();
+    }
+
     private Stream<Member> at(String address) {
-        return team.members().stream().filter(member -> address.equalsIgnoreCase(addresses.get(member.number())));
+        return team.members().stream()
+                .filter(member -> address(member)
+                        .filter(used -> factory.isSameRobot(address, used))
+                        .isPresent());
     }
 
     /** Answers and records that a robot was added. */
