@@ -50,8 +50,13 @@ public final class Majic {
         }
     }
 
-    /** Returns the command line of a program with this folder, with all commands and options. */
-    static CommandLine commandLine(UserFolder folder) {
+    /**
+     * Returns the command line with all commands and options.
+     *
+     * @param folder the folder of the user that its commands use
+     * @return a new one
+     */
+    public static CommandLine commandLine(UserFolder folder) {
         return InheritedOptions.limit(new CommandLine(new MajicCommand(folder))
                         .addSubcommand(new LabCommand())
                         .addSubcommand(new RunCommand(folder))

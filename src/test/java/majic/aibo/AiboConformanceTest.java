@@ -1,9 +1,9 @@
 package majic.aibo;
 
 import java.util.List;
-import majic.LabRobot;
 import majic.drivertest.DriverConformance;
 import majic.drivertest.TestedRobot;
+import majic.inlab.LabRobot;
 
 /** Tests the driver with the simulated robot as every driver is tested. */
 class AiboConformanceTest extends DriverConformance {

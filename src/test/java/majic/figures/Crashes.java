@@ -11,9 +11,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
-import majic.RecordedLine;
 import majic.bot.Pose;
 import majic.simulation.SimulatedLab;
+import majic.stop.RecordingRelay;
 import majicsim.LabOptions;
 
 /**
@@ -61,7 +61,7 @@ final class Crashes {
      */
     private void crash(int afterMs) throws IOException, InterruptedException {
         start.forEach(lab::place);
-        try (RecordedLine port = RecordedLine.serial(portOf("pioneer"))) {
+        try (RecordingRelay port = RecordingRelay.serial(portOf("pioneer"))) {
             InputStream wire = Files.newInputStream(Path.of(port.address()));
             try {
                 Crash crash =

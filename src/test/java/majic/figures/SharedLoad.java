@@ -12,7 +12,6 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
-import majic.RecordedLine;
 import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.BotType;
@@ -28,6 +27,7 @@ import majic.shared.message.RequestedAction;
 import majic.shared.message.Sender;
 import majic.shared.message.SiteTopics;
 import majic.shared.message.SpeedMessage;
+import majic.stop.RecordingRelay;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.QueuedCommand;
@@ -76,12 +76,12 @@ final class SharedLoad {
 
     private final BrokerAddress broker;
     private final SharedDesks desks;
-    private final List<RecordedLine> lines;
+    private final List<RecordingRelay> lines;
     private final Team team = new Team(TimeSource.system(), Team.MOST_BOTS);
     private final BrokerBytes bytes;
     private String kindsOfThreads = "";
 
-    private SharedLoad(BrokerAddress broker, SharedDesks desks, List<RecordedLine> lines) {
+    private SharedLoad(BrokerAddress broker, SharedDesks desks, List<RecordingRelay> lines) {
         this.broker = broker;
         this.desks = desks;
         this.lines = lines;
@@ -104,7 +104,7 @@ final class SharedLoad {
         endAfterLongestRow();
         Measurement.run(() -> {
             try {
-                List<RecordedLine> lines = record(robots, count);
+                List<RecordingRelay> lines = record(robots, count);
                 SharedLoad load = new SharedLoad(broker, SharedDesks.share(broker, count, robots), lines);
                 return List.of(load.measure(count, robots.size(), brokerPid, labPids), load.connected());
             } catch (BotException | ExecutionException e) {
@@ -140,11 +140,11 @@ final class SharedLoad {
     }
 
     /** Puts a recorder in front of the robots that will be used, and of one robot of each desk. */
-    private static List<RecordedLine> record(List<String> robots, int desks) throws IOException {
-        List<RecordedLine> lines = new ArrayList<>();
+    private static List<RecordingRelay> record(List<String> robots, int desks) throws IOException {
+        List<RecordingRelay> lines = new ArrayList<>();
         for (int robot = 0; robot < Math.min(Math.max(MOST_USED, desks), robots.size()); robot++) {
-            RecordedLine line =
-                    RecordedLine.tcp(Integer.parseInt(robots.get(robot).replaceFirst(".*:", "")));
+            RecordingRelay line =
+                    RecordingRelay.tcp(Integer.parseInt(robots.get(robot).replaceFirst(".*:", "")));
             robots.set(robot, "pioneer:" + line.address());
             lines.add(line);
         }
@@ -210,7 +210,7 @@ final class SharedLoad {
     }
 
     /** A command that was given. */
-    private record Sample(RecordedLine line, int before, String packet, long beganNanos) {
+    private record Sample(RecordingRelay line, int before, String packet, long beganNanos) {
         OptionalLong nanos() {
             OptionalLong arrival = line.arrivalNanos(packet, before);
             return arrival.isPresent() ? OptionalLong.of(arrival.getAsLong() - beganNanos) : OptionalLong.empty();
@@ -306,7 +306,7 @@ final class SharedLoad {
     }
 
     private Sample give(int robot, String packet, Deed deed) {
-        RecordedLine line = lines.get(robot);
+        RecordingRelay line = lines.get(robot);
         Sample sample = new Sample(line, line.length(), packet, System.nanoTime());
         team.members()
                 .get(robot)
@@ -330,7 +330,7 @@ final class SharedLoad {
         int rounds = 0;
         for (int round = 0; round <= STOPS && isInTime(partNanos); round++) {
             rounds = round;
-            List<Integer> before = lines.stream().map(RecordedLine::length).toList();
+            List<Integer> before = lines.stream().map(RecordingRelay::length).toList();
             long began = System.nanoTime();
             team.stopAll();
             await(() -> arrivals(before).stream().allMatch(OptionalLong::isPresent));

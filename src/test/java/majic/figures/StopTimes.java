@@ -19,7 +19,6 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.BooleanSupplier;
 import java.util.stream.IntStream;
-import majic.RecordedLine;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
 import majic.console.Console;
@@ -30,6 +29,7 @@ import majic.program.UserFolder;
 import majic.program.Window;
 import majic.script.MajicParser;
 import majic.server.LineServer;
+import majic.stop.RecordingRelay;
 import majic.team.Gate;
 import majic.team.Member;
 import majic.team.Team;
@@ -65,7 +65,7 @@ final class StopTimes {
     private final KeyProgram keys;
 
     /** A robot that reads: its line, and the forms of its stop. */
-    private record Healthy(RecordedLine line, List<String> stops) {
+    private record Healthy(RecordingRelay line, List<String> stops) {
         /** Returns when the first stop arrived that was sent after the first bytes of the line. */
         OptionalLong arrival(int before) {
             return stops.stream()
@@ -117,7 +117,7 @@ final class StopTimes {
     private void start(List<String> addresses) throws Exception {
         for (String address : addresses) {
             String[] parts = address.split("://", 2);
-            RecordedLine line = RecordedLine.tcp(Integer.parseInt(parts[1].replaceFirst(".*:", "")));
+            RecordingRelay line = RecordingRelay.tcp(Integer.parseInt(parts[1].replaceFirst(".*:", "")));
             healthy.add(new Healthy(line, STOPS.get(parts[0])));
             add(program.session().factory().create(parts[0] + ":" + line.address()), OptionalInt.empty());
         }

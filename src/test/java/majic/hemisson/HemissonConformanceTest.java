@@ -1,9 +1,9 @@
 package majic.hemisson;
 
 import java.util.List;
-import majic.LabRobot;
 import majic.drivertest.DriverConformance;
 import majic.drivertest.TestedRobot;
+import majic.inlab.LabRobot;
 
 /** Tests the driver with the simulated robot as every driver is tested. */
 class HemissonConformanceTest extends DriverConformance {

@@ -3,7 +3,7 @@ package majic.pioneer;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Objects;
-import majic.LabRig;
+import majic.inlab.LabRig;
 import majic.pioneer.arcos.Batteries;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.state.EncoderTicks;

@@ -1,9 +1,9 @@
 package majic.pioneer;
 
 import java.util.List;
-import majic.LabRobot;
 import majic.drivertest.DriverConformance;
 import majic.drivertest.TestedRobot;
+import majic.inlab.LabRobot;
 
 /** Tests the driver with the simulated robot as every driver is tested. */
 class PioneerConformanceTest extends DriverConformance {

@@ -1,10 +1,10 @@
 package majic.ros;
 
 import java.util.List;
-import majic.LabRig;
-import majic.LabRobot;
 import majic.drivertest.DriverConformance;
 import majic.drivertest.TestedRobot;
+import majic.inlab.LabRig;
+import majic.inlab.LabRobot;
 
 /** Tests the driver with the simulated robot, on ROS 2 and without a command time-out, as every driver is tested. */
 class RosInLabConformanceTest extends DriverConformance {

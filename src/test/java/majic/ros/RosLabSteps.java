@@ -3,10 +3,10 @@ package majic.ros;
 import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
 import java.util.stream.Stream;
-import majic.LabRig;
-import majic.LabRobot;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.inlab.LabRig;
+import majic.inlab.LabRobot;
 
 /** The steps that the tests with the simulated ROS robot share. */
 final class RosLabSteps {

@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.stream.Stream;
-import majic.LabRig;
-import majic.LabRobot;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
@@ -15,6 +13,8 @@ import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Pose;
+import majic.inlab.LabRig;
+import majic.inlab.LabRobot;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import majic.LabRig;
-import majic.LabRobot;
 import majic.bot.RobotPage;
+import majic.inlab.LabRig;
+import majic.inlab.LabRobot;
 import majic.ros.graph.KnownRobots;
 import org.junit.jupiter.api.Test;
 

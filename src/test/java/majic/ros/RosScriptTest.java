@@ -2,8 +2,8 @@ package majic.ros;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import majic.LabRig;
 import majic.bot.Pose;
+import majic.inlab.LabRig;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -10,13 +10,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.concurrent.CompletableFuture;
-import majic.LabRig;
-import majic.LabRobot;
 import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Value;
+import majic.inlab.LabRig;
+import majic.inlab.LabRobot;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import java.util.Set;
-import majic.LabRig;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
+import majic.inlab.LabRig;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.broker.FakeBroker;

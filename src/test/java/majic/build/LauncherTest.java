@@ -1,0 +1,186 @@
+package majic.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests the shell script that builds and starts MAJIC, with scripts in place of Maven and Java. */
+@Tag("jdk")
+@DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows has majic.cmd instead")
+class LauncherTest {
+    private static final String MAVEN =
+            "#!/bin/sh\ncat >/dev/null\nmkfifo target/archive\ntouch target/majic.jar\necho BUILD SUCCESS\n";
+
+    @TempDir
+    Path folder;
+
+    private Path clone;
+
+    @BeforeEach
+    void copyTheLauncher() throws IOException {
+        copyTheLauncher("clone");
+    }
+
+    private void copyTheLauncher(String name) throws IOException {
+        clone = folder.resolve(name);
+        Files.createDirectories(clone.resolve("config"));
+        Files.createDirectories(clone.resolve("src/main"));
+        Files.createDirectories(clone.resolve("sims"));
+        Files.createFile(clone.resolve("pom.xml"));
+        Files.copy(Path.of("config/tools.sh"), clone.resolve("config/tools.sh"));
+        program("majic", Files.readString(Path.of("majic")));
+    }
+
+    @Test
+    void theInputOfThePipeReachesMajicAlthoughMavenReadsItsInput() throws Exception {
+        java("", "echo \"started with $*\"; cat");
+
+        String said = start("2 move 1000\nquit\n", "--lab", "--console");
+
+        assertThat(said).contains("--lab --console\n2 move 1000\nquit\n");
+    }
+
+    @Test
+    void aLinkToTheLauncherStartsTheSameClone() throws Exception {
+        java("", "echo started; cat");
+        Path near = Files.createSymbolicLink(clone.resolve("link"), Path.of("majic"));
+        Path far = Files.createSymbolicLink(folder.resolve("majic-link"), near);
+
+        assertThat(start(far, "")).contains("started");
+    }
+
+    @Test
+    void theLibraryThatAriasWrapperNeedsIsFoundInAriasFolder() throws Exception {
+        Path lib = Files.createDirectories(folder.resolve("Aria/lib"));
+        Files.createFile(lib.resolve("libAria.so"));
+        java("", "echo \"libraries in $LD_LIBRARY_PATH\"");
+
+        assertThat(start("", "--aria-home", "" + lib.getParent())).contains("libraries in " + lib.toRealPath());
+        assertThat(start("", "--aria-home=" + lib.getParent())).contains("libraries in " + lib.toRealPath());
+        assertThat(start("", "--lab")).doesNotContain("" + lib);
+    }
+
+    @Test
+    void javaAsksForTheKeysOfTheDisplayEveryTenMillisecondsSoThatF12DoesNotWait() throws Exception {
+        java("", "echo \"asks every $_AWT_MAX_POLL_TIMEOUT ms\"");
+
+        assertThat(start("")).contains("asks every 10 ms");
+    }
+
+    @Test
+    void aPackageIsMadeByTheJdkInUse() throws Exception {
+        java("", "echo \"java $*\"");
+        program("bin/fakeroot", "#!/bin/sh\n");
+        program("bin/objcopy", "#!/bin/sh\n");
+
+        assertThat(start("", "package"))
+                .endsWith("java -Djava.awt.headless=true -cp " + clone + "/target/majic.jar " + clone
+                        + "/src/build/Packaging.java " + clone + "\n");
+    }
+
+    @Test
+    void theEmbeddedBrokerIsFetchedOnce() throws Exception {
+        java("", "ls target/broker");
+        broker("mkdir \"$folder\"; touch \"$folder/broker.jar\"");
+
+        assertThat(start("", "--broker"))
+                .contains("fetching the embedded broker")
+                .endsWith("broker.jar\n");
+        assertThat(start("", "--broker")).doesNotContain("fetching").endsWith("broker.jar\n");
+    }
+
+    @Test
+    void aFetchOfTheBrokerThatFailsHalfWayIsExplainedAndDoneAgain() throws Exception {
+        java("", "ls target");
+        broker(
+                "mkdir \"$folder\"; touch \"$folder/half\"; echo '[ERROR] Failed to execute goal: Could not transfer artifact"
+                        + " a:b:jar:1 from/to central (https://repo.example.org/maven2): Connection reset -> [Help 1]'; exit 1");
+        assertThat(start("", "--broker"))
+                .contains(
+                        "the embedded broker was not fetched: https://repo.example.org/maven2: Connection reset; start MAJIC"
+                                + " again to try again")
+                .doesNotContain("broker\n");
+
+        java("", "ls target/broker");
+        broker("mkdir \"$folder\"; touch \"$folder/broker.jar\"");
+        assertThat(start("", "--broker")).contains("fetching").endsWith("\nbroker.jar\n");
+    }
+
+    /** Creates a Maven that does this when the broker is fetched, into {@code $folder}. */
+    private void broker(String fetching) throws IOException {
+        program(
+                "bin/mvn",
+                MAVEN.replace(
+                        "#!/bin/sh\n",
+                        "#!/bin/sh\ncase \"$*\" in *-Dmajic.broker=*) folder=${7#-Dmajic.broker=}; " + fetching
+                                + "; exit ;; esac\n"));
+    }
+
+    @Test
+    void eachCloneHasAnArchiveOfItsOwn() throws Exception {
+        String first = archiveName();
+        assertThat(archiveName()).isEqualTo(first);
+
+        copyTheLauncher("other clone");
+        assertThat(archiveName()).startsWith("majic-17-").endsWith(".jsa").isNotEqualTo(first);
+    }
+
+    /** Starts the program and returns the name of the class-data archive that is made for its next start. */
+    private String archiveName() throws Exception {
+        java("echo \"$1\" >target/archive", "cat target/archive");
+        String option = start("").lines().reduce((one, next) -> next).orElseThrow();
+        String file = option.substring(option.lastIndexOf('/') + 1);
+        return file.substring(0, file.lastIndexOf('.'));
+    }
+
+    /** Creates the program's Java, which does this when it makes the archive of class data, and when it starts MAJIC. */
+    private void java(String classData, String start) throws IOException {
+        program("bin/mvn", MAVEN);
+        program("bin/javac", "#!/bin/sh\n");
+        program(
+                "bin/java",
+                "#!/bin/sh\ncd '" + clone + "'\ncase \"$*\" in\n"
+                        + "-version) cat >/dev/null; echo 'openjdk version \"17.0.1\"' >&2 ;;\n"
+                        + "*class-data) " + classData + " ;;\n"
+                        + "*) " + start + " ;;\nesac\n");
+    }
+
+    private String start(String input, String... arguments) throws Exception {
+        return start(clone.resolve("majic"), input, arguments);
+    }
+
+    private String start(Path program, String input, String... arguments) throws Exception {
+        ProcessBuilder launcher = new ProcessBuilder(program.toString());
+        launcher.command().addAll(List.of(arguments));
+        launcher.redirectErrorStream(true);
+        launcher.environment().put("JAVA_HOME", clone.toString());
+        launcher.environment().put("XDG_CACHE_HOME", folder.resolve("cache").toString());
+        launcher.environment().put("PATH", clone.resolve("bin") + ":" + System.getenv("PATH"));
+        Process process = launcher.start();
+        try (OutputStream in = process.getOutputStream()) {
+            in.write(input.getBytes(StandardCharsets.UTF_8));
+        }
+        String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        process.waitFor();
+        return said;
+    }
+
+    private void program(String name, String text) throws IOException {
+        Path file = clone.resolve(name);
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, text);
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
+    }
+}

@@ -1,0 +1,122 @@
+package majic.inlab.acts;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.lang.reflect.Method;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.inlab.LabRig;
+import org.junit.jupiter.api.Test;
+
+/** Runs the examples in MAJIC Script, and what the Java examples do with a connected robot, in the stepped lab. */
+class ProgramsInLabTest {
+    private static final Pose NEAR_THE_WALL = new Pose(3000, 0, 0);
+
+    @Test
+    void threeUnlikeRobotsRaceByScript() throws Exception {
+        try (LabRig rig = LabRig.exact()) {
+            assertThat(run(rig, "race.majic"))
+                    .filteredOn(line -> line.contains("move 50cm until distanceFront < near: done"))
+                    .hasSize(3);
+        }
+    }
+
+    @Test
+    void thePioneerWandersByScriptAndByItsAct() throws Exception {
+        try (LabRig rig = LabRig.exact()) {
+            ActLabs.place(rig, "pioneer", NEAR_THE_WALL);
+            assertThat(run(rig, "wander.majic")).noneMatch(line -> line.contains("failed"));
+            assertThat(ActLabs.bumps(rig)).containsEntry("pioneer", 0);
+        }
+        try (LabRig rig = LabRig.exact()) {
+            rig.add("pioneer");
+            rig.say("1 act PioneerWander");
+            assertThat(rig.await(() -> rig.team().member(1).bot().state().moving()))
+                    .isTrue();
+        }
+    }
+
+    @Test
+    void theHemissonFollowsTheLineByScript() throws Exception {
+        try (LabRig rig = lineLab()) {
+            assertThat(run(rig, "line.majic")).noneMatch(line -> line.contains("failed"));
+            LineInLab.assertIsAtTheObstacle(rig);
+        }
+    }
+
+    @Test
+    void theHemissonFollowsTheLineByJava() throws Exception {
+        try (LabRig rig = lineLab()) {
+            call("LineFollower", "follow", rig.add("hemisson"));
+            LineInLab.assertIsAtTheObstacle(rig);
+        }
+    }
+
+    private static LabRig lineLab() {
+        LabRig rig = LabRig.exact();
+        ActLabs.place(rig, "hemisson", LineInLab.BESIDE_IT);
+        ActLabs.place(rig, "pioneer", LineInLab.OBSTACLE);
+        return rig;
+    }
+
+    @Test
+    void theDogTurnsAtTheWallByJava() throws Exception {
+        try (LabRig rig = LabRig.exact()) {
+            ActLabs.place(rig, "aibo", NEAR_THE_WALL);
+            call("WanderDog", "wander", rig.add("aibo"));
+            assertThat(rig.truePose("aibo").distanceMm(NEAR_THE_WALL)).isGreaterThan(100);
+            assertThat(Math.abs(rig.truePose("aibo").headingDeg())).isBetween(80.0, 120.0);
+            assertThat(ActLabs.bumps(rig)).containsEntry("aibo", 0);
+        }
+    }
+
+    @Test
+    void theDogWalksHalfAMetreByScript() throws Exception {
+        try (LabRig rig = LabRig.exact()) {
+            Pose start = rig.truePose("aibo");
+            run(rig, "walk.majic");
+            assertThat(rig.truePose("aibo").distanceMm(start)).isBetween(480.0, 520.0);
+        }
+    }
+
+    @Test
+    void aTurtleBotAndADogWanderByTheSameLines() throws Exception {
+        try (LabRig rig = LabRig.exactWithRos("2")) {
+            Pose start = rig.truePose("ros");
+            assertThat(run(rig, "ros.majic"))
+                    .noneMatch(line -> line.contains("failed"))
+                    .filteredOn(line -> line.contains("turn 100: done"))
+                    .hasSize(10);
+            assertThat(rig.truePose("ros").distanceMm(start)).isGreaterThan(100);
+            assertThat(ActLabs.bumps(rig)).containsEntry("ros", 0).containsEntry("aibo", 0);
+        }
+    }
+
+    @Test
+    void aTurtleBotWandersByJava() throws Exception {
+        try (LabRig rig = LabRig.exactWithRos("1")) {
+            Pose start = rig.truePose("ros");
+            call("RosWander", "wander", rig.add("ros"));
+            assertThat(rig.truePose("ros").distanceMm(start)).isGreaterThan(100);
+            assertThat(ActLabs.bumps(rig)).containsEntry("ros", 0);
+        }
+    }
+
+    /** Runs a script with the robots of the lab in place of those that it names. */
+    private static List<String> run(LabRig rig, String script) throws Exception {
+        return rig.run(Files.readString(Path.of("examples", script))
+                .replaceAll("add (\\w+):\\S+", "add sim:$1")
+                .lines()
+                .toArray(String[]::new));
+    }
+
+    /** Calls a method of an example; the examples are in no package, so no test can name them. */
+    private static void call(String example, String method, MajicBot robot) throws Exception {
+        Method called = Class.forName(example).getDeclaredMethod(method, MajicBot.class);
+        called.setAccessible(true);
+        called.invoke(null, robot);
+    }
+}
