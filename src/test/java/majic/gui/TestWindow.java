@@ -61,11 +61,11 @@ public final class TestWindow implements AutoCloseable {
     private static final String MARKED = "test.marked";
 
     final ToyType type = new ToyType(BotType.Reach.TCP);
-    final Settings settings = Settings.inMemory();
+    public final Settings settings = Settings.inMemory();
     final BotFactory factory = new BotFactory(List.of(type), settings);
-    final Team team = new Team(TimeSource.system(), 200);
+    public final Team team = new Team(TimeSource.system(), 200);
     final FakeSharing sharing = new FakeSharing();
-    final AtomicInteger quits = new AtomicInteger();
+    public final AtomicInteger quits = new AtomicInteger();
     final Session session;
     final MajicParser parser;
     final MajicFrame frame;
@@ -215,7 +215,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Waits until a component is shown, and returns it. */
-    <T extends Component> T awaitShowing(String name, Class<T> kind) {
+    public <T extends Component> T awaitShowing(String name, Class<T> kind) {
         await(
                 name + " to show",
                 () -> robot.finder()
@@ -226,7 +226,7 @@ public final class TestWindow implements AutoCloseable {
         return robot.finder().findByName(name, kind, true);
     }
 
-    Dialog awaitDialog(String title) {
+    public Dialog awaitDialog(String title) {
         return awaitShowing(title + " dialog", Dialog.class);
     }
 
@@ -272,7 +272,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** As {@link #focus(String)}, for a component whose name others have too. */
-    void focus(Component component) {
+    public void focus(Component component) {
         robot.focusAndWaitForFocusGain(component);
     }
 
@@ -332,8 +332,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Returns the tool tip of a place in a component. */
-    @Nullable
-    String tipAt(String name, Point place) {
+    public @Nullable String tipAt(String name, Point place) {
         JComponent component = find(name, JComponent.class);
         return GuiActionRunner.execute(() -> component.getToolTipText(
                 new MouseEvent(component, MouseEvent.MOUSE_MOVED, 0, 0, place.x, place.y, 0, false)));
@@ -364,7 +363,7 @@ public final class TestWindow implements AutoCloseable {
         settle();
     }
 
-    void click(String name) {
+    public void click(String name) {
         give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.click(awaitShowing(name, Component.class)));
     }
 
@@ -375,7 +374,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Returns an entry of the window's menus. */
-    JMenuItem entry(String text) {
+    public JMenuItem entry(String text) {
         JMenuBar bar = frame.getJMenuBar();
         return IntStream.range(0, bar.getMenuCount())
                 .mapToObj(bar::getMenu)
@@ -416,7 +415,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Chooses a file in the file chooser once it is shown, and presses its button. */
-    void chooseFile(Path file) {
+    public void chooseFile(Path file) {
         JFileChooserFixture chooser = fileChooser();
         chooser.fileNameTextBox().setText(file.toString());
         chooser.approve();

@@ -1,0 +1,112 @@
+package majic.gui.editor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.awt.event.KeyEvent;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import majic.gui.TestWindow;
+import majic.gui.ToyBot;
+import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests how the editor runs scripts, on robots that are made up. */
+class ScriptRunWindowTest {
+    @TempDir
+    private Path folder;
+
+    @AutoClose
+    private final TestWindow window = TestWindow.open();
+
+    private TestEditor editor;
+
+    @BeforeEach
+    void writeScripts() {
+        editor = new TestEditor(window, folder);
+    }
+
+    @Test
+    @Tag("jdk")
+    void aScriptDroppedOnTheWindowShowsItsRobotsAndRuns() throws IOException {
+        ToyBot bot = window.add("one");
+        editor.open("lap.majic", "1 move 30", "1 turn 20");
+        editor.awaitStatus("No mistakes");
+        assertThat(window.text("scriptRobots")).isEqualTo("1 Toy");
+        window.press(KeyEvent.VK_F5);
+        editor.awaitStatus("Last run: done");
+        assertThat(bot.told).containsExactly("move 30", "turn 20");
+        window.awaitMessage("run lap.majic: done");
+    }
+
+    @Test
+    void aScriptIsRunLineByLine() throws IOException {
+        ToyBot bot = window.add("one");
+        RSyntaxTextArea area = editor.open("lap.majic", "# a lap", "1 move 30", "1 move 40", "1 move 50");
+        editor.awaitStatus("No mistakes");
+        window.press(KeyEvent.VK_F7);
+        editor.awaitStatus("Paused before line 2");
+        assertThat(area.isEditable()).isFalse();
+        window.press(KeyEvent.VK_F7);
+        editor.awaitStatus("Paused before line 3");
+        assertThat(bot.told).containsExactly("move 30");
+        window.press(KeyEvent.VK_F5);
+        editor.awaitStatus("Last run: done");
+        assertThat(bot.told).containsExactly("move 30", "move 40", "move 50");
+        assertThat(area.isEditable()).isTrue();
+    }
+
+    @Test
+    void theSelectedLinesRunAlone() throws IOException {
+        ToyBot bot = window.add("one");
+        RSyntaxTextArea area = editor.open("lap.majic", "1 move 30", "1 move 40", "1 move 50");
+        editor.awaitStatus("No mistakes");
+        window.run(
+                () -> area.select(area.getText().indexOf("40"), area.getText().indexOf("50")));
+        window.pressWithCtrl(KeyEvent.VK_F5);
+        editor.awaitStatus("Last run: done");
+        assertThat(bot.told).containsExactly("move 40", "move 50");
+        window.awaitMessage("run lap.majic (lines 2 to 3): done");
+    }
+
+    @Test
+    void theKeysForStopWorkInTheEditor() throws IOException {
+        ToyBot bot = window.add("one");
+        editor.open("lap.majic", "1 move 30", "wait 100s");
+        editor.awaitStatus("No mistakes");
+        window.press(KeyEvent.VK_F5);
+        editor.awaitStatus("Running line 2");
+        window.press(KeyEvent.VK_ESCAPE);
+        editor.awaitStatus("Last run: stopped");
+        awaitHalt(bot);
+        window.await("STOP in the editor", () -> window.text("smallStop").equals("STOPPED"));
+        window.run(window.team::release);
+        window.press(KeyEvent.VK_F12);
+        assertThat(window.isStopLatched()).isTrue();
+    }
+
+    @Test
+    void endStopsTheScriptAndNotTheOtherRobots() throws IOException {
+        ToyBot bot = window.add("one");
+        ToyBot other = window.add("two");
+        editor.open("lap.majic", "1 move 30", "wait 100s");
+        editor.awaitStatus("No mistakes");
+        window.press(KeyEvent.VK_F5);
+        editor.awaitStatus("Running line 2");
+        window.push("editor End");
+        editor.awaitStatus("Last run: stopped");
+        awaitHalt(bot);
+        assertThat(other.told).isEmpty();
+        assertThat(window.isStopLatched()).isFalse();
+    }
+
+    private void awaitHalt(ToyBot bot) {
+        window.await(
+                "the robot to halt",
+                () -> List.copyOf(bot.told).lastIndexOf("halt") == bot.told.size() - 1 && !bot.told.isEmpty());
+    }
+}
