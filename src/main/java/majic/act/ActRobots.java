@@ -44,7 +44,7 @@ final class ActRobots {
                         .toList()));
     }
 
-    /** The name of the act's own robot. */
+    /** Returns the clock of the act's own robot. */
     TimeSource clock() {
         return all.get(0).time();
     }

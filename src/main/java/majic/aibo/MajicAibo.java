@@ -213,8 +213,8 @@ public final class MajicAibo extends BotDriver {
     }
 
     /** Makes the poller of pictures and LEDs, which does not poll yet. */
-    PanelPoller poller(PanelPoller.PictureReceiver audience) {
-        return new PanelPoller(new RobotWait(time(), changes()), this::openSensors, audience);
+    PanelPoller poller(PanelPoller.PictureReceiver receiver) {
+        return new PanelPoller(new RobotWait(time(), changes()), this::openSensors, receiver);
     }
 
     private @Nullable UrbiConnection openSensors() {

@@ -103,7 +103,7 @@ public interface BotType {
     /**
      * Finds the robots behind an address that stands for several. Blocks for some seconds.
      *
-     * @param address what follows the colon behind the type's name, with a slash at its end: {@code //broker/lab/}
+     * @param address with a slash at its end: {@code mqtt://broker/lab/}
      * @param environment the clock and settings to use
      * @return what each robot is, by its address; empty if there are none
      * @throws BotException if the address is wrong, or nothing answers there; the message says what would be right

@@ -3,8 +3,6 @@ package majic.driver;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.function.BiConsumer;
-import java.util.function.BiFunction;
 import java.util.function.IntFunction;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
@@ -16,18 +14,6 @@ import org.jspecify.annotations.Nullable;
 /** Checks what is handed to {@code set} and to a robot's own commands, before anything is sent. */
 final class Arguments {
     private Arguments() {}
-
-    static BiFunction<List<Value>, Motion, @Nullable Value> writer(ParameterTable.Entry entry) {
-        BiConsumer<List<Value>, Motion> writer = entry.writer();
-        String name = entry.parameter().name();
-        if (writer == null) {
-            throw new ParameterException(name, name + ": can be read but not set");
-        }
-        return (values, motion) -> {
-            writer.accept(values, motion);
-            return null;
-        };
-    }
 
     static List<Value> forSet(Parameter parameter, List<Value> given) {
         Objects.requireNonNull(given, "values");

@@ -3,7 +3,7 @@ package majic.driver;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
-import java.util.function.BiFunction;
+import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
@@ -18,7 +18,6 @@ import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
-import majic.bot.ParameterException;
 import majic.bot.Pose;
 import majic.bot.Value;
 import majic.environment.BotEnvironment;
@@ -224,11 +223,7 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final Value get(String parameter) {
-        ParameterTable.Entry entry = entry(parameter);
-        if (entry.reader() == null) {
-            throw new ParameterException(parameter, entry.parameter().name() + ": can be set but not read");
-        }
-        return entry.reader().get();
+        return entry(parameter).reader().get();
     }
 
     @Override
@@ -238,13 +233,16 @@ public abstract class BotDriver extends MajicBot {
 
     final void set(String parameter, List<Value> values, Permit permit) {
         ParameterTable.Entry entry = entry(parameter);
-        BiFunction<List<Value>, Motion, @Nullable Value> writer = Arguments.writer(entry);
+        BiConsumer<List<Value>, Motion> writer = entry.writer();
         List<Value> fitted = Arguments.forSet(entry.parameter(), values);
         if (entry.parameter().moves()) {
-            gate.perform(Guard.NEVER, permit, motion -> writer.apply(fitted, motion));
+            gate.perform(Guard.NEVER, permit, motion -> {
+                writer.accept(fitted, motion);
+                return null;
+            });
         } else {
             requireConnected();
-            writer.apply(fitted, gate.beside(permit));
+            writer.accept(fitted, gate.beside(permit));
         }
     }
 
@@ -278,7 +276,7 @@ public abstract class BotDriver extends MajicBot {
     @Override
     public final Parameter checkSet(String parameter, List<Value> values) {
         ParameterTable.Entry entry = entry(parameter);
-        Arguments.writer(entry);
+        entry.writer();
         Arguments.forSet(entry.parameter(), values);
         return entry.parameter();
     }

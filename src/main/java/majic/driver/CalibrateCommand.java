@@ -86,11 +86,11 @@ public final class CalibrateCommand {
      *
      * @param motion the motion that is to begin
      * @param mark the mark to be made: {@code where it stands}
-     * @param deed the motion that follows: {@code drives ahead for 10 s}
+     * @param action the motion that follows: {@code drives ahead for 10 s}
      * @throws MotionStopped if the robot is stopped meanwhile
      */
-    public static void letMark(Motion motion, String mark, String deed) {
-        motion.notice("mark " + mark + "; in " + MARKING_S + " s it " + deed);
+    public static void letMark(Motion motion, String mark, String action) {
+        motion.notice("mark " + mark + "; in " + MARKING_S + " s it " + action);
         motion.pause(MARKING_S);
     }
 

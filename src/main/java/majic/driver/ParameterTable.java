@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
-import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.bot.Value;
@@ -27,7 +26,7 @@ public final class ParameterTable {
     private volatile @Nullable Merged merged;
     private volatile Finder finder = name -> Optional.empty();
 
-    /** Made by {@link MajicBot}, one for each robot. */
+    /** Creates an empty table; each {@link BotDriver} has one. */
     ParameterTable() {}
 
     /** Finds parameters that are too many to be listed, such as the fields of all topics of a robot. */
@@ -90,14 +89,29 @@ public final class ParameterTable {
             return parameter;
         }
 
-        @Nullable
+        /**
+         * Returns what reads the parameter.
+         *
+         * @throws ParameterException if it can only be set
+         */
         Supplier<Value> reader() {
+            if (reader == null) {
+                throw new ParameterException(parameter.name(), parameter.name() + ": can be set but not read");
+            }
             return reader;
         }
 
-        @Nullable
+        /**
+         * Returns what sets the parameter.
+         *
+         * @throws ParameterException if it can only be read
+         */
         BiConsumer<List<Value>, Motion> writer() {
-            return writer;
+            BiConsumer<List<Value>, Motion> present = writer;
+            if (present == null) {
+                throw new ParameterException(parameter.name(), parameter.name() + ": can be read but not set");
+            }
+            return present;
         }
     }
 

@@ -47,7 +47,7 @@ public final class HemissonType implements BotType {
     @Override
     public String advice() {
         return "Is the robot on, in the Exec position, with all four top switches to the same side, and is it this port? "
-                + "A Hemisson that was talked to too fast hears nothing any more: switch it off, wait 5 s and switch it on.";
+                + "A Hemisson that was sent characters too fast receives nothing any more: switch it off, wait 5 s and switch it on.";
     }
 
     @Override

@@ -51,10 +51,10 @@ public final class MajicHemisson extends BotDriver {
     private final RobotMonitor monitor;
     private final SpeedCalibration calibration;
     private final StopConfirmation stopConfirmation;
-    private final RobotReadings access;
+    private final RobotReadings readings;
     private final MotionRunner motions;
     private final LedsAndBuzzer leds;
-    private final HemissonScenes views;
+    private final HemissonScenes scenes;
     private final HemissonParameters parameters;
 
     /**
@@ -88,15 +88,15 @@ public final class MajicHemisson extends BotDriver {
         BlockingConversation answers = new BlockingConversation(sessions, waiting, this::isConnected);
         this.stopConfirmation = new StopConfirmation(sessions, waiting, this::isLost, monitor.wheels()::found);
         this.motions = new MotionRunner(sessions, answers, stopConfirmation, monitor, time());
-        this.access = new RobotReadings(monitor.polled(), answers, time());
+        this.readings = new RobotReadings(monitor.polled(), answers, time());
         this.leds = new LedsAndBuzzer(answers);
-        this.views = new HemissonScenes(this, sessions, monitor, leds);
+        this.scenes = new HemissonScenes(this, sessions, monitor, leds);
         profile(HemissonProfile.of(calibration.table()));
-        this.parameters =
-                new HemissonParameters(table(), access, leds, pins, calibration, monitor::identity, sessions::quality);
+        this.parameters = new HemissonParameters(
+                table(), readings, leds, pins, calibration, monitor::identity, sessions::quality);
         parameters.describe(Modules.NONE);
         add(CalibrateCommand.of(new SpeedCalibrationRun(calibration, motions, new Cruise())));
-        new I2cCommands(access).all().forEach(this::add);
+        new I2cCommands(readings).all().forEach(this::add);
     }
 
     private static String place(BotAddress address) {
@@ -135,7 +135,7 @@ public final class MajicHemisson extends BotDriver {
     void equip(Modules found) {
         parameters.describe(found);
         Modules.COMMANDS.forEach(this::removeCommand);
-        found.commands(access).forEach(this::add);
+        found.commands(readings).forEach(this::add);
     }
 
     @Override
@@ -185,12 +185,14 @@ public final class MajicHemisson extends BotDriver {
     @Override
     public JComponent display() {
         return HemissonPanel.create(
-                this, views::now, task -> time().thread(name() + ": leds", task).start());
+                this,
+                scenes::now,
+                task -> time().thread(name() + ": leds", task).start());
     }
 
     @Override
     public Map<String, String> displayState() {
-        return HemissonReplay.texts(views.now());
+        return HemissonReplay.texts(scenes.now());
     }
 
     private boolean isLost() {

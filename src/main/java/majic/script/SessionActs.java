@@ -155,7 +155,7 @@ final class SessionActs implements ActRunner {
         }
 
         private Map<String, List<Member>> assign(Member me, List<Member> others) {
-            return RoleAssignment.cast(act.name().unquoted(), found.roles(), me, others);
+            return RoleAssignment.assign(act.name().unquoted(), found.roles(), me, others);
         }
     }
 

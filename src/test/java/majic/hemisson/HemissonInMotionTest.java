@@ -45,7 +45,7 @@ class HemissonInMotionTest {
     @Test
     void isAskedNothingThatTakesLongerThan5MillisecondsWhateverSomebodyWants() {
         connect(WITH_ALL_MODULES);
-        after(0.5, () -> bot.parameters().forEach(this::read));
+        rig.after(0.5, () -> bot.parameters().forEach(this::read));
 
         bot.move(300);
 
@@ -61,7 +61,7 @@ class HemissonInMotionTest {
     void aStopTakesTheNextSlotOfTheLine(double seconds) throws InterruptedException {
         connect(WITH_ALL_MODULES);
         long[] stopped = new long[1];
-        after(seconds, () -> {
+        rig.after(seconds, () -> {
             stopped[0] = rig.lab().time().nanos();
             bot.stop();
         });
@@ -77,7 +77,7 @@ class HemissonInMotionTest {
     @Test
     void aRobotThatMissesAnAnswerIsSentNothingButStopsUntilItAnswers() throws InterruptedException {
         connect("kteam+paced");
-        after(1, () -> rig.lab().simulators().faults("hemisson").outage(3.7));
+        rig.after(1, () -> rig.lab().simulators().faults("hemisson").outage(3.7));
 
         assertThatThrownBy(() -> bot.move(300)).isInstanceOf(BotException.class);
         rig.lab().time().sleep(4);
@@ -113,19 +113,5 @@ class HemissonInMotionTest {
         } catch (BotException e) {
             told.add(e.getMessage());
         }
-    }
-
-    private void after(double seconds, Runnable task) {
-        rig.lab()
-                .time()
-                .thread("meanwhile", () -> {
-                    try {
-                        rig.lab().time().sleep(seconds);
-                        task.run();
-                    } catch (InterruptedException e) {
-                        Thread.currentThread().interrupt();
-                    }
-                })
-                .start();
     }
 }

@@ -83,7 +83,7 @@ class HemissonOnAStallingLineTest {
     @CsvSource({"1, 0.2", "1, 0.5", "1.02, 0.5", "1.2, 0.5", "1, 1.5", "1.04, 1.5", "1.24, 1.5"})
     void aStopThatIsPressedInAStallIsObeyedAsSoonAsItIsOver(double begin, double seconds) throws InterruptedException {
         stall(begin, seconds);
-        after(begin + 0.15, bot::stop);
+        rig.after(begin + 0.15, bot::stop);
 
         assertThatThrownBy(() -> bot.drive(100, 0, 20, Guard.NEVER)).isInstanceOf(MotionStopped.class);
         rig.lab().time().sleep(seconds);
@@ -95,7 +95,7 @@ class HemissonOnAStallingLineTest {
     void aMotionThatBeginsInAStallIsStoppedInIt() throws InterruptedException {
         stall(0.5, 1.5);
         rig.lab().time().sleep(0.6);
-        after(0.2, bot::stop);
+        rig.after(0.2, bot::stop);
 
         assertThatThrownBy(() -> bot.drive(100, 0, 20, Guard.NEVER)).isInstanceOf(MotionStopped.class);
         rig.lab().time().sleep(1.5);
@@ -122,20 +122,6 @@ class HemissonOnAStallingLineTest {
     }
 
     private void stall(double begin, double seconds) {
-        after(begin, () -> rig.lab().simulators().faults("hemisson").outage(seconds));
-    }
-
-    private void after(double seconds, Runnable task) {
-        rig.lab()
-                .time()
-                .thread("meanwhile", () -> {
-                    try {
-                        rig.lab().time().sleep(seconds);
-                        task.run();
-                    } catch (InterruptedException e) {
-                        Thread.currentThread().interrupt();
-                    }
-                })
-                .start();
+        rig.after(begin, () -> rig.lab().simulators().faults("hemisson").outage(seconds));
     }
 }

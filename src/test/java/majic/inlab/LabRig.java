@@ -150,6 +150,20 @@ public final class LabRig implements AutoCloseable {
         }
     }
 
+    /** Runs a task after a time of the lab, on a thread of its own. */
+    public void after(double seconds, Runnable task) {
+        lab.time()
+                .thread("meanwhile", () -> {
+                    try {
+                        lab.time().sleep(seconds);
+                        task.run();
+                    } catch (InterruptedException e) {
+                        Thread.currentThread().interrupt();
+                    }
+                })
+                .start();
+    }
+
     public Pose truePose(String type) {
         Pose pose = lab.truePoses().get(type);
         if (pose == null) {

@@ -217,7 +217,7 @@ class SharedRobotInLabTest {
 
     @Test
     void aScriptOfTheDeskThatUsesTheRobotEndsWhenItIsStoppedThere() throws InterruptedException {
-        anna.sayBlock("repeat 20", "1 move 100", "wait 8s", "end");
+        anna.say("repeat 20", "1 move 100", "wait 8s", "end");
         desks.pass(2.5);
         assertThat(anna.said()).anySatisfy(line -> assertThat(line).contains("1 move 100: done"));
 
@@ -236,7 +236,7 @@ class SharedRobotInLabTest {
         anna.connection().drop();
         desks.pass(2.5);
         anna.bot.connect();
-        anna.sayBlock("repeat 20", "1 move 100", "wait 8s", "end");
+        anna.say("repeat 20", "1 move 100", "wait 8s", "end");
         desks.pass(3);
         assertThat(anna.said()).anySatisfy(line -> assertThat(line).contains("1 move 100: done"));
 

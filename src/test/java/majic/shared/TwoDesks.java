@@ -125,15 +125,8 @@ final class TwoDesks implements AutoCloseable {
             return said();
         }
 
-        /** Starts a line without waiting for its end. */
-        void say(String line) {
-            session.flush();
-            said.clear();
-            parser.parseText(line);
-        }
-
-        /** Starts lines that belong together. */
-        void sayBlock(String... lines) {
+        /** Starts lines without waiting for their end. */
+        void say(String... lines) {
             session.flush();
             said.clear();
             for (String line : lines) {

@@ -34,7 +34,7 @@ public final class PanelPoller {
 
     private final RobotWait waiting;
     private final Supplier<@Nullable UrbiConnection> connection;
-    private final PictureReceiver audience;
+    private final PictureReceiver receiver;
     private final Camera camera;
     private final Tags tags = new Tags();
     private @Nullable PollRun current;
@@ -44,10 +44,10 @@ public final class PanelPoller {
      *
      * @param connection the one for sensors and settings that is open now; null while none is
      */
-    public PanelPoller(RobotWait waiting, Supplier<@Nullable UrbiConnection> connection, PictureReceiver audience) {
+    public PanelPoller(RobotWait waiting, Supplier<@Nullable UrbiConnection> connection, PictureReceiver receiver) {
         this.waiting = waiting;
         this.connection = connection;
-        this.audience = audience;
+        this.receiver = receiver;
         this.camera = new Camera(waiting);
     }
 
@@ -74,7 +74,7 @@ public final class PanelPoller {
             while (!over) {
                 UrbiConnection on = connection.get();
                 if (on == null) {
-                    audience.miss(TEXTS.get("camera.notConnected"));
+                    receiver.miss(TEXTS.get("camera.notConnected"));
                     waiting.await(() -> over || connection.get() != null, Signal.FOR_EVER);
                 } else {
                     look(on);
@@ -105,12 +105,12 @@ public final class PanelPoller {
                 UrbiValue picture = camera.next(on, () -> !sees(on));
                 if (picture != null) {
                     long nanos = waiting.time().nanos();
-                    audience.see(picture, rate.arrived(nanos));
+                    receiver.see(picture, rate.arrived(nanos));
                     double tookS = (nanos - askedNanos) / 1e9;
                     pause(on, Math.max(tookS, LEAST_PERIOD_S - tookS));
                 }
             } catch (UrbiRefusal e) {
-                audience.miss(String.valueOf(e.getMessage()));
+                receiver.miss(String.valueOf(e.getMessage()));
                 pause(on, AFTER_FAILURE_S);
             }
         }

@@ -140,7 +140,7 @@ public final class Handshake {
         }
         return new ConnectFailed(
                 Reason.NO_ANSWER,
-                "no Hemisson answered, though asked twice; one that has gone deaf hears again when it was off: switch it off, wait 5 s, switch it on. "
+                "no Hemisson answered two questions; one that receives nothing any more is switched off, and on again after 5 s. "
                         + "Or is it another port, or the robot off, or in the Pgm position?");
     }
 

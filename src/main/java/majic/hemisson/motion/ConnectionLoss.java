@@ -29,7 +29,8 @@ final class ConnectionLoss {
         }
         boolean moving = lose(
                 open,
-                "connection lost: no answer for " + Math.round(silence) + " s; the robot is off or has gone deaf: "
+                "connection lost: no answer for " + Math.round(silence)
+                        + " s; the robot is off or receives nothing any more: "
                         + "switch it off, wait 5 s, switch it on and connect again",
                 "");
         if (!moving) {

@@ -22,14 +22,14 @@ public final class RoleAssignment {
      * @return at least one robot for each role, in the order of the roles
      * @throws BotException if they are too few, too many, or do not fit their roles
      */
-    public static Map<String, List<Member>> cast(String act, List<Role> roles, Member me, List<Member> others) {
+    public static Map<String, List<Member>> assign(String act, List<Role> roles, Member me, List<Member> others) {
         List<Member> robots = new ArrayList<>(List.of(me));
         robots.addAll(others);
         Role last = roles.get(roles.size() - 1);
         if (robots.size() < roles.size() || (robots.size() > roles.size() && !last.several())) {
             throw new BotException(act + ": " + wanted(act, roles, me, others.size()));
         }
-        Map<String, List<Member>> cast = new LinkedHashMap<>();
+        Map<String, List<Member>> assigned = new LinkedHashMap<>();
         for (int index = 0; index < robots.size(); index++) {
             Role role = roles.get(Math.min(index, roles.size() - 1));
             Member member = robots.get(index);
@@ -37,9 +37,9 @@ public final class RoleAssignment {
             if (robots.indexOf(member) < index) {
                 throw new BotException(act + ": robot " + member.number() + " cannot have two roles");
             }
-            cast.computeIfAbsent(role.name(), key -> new ArrayList<>()).add(member);
+            assigned.computeIfAbsent(role.name(), key -> new ArrayList<>()).add(member);
         }
-        return cast;
+        return assigned;
     }
 
     private static void check(String act, Role role, Member member) {

@@ -5,7 +5,7 @@ import majic.bot.BotException;
 import majic.time.TimeSource;
 
 /**
- * The clock of a desk that shares robots, in milliseconds since the desk began. Whoever sends a motion states in this
+ * The clock of a desk that shares robots, in milliseconds since the desk began. The sender of a motion states in this
  * clock until when it may begin, so the clocks of two computers are never compared. Thread-safe.
  */
 final class DeskClock {
