@@ -2,6 +2,7 @@ package majic.aibo.panel;
 
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Rectangle;
 import java.awt.geom.Line2D;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -15,6 +16,9 @@ import majic.panel.DrawingColors;
 final class PartsDrawing {
     private static final double OUTLINE_MM = 5;
     private static final double LED_MM = 5;
+
+    /** More than a pixel, in which smooth edges end. */
+    private static final int EDGE_MM = 8;
 
     /** How far an LED shines around its place. */
     static final double LED_REACH_MM = LedDrawing.GLOW * LED_MM;
@@ -76,11 +80,22 @@ final class PartsDrawing {
 
     private void capsule(Graphics2D pen, BodyPoint from, BodyPoint to, double widthMm, Color color) {
         Line2D line = new Line2D.Double(view.across(from), view.up(from), view.across(to), view.up(to));
+        if (!reachesClip(pen, line, widthMm)) {
+            return;
+        }
         pen.setColor(colors.grey(0.8));
         pen.setStroke(DrawingColors.stroke(widthMm));
         pen.draw(line);
         pen.setColor(color);
         pen.setStroke(DrawingColors.stroke(widthMm - OUTLINE_MM));
         pen.draw(line);
+    }
+
+    /** Most of the dog is outside the clip when only the LEDs of its back are painted anew. */
+    private static boolean reachesClip(Graphics2D pen, Line2D line, double widthMm) {
+        Rectangle area = line.getBounds();
+        int reach = (int) Math.ceil(widthMm / 2) + EDGE_MM;
+        area.grow(reach, reach);
+        return pen.hitClip(area.x, area.y, area.width, area.height);
     }
 }

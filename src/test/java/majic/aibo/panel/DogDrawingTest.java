@@ -2,6 +2,7 @@ package majic.aibo.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Graphics;
 import java.awt.Rectangle;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
@@ -153,6 +154,31 @@ class DogDrawingTest {
         assertThat(areas).hasSize(2).allMatch(area -> area.width < WIDTH / 3 && area.height < HEIGHT / 3);
         assertThat(differing()).isGreaterThan(30);
         assertThat(differingOutside(areas)).isZero();
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {17, 40, 90})
+    void anAreaPaintedAloneLooksAsInTheWholeDrawing(int size) {
+        BufferedImage pieces = new BufferedImage(WIDTH, HEIGHT, BufferedImage.TYPE_INT_RGB);
+        for (int y = 0; y < HEIGHT; y += size) {
+            for (int x = 0; x < WIDTH; x += size) {
+                Graphics pen = pieces.getGraphics();
+                pen.setClip(x, y, size, size);
+                drawing.paint(pen);
+                pen.dispose();
+            }
+        }
+
+        int[] after = pieces.getRGB(0, 0, WIDTH, HEIGHT, null, 0, WIDTH);
+        assertThat(IntStream.range(0, after.length)
+                        .filter(pixel -> isSeen(after[pixel], before[pixel]))
+                        .count())
+                .isLessThan(20);
+    }
+
+    /** Whether colours differ by more than the usual rounding of smooth edges, which depends on the clip. */
+    private static boolean isSeen(int colour, int other) {
+        return IntStream.of(0, 8, 16).anyMatch(bit -> Math.abs((colour >> bit & 0xFF) - (other >> bit & 0xFF)) > 16);
     }
 
     @ParameterizedTest
