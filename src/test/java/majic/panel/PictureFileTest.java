@@ -34,6 +34,24 @@ class PictureFileTest {
     }
 
     @Test
+    void aPictureHasTheFormatThatWindowsDrawWithoutConversion() throws IOException {
+        assertThat(PictureFile.decode(file("jpeg")).getType()).isEqualTo(BufferedImage.TYPE_INT_RGB);
+        assertThat(PictureFile.decode(file("png")).getType()).isEqualTo(BufferedImage.TYPE_INT_RGB);
+    }
+
+    @Test
+    void aPictureKeepsItsColoursAndItsTransparency() throws IOException {
+        BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_INT_ARGB);
+        image.setRGB(0, 0, 0xFFC04020);
+        ByteArrayOutputStream file = new ByteArrayOutputStream();
+        ImageIO.write(image, "png", file);
+        BufferedImage decoded = PictureFile.decode(file.toByteArray());
+
+        assertThat(decoded.getRGB(0, 0)).isEqualTo(0xFFC04020);
+        assertThat(decoded.getRGB(1, 0) >>> 24).isZero();
+    }
+
+    @Test
     void somethingElseIsRefused() {
         assertThatThrownBy(() -> PictureFile.decode("<html>".getBytes()))
                 .isInstanceOf(IOException.class)
