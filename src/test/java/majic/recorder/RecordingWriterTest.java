@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import majic.gui.WindowWait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -86,6 +87,43 @@ class RecordingWriterTest {
                 .extracting(RecordedLine::text)
                 .containsExactly("begun", "goes on");
         writer.close();
+    }
+
+    @Test
+    void linesAreReadableSoonWithoutARequest() throws Exception {
+        RecordingWriter writer = new RecordingWriter(small(), alarms::add);
+        writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
+        Path file = writer.files().get(0);
+        writer.write("2.000\tline\tnotice\tgoes\n");
+        writer.write("3.000\tline\tnotice\ton\n");
+
+        WindowWait.await("the lines in the file", () -> texts(file).equals(List.of("begun", "goes", "on")));
+        writer.close();
+    }
+
+    @Test
+    void moreLinesThanTheDiskTakesAtOnceAreAllWritten() throws Exception {
+        RecordingWriter writer = new RecordingWriter(new RecordingFolder(folder), alarms::add);
+        writer.begin(head(1), "");
+        int written = 0;
+        for (int line = 0; line < 10_000; line++) {
+            written += writer.write("\tline\tnotice\t" + line + "\n") ? 1 : 0;
+        }
+        int expected = written;
+
+        WindowWait.await(
+                "all lines that were taken",
+                () -> writer.files().stream().anyMatch(file -> texts(file).size() == expected));
+        assertThat(writer.dropped()).isEqualTo(10_000 - written);
+        writer.close();
+    }
+
+    private static List<String> texts(Path file) {
+        try {
+            return Recording.read(file).lines().stream().map(RecordedLine::text).toList();
+        } catch (IOException e) {
+            return List.of();
+        }
     }
 
     @Test
