@@ -24,6 +24,7 @@ public final class ParameterTable {
     private final Map<String, Entry> entries = Collections.synchronizedMap(new LinkedHashMap<>());
     private volatile Map<String, Entry> renewed = Map.of();
     private volatile @Nullable Merged merged;
+    private volatile List<Parameter> listed = List.of();
     private volatile Finder finder = name -> Optional.empty();
 
     /** Creates an empty table; each {@link BotDriver} has one. */
@@ -191,9 +192,27 @@ public final class ParameterTable {
         return found;
     }
 
-    /** Returns all. */
+    /** Returns all; the same list as long as none changes, so that callers who look at them often find that out at once. */
     List<Parameter> all() {
-        return merged().entries().stream().map(Entry::parameter).toList();
+        List<Entry> entriesNow = merged().entries();
+        List<Parameter> known = listed;
+        if (!describes(known, entriesNow)) {
+            known = entriesNow.stream().map(Entry::parameter).toList();
+            listed = known;
+        }
+        return known;
+    }
+
+    private static boolean describes(List<Parameter> known, List<Entry> entriesNow) {
+        if (known.size() != entriesNow.size()) {
+            return false;
+        }
+        for (int index = 0; index < known.size(); index++) {
+            if (known.get(index) != entriesNow.get(index).parameter()) {
+                return false;
+            }
+        }
+        return true;
     }
 
     /** Called for each value that is read, so the entries are merged only after a change. */

@@ -2,6 +2,7 @@ package majic.recorder;
 
 import java.util.EnumMap;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import majic.bot.BotException;
@@ -28,7 +29,8 @@ final class RobotSampler {
 
     private final Member member;
     private final RecordedRobot robot;
-    private final Map<String, Value> values = new HashMap<>();
+    private List<Parameter> described = List.of();
+    private List<Sampled> samples = List.of();
     private final Map<Kind, Map<String, String>> texts = new EnumMap<>(Kind.class);
     private final Map<String, String> reports = new HashMap<>();
     private volatile boolean forgotten = true;
@@ -62,16 +64,14 @@ final class RobotSampler {
     private void sample(StringBuilder lines, StopStatus stops) {
         if (forgotten) {
             forgotten = false;
-            values.clear();
+            samples.forEach(sampled -> sampled.last = null);
             texts.clear();
             reports.clear();
             lines.append(RecordingFormat.robot(robot));
         }
         MajicBot bot = member.bot();
-        for (Parameter parameter : bot.parameters()) {
-            if (parameter.readable() && !parameter.name().equals(AGE)) {
-                sample(lines, parameter, read(bot, parameter));
-            }
+        for (Sampled sampled : sampled(bot.parameters())) {
+            sample(lines, sampled, read(bot, sampled.parameter));
         }
         bot.displayState().forEach((name, text) -> report(lines, name, text));
         note(lines, Kind.STATUS, "connection", bot.connection().name().toLowerCase(Locale.ROOT));
@@ -99,16 +99,43 @@ final class RobotSampler {
         }
     }
 
-    private void sample(StringBuilder lines, Parameter parameter, Value value) {
-        Value before = values.put(parameter.name(), value);
+    /** Returns the parameters that are recorded; a robot usually returns the same list at each sample. */
+    private List<Sampled> sampled(List<Parameter> present) {
+        if (present != described) {
+            Map<String, Value> known = new HashMap<>();
+            samples.forEach(sample -> known.put(sample.parameter.name(), sample.last));
+            samples = present.stream()
+                    .filter(parameter ->
+                            parameter.readable() && !parameter.name().equals(AGE))
+                    .map(parameter -> new Sampled(parameter, known.get(parameter.name())))
+                    .toList();
+            described = present;
+        }
+        return samples;
+    }
+
+    private void sample(StringBuilder lines, Sampled sampled, Value value) {
+        Value before = sampled.last;
         if (value.equals(before)) {
             return;
         }
+        sampled.last = value;
         boolean about = isAbout(value);
         if (before == null || about != isAbout(before)) {
-            lines.append(RecordingFormat.parameter(robot.number(), parameter, about));
+            lines.append(RecordingFormat.parameter(robot.number(), sampled.parameter, about));
         }
-        note(lines, Kind.VALUE, parameter.name(), ValueText.of(value));
+        note(lines, Kind.VALUE, sampled.parameter.name(), ValueText.of(value));
+    }
+
+    /** A parameter with the value that was recorded last. */
+    private static final class Sampled {
+        private final Parameter parameter;
+        private @Nullable Value last;
+
+        Sampled(Parameter parameter, @Nullable Value last) {
+            this.parameter = parameter;
+            this.last = last;
+        }
     }
 
     private static boolean isAbout(Value value) {
