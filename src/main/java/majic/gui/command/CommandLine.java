@@ -8,6 +8,7 @@ import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import javax.swing.JPopupMenu;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
@@ -42,6 +43,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private final transient WrongWord wrongWord = new WrongWord(this);
     private final transient LineChoices choices;
     private transient @Nullable RefusedLater refusedLater;
+    private @Nullable LineMenu menu;
     private boolean putting;
     private boolean edited;
     private boolean editPending;
@@ -107,6 +109,17 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         typing.remove();
         heldKeys.remove();
         super.removeNotify();
+    }
+
+    /** Creates the context menu when it is first opened. */
+    @Override
+    public JPopupMenu getComponentPopupMenu() {
+        LineMenu present = menu;
+        if (present == null) {
+            present = new LineMenu(this);
+            menu = present;
+        }
+        return present;
     }
 
     private void bind(String key, Runnable action) {
@@ -180,14 +193,22 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
 
     private void up() {
         if (!choices.move(-1)) {
-            recall(history.older(getText()));
+            recallOlder();
         }
     }
 
     private void down() {
         if (!choices.move(1)) {
-            recall(history.newer(getText()));
+            recallNewer();
         }
+    }
+
+    void recallOlder() {
+        recall(history.older(getText()));
+    }
+
+    void recallNewer() {
+        recall(history.newer(getText()));
     }
 
     private void recall(String line) {
@@ -208,7 +229,8 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         }
     }
 
-    private void searchOrNext() {
+    /** Begins to search the earlier commands, or goes on to the next one that is found. */
+    void searchOrNext() {
         if (!choices.isSearching()) {
             unmark();
         }

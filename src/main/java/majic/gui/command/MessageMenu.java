@@ -7,7 +7,6 @@ import java.util.function.IntConsumer;
 import javax.swing.JCheckBoxMenuItem;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
-import javax.swing.KeyStroke;
 import javax.swing.event.PopupMenuEvent;
 import javax.swing.event.PopupMenuListener;
 import majic.text.Texts;
@@ -31,34 +30,26 @@ final class MessageMenu extends JPopupMenu {
      */
     MessageMenu(MessageArea area, Runnable find, IntConsumer sized, Runnable timesChanged) {
         this.area = area;
-        copy = item("copy", MessagePane.MENU_KEY + "C", () -> area.text().copy());
-        onlyRobot = item("robot.this", "", this::showOnlyRobot);
+        copy = MenuEntry.of(
+                "copy", MessagePane.MENU_KEY + "C", () -> area.text().copy());
+        onlyRobot = MenuEntry.of("robot.this", "", this::showOnlyRobot);
         times.setName("messageTimes");
         times.addActionListener(event -> {
             area.showTimes(times.isSelected());
             timesChanged.run();
         });
         add(copy);
-        add(item("copyAll", "", this::copyAll));
-        add(item("find", MessagePane.MENU_KEY + "F", find));
+        add(MenuEntry.of("copyAll", "", this::copyAll));
+        add(MenuEntry.of("find", MessagePane.MENU_KEY + "F", find));
         addSeparator();
         add(onlyRobot);
         add(times);
-        add(item("larger", MessagePane.MENU_KEY + "PLUS", () -> sized.accept(1)));
-        add(item("smaller", MessagePane.MENU_KEY + "MINUS", () -> sized.accept(-1)));
-        add(item("usual", MessagePane.MENU_KEY + "0", () -> sized.accept(0)));
+        add(MenuEntry.of("larger", MessagePane.MENU_KEY + "PLUS", () -> sized.accept(1)));
+        add(MenuEntry.of("smaller", MessagePane.MENU_KEY + "MINUS", () -> sized.accept(-1)));
+        add(MenuEntry.of("usual", MessagePane.MENU_KEY + "0", () -> sized.accept(0)));
         addSeparator();
-        add(item("clear", "", area::clear));
+        add(MenuEntry.of("clear", "", area::clear));
         addPopupMenuListener(new Opening());
-    }
-
-    /** Creates an entry; its key is only shown, since the pane has the keys. */
-    private static JMenuItem item(String textKey, String key, Runnable action) {
-        JMenuItem item = new JMenuItem(TEXTS.get(textKey));
-        item.addActionListener(event -> action.run());
-        item.setName(textKey);
-        item.setAccelerator(key.isEmpty() ? null : KeyStroke.getKeyStroke(key));
-        return item;
     }
 
     private void copyAll() {
