@@ -24,6 +24,7 @@ final class FrameMenu extends JMenuBar {
     private final JMenu act = add("act");
     private final JMenu lab = add("lab");
     private final JMenu view = add("view");
+    private final JMenu window = add("window");
     private final JMenu help = add("help");
 
     private JMenu add(String name) {
@@ -44,6 +45,7 @@ final class FrameMenu extends JMenuBar {
         fill(act, actions.loadAct, others.endAct, null, others.makeAct);
         fillLab(lab, frame);
         fillView(view, frame);
+        WindowMenu.fill(window);
         fill(help, actions.help, others.guide, others.tour, null, others.about);
         Mnemonics.assign(this);
     }

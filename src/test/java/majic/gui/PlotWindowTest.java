@@ -18,6 +18,8 @@ import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JList;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
 import javax.swing.JPanel;
 import javax.swing.JRootPane;
 import javax.swing.JTextField;
@@ -228,6 +230,42 @@ class PlotWindowTest {
         window.chooseFile(folder.resolve("plot.png"));
         window.await("the file", () -> !window.isShowing("files"));
         assertThat(ImageIO.read(folder.resolve("plot.png").toFile()).getWidth()).isGreaterThan(400);
+    }
+
+    @Test
+    void ctrlWClosesThePlot() {
+        window.add("one");
+        plotPose();
+        JFrame plot = window.find("plot", JFrame.class);
+        window.await("the focus", plot::isFocused);
+        window.pressWithCtrl(KeyEvent.VK_W);
+        window.await("the end of the plot", () -> !plot.isDisplayable());
+    }
+
+    @Test
+    void theWindowMenuListsThePlotsAndBringsOneToTheFront() {
+        window.add("one");
+        openWindowMenu();
+        assertThat(window.entry("No other windows are open").isEnabled()).isFalse();
+        window.press(KeyEvent.VK_ESCAPE);
+        plotPose();
+        JFrame plot = window.find("plot", JFrame.class);
+        window.await("the focus of the plot", plot::isFocused);
+        window.run(window.frame::toFront);
+        window.focus("commandLine");
+        window.await("the focus of the main window", window.frame::isFocused);
+
+        openWindowMenu();
+        window.run(window.entry("Plot: 1 x, 1 y, 1 heading")::doClick);
+
+        window.await("the focus of the plot", plot::isFocused);
+    }
+
+    private void openWindowMenu() {
+        JMenuBar bar = window.frame.getJMenuBar();
+        JMenu menu = bar.getMenu(bar.getMenuCount() - 2);
+        assertThat(menu.getText()).isEqualTo("Window");
+        window.run(menu::doClick);
     }
 
     @Test

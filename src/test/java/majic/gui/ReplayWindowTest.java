@@ -179,6 +179,15 @@ class ReplayWindowTest {
     }
 
     @Test
+    void ctrlWClosesTheReplay() throws Exception {
+        open(recorded());
+        JFrame replay = window.awaitShowing("replay", JFrame.class);
+        window.await("the focus", replay::isFocused);
+        window.pressWithCtrl(KeyEvent.VK_W);
+        window.await("the end of the replay", () -> !replay.isDisplayable());
+    }
+
+    @Test
     void aRecordingOfOnePartHasNoButtonsForParts() throws Exception {
         open(part(1));
         window.awaitShowing("play", JButton.class);

@@ -9,6 +9,7 @@ import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import majic.gui.drive.DrivePad;
+import majic.gui.kit.CloseKey;
 import majic.gui.kit.HelpTopic;
 import majic.panel.PictureView;
 import majic.panel.PictureViewer;
@@ -35,6 +36,7 @@ final class PanelWindow extends JFrame implements PictureViewer {
      */
     PanelWindow(BotPanel panel, RobotActions actions, @Nullable Window main, Runnable closed) {
         HelpTopic.set(getRootPane(), "selecting-robots");
+        CloseKey.install(this);
         this.main = main;
         member = panel.member();
         setName("robotWindow" + member.number());

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A dialog with its content above a row of buttons. Never modal, so that STOP, messages and map stay accessible. Esc
- * closes it, as its Cancel or Close does.
+ * and Ctrl W close it, as its Cancel or Close does.
  */
 public class MajicDialog extends JDialog {
     private static final long serialVersionUID = 1L;
@@ -32,6 +32,7 @@ public class MajicDialog extends JDialog {
                         event -> dispose(),
                         KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
                         JComponent.WHEN_IN_FOCUSED_WINDOW);
+        CloseKey.install(this);
         addWindowListener(new WindowAdapter() {
             /**
              * Requests the focus, because a window manager may give it to another window when a previous dialog has

@@ -19,6 +19,7 @@ import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.Timer;
 import majic.environment.Settings;
 import majic.gui.kit.ChooseFile;
+import majic.gui.kit.CloseKey;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.Mnemonics;
 import majic.gui.plot.data.Span;
@@ -54,6 +55,7 @@ final class PlotWindow extends JFrame {
      */
     PlotWindow(PlotModel model, Settings settings, JComponent stop) {
         HelpTopic.set(getRootPane(), "plots");
+        CloseKey.install(this);
         this.model = model;
         this.settings = settings;
         view = new PlotView(model);
@@ -97,9 +99,9 @@ final class PlotWindow extends JFrame {
         reset.addActionListener(event -> model.zoom(null));
         tools.add(pause);
         tools.add(reset);
-        JButton png = button("savePng", TEXTS.get("png"), TEXTS.get("png.hint"));
+        JButton png = button("savePng", TEXTS.get("png.button"), TEXTS.get("png.hint"));
         png.addActionListener(event -> savePng());
-        JButton csv = button("saveCsv", TEXTS.get("csv"), TEXTS.get("csv.hint"));
+        JButton csv = button("saveCsv", TEXTS.get("csv.button"), TEXTS.get("csv.hint"));
         csv.addActionListener(event -> saveCsv());
         tools.add(png);
         tools.add(csv);

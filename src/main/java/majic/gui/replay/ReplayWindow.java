@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.WindowConstants;
+import majic.gui.kit.CloseKey;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.PictureDialog;
@@ -38,6 +39,7 @@ public final class ReplayWindow extends JFrame implements PictureViewer {
     private ReplayWindow(ReplayPart part, ReplayServices services) {
         super(TEXTS.get("title", part.title()));
         HelpTopic.set(getRootPane(), "replaying-a-recording");
+        CloseKey.install(this);
         this.services = services;
         source = new RecordedSource(part.recording(), this::position);
         plots = new Plots(this, services.settings(), () -> source, services.stopButtons());
