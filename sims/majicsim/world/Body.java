@@ -21,6 +21,7 @@ public final class Body {
     private final double reachMm;
     private Predicate<Pose> fits = at -> true;
     private Consumer<Pose> movement = from -> {};
+    private Runnable departure = () -> {};
     private Pose pose;
     private @Nullable Shape shape;
     private @Nullable List<Point> corners;
@@ -118,6 +119,9 @@ public final class Body {
         }
         wantedMmPerSec = mmPerSec;
         wantedDegPerSec = degPerSec;
+        if (!wantsToRest()) {
+            departure.run();
+        }
     }
 
     /**
@@ -229,10 +233,14 @@ public final class Body {
         return wantedMmPerSec == 0 && wantedDegPerSec == 0;
     }
 
-    /** Adds the body to a room, which limits where it can be, and receives the last pose after each movement. */
-    void enter(Predicate<Pose> room, Consumer<Pose> moved) {
+    /**
+     * Adds the body to a room, which limits where it can be, receives the last pose after each movement, and is notified when the
+     * body is to move.
+     */
+    void enter(Predicate<Pose> room, Consumer<Pose> moved, Runnable departs) {
         fits = room;
         movement = moved;
+        departure = departs;
     }
 
     /** Records the motion of one step, which may be less than the commanded velocity. */

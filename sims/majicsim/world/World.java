@@ -1,6 +1,7 @@
 package majicsim.world;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 
 /**
@@ -19,6 +20,10 @@ public final class World {
     private final Motion motion;
     private final Rays rays;
     private final Lighting lighting;
+    /** Which bodies move, or moved in the last step; a step does not load the memory of the others. */
+    private boolean[] moving = {};
+
+    private boolean anyTouches;
 
     /**
      * An empty room.
@@ -63,7 +68,10 @@ public final class World {
             throw new IllegalArgumentException(
                     b.name() + " does not fit at " + b.pose() + ": a wall or another body is there");
         }
-        b.enter(at -> isFree(b, at), from -> index.moved(b, from));
+        int number = bodies.size();
+        moving = Arrays.copyOf(moving, number + 1);
+        moving[number] = !b.wantsToRest();
+        b.enter(at -> isFree(b, at), from -> index.moved(b, from), () -> moving[number] = true);
         bodies.add(b);
         index.add(b);
     }
@@ -86,12 +94,24 @@ public final class World {
      */
     public void step(double seconds) {
         boolean anyBlocked = false;
-        for (Body body : bodies) {
-            motion.advance(body, seconds);
-            anyBlocked |= body.blocked();
+        for (int i = 0; i < moving.length; i++) {
+            if (moving[i]) {
+                Body body = bodies.get(i);
+                motion.advance(body, seconds);
+                anyBlocked |= body.blocked();
+                moving[i] = !body.wantsToRest();
+            }
         }
+        if (anyBlocked || anyTouches) {
+            feel(anyBlocked);
+        }
+    }
+
+    private void feel(boolean anyBlocked) {
+        anyTouches = false;
         for (Body body : bodies) {
             motion.feel(body, anyBlocked);
+            anyTouches |= body.contact().touching();
         }
     }
 
