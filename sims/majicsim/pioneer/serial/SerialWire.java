@@ -18,6 +18,8 @@ public final class SerialWire implements Line {
     private final SerialPace toRobot;
     private final Consumer<byte[]> robot;
     private @Nullable Line plug;
+    /** Whether a step has found no byte under way, and none has come since. */
+    private boolean rests;
 
     /** Bytes from the client go to {@code robot}. */
     public SerialWire(HostBaud speed, boolean takesTime, Consumer<byte[]> robot) {
@@ -37,7 +39,7 @@ public final class SerialWire implements Line {
         byte[] heard = SerialBits.heard(bytes, clientBaud(), speed.bitsPerSecond());
         if (!takesTime) {
             robot.accept(heard);
-        } else if (!toRobot.enter(heard)) {
+        } else if (!enter(toRobot, heard)) {
             LOG.log(System.Logger.Level.DEBUG, "pioneer: {0} bytes on the serial line were too many", heard.length);
         }
     }
@@ -47,7 +49,16 @@ public final class SerialWire implements Line {
         return toRobot.isEmpty() && toClient.isEmpty();
     }
 
+    private boolean enter(SerialPace direction, byte[] bytes) {
+        rests = false;
+        return direction.enter(bytes);
+    }
+
     public void step(long nanos) {
+        if (rests) {
+            return;
+        }
+        rests = isIdle();
         toRobot.step(nanos, speed.bitsPerSecond());
         toClient.step(nanos, speed.bitsPerSecond());
     }
@@ -61,7 +72,7 @@ public final class SerialWire implements Line {
     public void send(byte[] message) {
         if (!takesTime) {
             deliver(message);
-        } else if (!toClient.enter(message)) {
+        } else if (!enter(toClient, message)) {
             LOG.log(System.Logger.Level.DEBUG, "pioneer: the serial line is too slow for all that was asked for");
         }
     }

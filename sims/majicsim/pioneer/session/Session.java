@@ -38,6 +38,10 @@ public final class Session {
     private boolean ended;
     private long sinceSipNanos;
     private long sinceBytesNanos;
+    /** The time that has not yet passed on the session, because nothing was due. */
+    private long leftNanos;
+
+    private long untilDueNanos;
 
     public Session(Line line, Board board, boolean hangsUp) {
         this.line = line;
@@ -99,12 +103,31 @@ public final class Session {
         if (!board.isListening()) {
             return;
         }
+        catchUp();
         sinceBytesNanos = 0;
         handle(reader.feed(bytes));
     }
 
     /** Lets time pass: watchdog, and a SIP each cycle. */
     public void step(long nanos) {
+        if (leftNanos + nanos < untilDueNanos) {
+            leftNanos += nanos;
+            return;
+        }
+        catchUp();
+        pass(nanos);
+        untilDueNanos = untilDueNanos();
+    }
+
+    /** Lets the time pass in which nothing was due. Called before everything that depends on it, or changes what is due. */
+    private void catchUp() {
+        long nanos = leftNanos;
+        leftNanos = 0;
+        untilDueNanos = 0;
+        pass(nanos);
+    }
+
+    private void pass(long nanos) {
         sinceBytesNanos += nanos;
         if (reader.hasFragment() && sinceBytesNanos >= FRAGMENT_NANOS) {
             handle(reader.giveUpFragment());
@@ -125,6 +148,10 @@ public final class Session {
 
     /** The time until something is due if nothing is received, ns. */
     public long restNanos() {
+        return untilDueNanos() - leftNanos;
+    }
+
+    private long untilDueNanos() {
         long rest = reader.hasFragment() ? FRAGMENT_NANOS - sinceBytesNanos : Long.MAX_VALUE;
         rest = Math.min(rest, isUnderWay() ? watchdog.restNanos() : handshake.restNanos());
         return open ? Math.min(rest, SIP_CYCLE_NANOS - sinceSipNanos) : rest;
@@ -155,6 +182,7 @@ public final class Session {
 
     /** RESET, or the button for it: notifies the client, ends the session and restarts (ARCOS sheet 11.6). */
     public void restart() {
+        catchUp();
         send(new PacketWriter(RESTARTED).toBytes());
         forgetClient();
         board.restart();
