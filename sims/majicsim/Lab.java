@@ -15,6 +15,7 @@ import majicsim.aibo.AiboRobot;
 import majicsim.hemisson.HemissonHandling;
 import majicsim.hemisson.HemissonRobot;
 import majicsim.net.Faults;
+import majicsim.net.LabTime;
 import majicsim.net.LineCount;
 import majicsim.net.Port;
 import majicsim.pioneer.PioneerHandling;
@@ -39,12 +40,13 @@ public final class Lab implements AutoCloseable {
 
     private final ReentrantLock lock;
     private final World world;
+    private final LabTime time;
     private final List<LabRobot> robots;
-    private volatile long nanos;
 
-    private Lab(ReentrantLock lock, World world, List<LabRobot> robots) {
+    private Lab(ReentrantLock lock, World world, LabTime time, List<LabRobot> robots) {
         this.lock = lock;
         this.world = world;
+        this.time = time;
         this.robots = robots;
     }
 
@@ -59,18 +61,16 @@ public final class Lab implements AutoCloseable {
     public static Lab open(LabOptions options) throws IOException {
         World world = new World(options.room());
         ReentrantLock lock = new ReentrantLock(true);
-        return new Lab(lock, world, new LabSetup(options, world, lock).open());
+        LabTime time = new LabTime();
+        return new Lab(lock, world, time, new LabSetup(options, world, time, lock).open());
     }
 
-    /** One step: the world, then each robot's firmware and what is due on its lines. */
+    /** One step: the world, then the firmware of each robot and what is on its lines, if they are due. */
     public void step() {
         lock.lock();
         try {
             world.step(STEP_SECONDS);
-            nanos += STEP_NANOS;
-            for (LabRobot robot : robots) {
-                robot.step(nanos);
-            }
+            time.step(STEP_NANOS);
         } finally {
             lock.unlock();
         }
@@ -82,7 +82,7 @@ public final class Lab implements AutoCloseable {
      * @return ns, a multiple of {@link #STEP_NANOS}
      */
     public long nanos() {
-        return nanos;
+        return time.nowNanos();
     }
 
     /**

@@ -1,46 +1,33 @@
 package majicsim;
 
-import java.util.ArrayList;
 import java.util.List;
-import majicsim.net.FirmwareClock;
 import majicsim.net.Port;
 import majicsim.net.Wiring;
 import majicsim.world.Body;
 
 /**
  * One robot of the lab with its body and its ports; the second port, if there is one, is a pseudo-terminal. Several ROS robots
- * share the firmware and the port of the first one, which steps and closes them for all; the path behind the address tells them apart.
+ * share the firmware and the port of the first one, which closes them for all; the path behind the address tells them apart.
  */
-record LabRobot(
-        String name, Body body, FirmwareClock clock, Wiring wiring, List<Port> ports, String path, boolean isSharing) {
+record LabRobot(String name, Body body, Wiring wiring, List<Port> ports, String path, boolean isSharing) {
 
-    static LabRobot alone(String name, Body body, FirmwareClock clock, Wiring wiring) {
-        return new LabRobot(name, body, clock, wiring, new ArrayList<>(), "", false);
+    static LabRobot alone(String name, Body body, Wiring wiring, List<Port> ports) {
+        return new LabRobot(name, body, wiring, ports, "", false);
     }
 
     /** The same robot, behind a path of its address. */
     LabRobot at(String newPath) {
-        return new LabRobot(name, body, clock, wiring, ports, newPath, isSharing);
+        return new LabRobot(name, body, wiring, ports, newPath, isSharing);
     }
 
     /** A further robot behind the same port. */
     LabRobot sharing(String newName, Body newBody, String newPath) {
-        return new LabRobot(newName, newBody, clock, wiring, ports, newPath, true);
+        return new LabRobot(newName, newBody, wiring, ports, newPath, true);
     }
 
     /** The ports that are its own. */
     List<Port> ownPorts() {
         return isSharing ? List.of() : ports;
-    }
-
-    void step(long labNanos) {
-        if (isSharing) {
-            return;
-        }
-        clock.step(labNanos);
-        for (int i = 0; i < ports.size(); i++) {
-            ports.get(i).step(labNanos);
-        }
     }
 
     void close() {

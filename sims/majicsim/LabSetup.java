@@ -15,6 +15,8 @@ import majicsim.net.Clients;
 import majicsim.net.Faults;
 import majicsim.net.Firmware;
 import majicsim.net.FirmwareClock;
+import majicsim.net.LabTime;
+import majicsim.net.Port;
 import majicsim.net.PtyPort;
 import majicsim.net.TcpPort;
 import majicsim.net.Wiring;
@@ -36,14 +38,16 @@ final class LabSetup {
 
     private final LabOptions options;
     private final World world;
+    private final LabTime time;
     private final ReentrantLock lock;
     private final Noise noise;
     private final List<LabRobot> robots = new ArrayList<>();
     private List<Pose> homes = List.of();
 
-    LabSetup(LabOptions options, World world, ReentrantLock lock) {
+    LabSetup(LabOptions options, World world, LabTime time, ReentrantLock lock) {
         this.options = options;
         this.world = world;
+        this.time = time;
         this.lock = lock;
         this.noise = options.exact() ? Noise.exact() : Noise.seeded(options.seed());
     }
@@ -88,16 +92,23 @@ final class LabSetup {
         Pose home = homes.get(robots.size());
         Noise own = noise.fork(name);
         R robot = maker.make(world, home, own);
-        Faults faults = new Faults(own.fork("line"));
+        Faults faults = new Faults(own.fork("line"), time);
         if (options.jitter()) {
             faults.jitter(JITTER_FROM_MS, JITTER_TO_MS);
         }
-        FirmwareClock clock = new FirmwareClock(robot);
-        Wiring wiring = new Wiring(lock, robot, faults, clock::wake);
-        LabRobot added = LabRobot.alone(name, body.apply(robot), clock, wiring);
+        FirmwareClock clock = new FirmwareClock(robot, time);
+        List<Port> ports = new ArrayList<>();
+        Wiring wiring = new Wiring(lock, robot, faults, clock::wake, time.add(() -> step(ports)));
+        LabRobot added = LabRobot.alone(name, body.apply(robot), wiring, ports);
         robots.add(added);
         added.ports().add(open(name, choice, added.wiring()));
         return robot;
+    }
+
+    private void step(List<Port> ports) {
+        for (int i = 0; i < ports.size(); i++) {
+            ports.get(i).step(time.nowNanos());
+        }
     }
 
     /** Its classes, and those of the JSON library, are loaded only for a lab that has one. */
@@ -130,7 +141,8 @@ final class LabSetup {
     /** A serial port for the robot that was added last; its faults are those of the robot's network port too. */
     private void addPty(Firmware plug) {
         LabRobot added = robots.get(robots.size() - 1);
-        Wiring wiring = new Wiring(lock, plug, added.wiring().faults(), added.clock()::wake);
+        Wiring own = added.wiring();
+        Wiring wiring = new Wiring(lock, plug, own.faults(), own.waking(), own.due());
         PtyPort.open(wiring).ifPresent(added.ports()::add);
     }
 

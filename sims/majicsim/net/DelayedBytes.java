@@ -10,6 +10,8 @@ import java.util.function.Consumer;
  */
 final class DelayedBytes {
     private final Faults faults;
+    private final LabTime time;
+    private final DueTime robotDue;
     private final boolean jitters;
     private final Consumer<byte[]> exit;
     private final ArrayDeque<Piece> pending = new ArrayDeque<>();
@@ -17,15 +19,17 @@ final class DelayedBytes {
     private long jitterNanos;
     private volatile boolean empty = true;
 
-    DelayedBytes(Faults faults, boolean jitters, Consumer<byte[]> exit) {
-        this.faults = faults;
+    DelayedBytes(Wiring wiring, boolean jitters, Consumer<byte[]> exit) {
+        this.faults = wiring.faults();
+        this.time = faults.time();
+        this.robotDue = wiring.due();
         this.jitters = jitters;
         this.exit = exit;
     }
 
     void enter(byte[] message) {
         byte[] bytes = faults.garbled(message);
-        long due = faults.nowNanos() + faults.delayNanos() + jitterNanos();
+        long due = time.lineNanos() + faults.delayNanos() + jitterNanos();
         if (faults.isHalving() && bytes.length > 1) {
             keep(due, Arrays.copyOfRange(bytes, 0, bytes.length / 2));
             keep(due + 1, Arrays.copyOfRange(bytes, bytes.length / 2, bytes.length));
@@ -40,8 +44,8 @@ final class DelayedBytes {
      * pieces they arrive in depends on the computer.
      */
     private long jitterNanos() {
-        if (jitters && enteredNanos != faults.nowNanos()) {
-            enteredNanos = faults.nowNanos();
+        if (jitters && enteredNanos != time.lineNanos()) {
+            enteredNanos = time.lineNanos();
             jitterNanos = faults.drawJitterNanos();
         }
         return jitterNanos;
@@ -52,10 +56,13 @@ final class DelayedBytes {
         if (empty) {
             return;
         }
-        while (!pending.isEmpty() && !faults.isOutage() && pending.peek().dueNanos() <= faults.nowNanos()) {
+        while (!pending.isEmpty() && !faults.isOutage() && pending.peek().dueNanos() <= time.lineNanos()) {
             exit.accept(pending.remove().bytes());
         }
         empty = pending.isEmpty();
+        if (!empty) {
+            robotDue.atLatest(pending.getFirst().dueNanos());
+        }
     }
 
     /** Delivers everything, due or not. */

@@ -11,8 +11,10 @@ import majicsim.world.Noise;
  */
 public final class Faults {
     private static final double NANOS_PER_MS = 1e6;
+    private static final long NO_OUTAGE = Long.MIN_VALUE;
 
     private final Noise noise;
+    private final LabTime time;
     private final List<Runnable> watchers = new CopyOnWriteArrayList<>();
     private final List<Runnable> cutters = new CopyOnWriteArrayList<>();
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
@@ -21,20 +23,29 @@ public final class Faults {
     private volatile boolean halving;
     private volatile boolean readingStopped;
     private volatile boolean unreachable;
-    private volatile long outageUntilNanos = Long.MIN_VALUE;
+    private final AtomicLong outageUntilNanos = new AtomicLong(NO_OUTAGE);
     private volatile double jitterFromMs;
     private volatile double jitterToMs;
-    /** Set without a fence, because that would cost more than the rest of a step. */
-    private final AtomicLong labNanos = new AtomicLong();
 
     /**
-     * No faults yet.
+     * No faults yet, for lines outside of a lab, whose steps alone let time pass.
      *
      * @param noise draws jitter and garbled bytes; with the exact one there is no jitter, and garbling happens only if it is
      *     certain
      */
     public Faults(Noise noise) {
+        this(noise, new LabTime());
+    }
+
+    /**
+     * No faults yet.
+     *
+     * @param noise as above
+     * @param time of the lab
+     */
+    public Faults(Noise noise, LabTime time) {
         this.noise = noise;
+        this.time = time;
     }
 
     /** Cuts all present lines; what was not delivered is lost. New lines are accepted. A pseudo-terminal loses bytes and stays open. */
@@ -93,7 +104,7 @@ public final class Faults {
      * @param seconds from now
      */
     public void outage(double seconds) {
-        outageUntilNanos = nowNanos() + (long) (seconds * 1e9);
+        outageUntilNanos.set(time.nowNanos() + (long) (seconds * 1e9));
         changed();
     }
 
@@ -117,7 +128,7 @@ public final class Faults {
         garbleProbability = 0;
         halving = false;
         readingStopped = false;
-        outageUntilNanos = Long.MIN_VALUE;
+        outageUntilNanos.set(NO_OUTAGE);
         boolean returns = unreachable;
         unreachable = false;
         changed();
@@ -137,16 +148,18 @@ public final class Faults {
         listeners.add(await);
     }
 
-    void tick(long nowNanos) {
-        boolean wasOut = isOutage();
-        labNanos.lazySet(nowNanos);
-        if (wasOut != isOutage()) {
+    /** Reports that the lines have reached this time, and notifies the ports when an outage has ended. Returns whether there is one. */
+    boolean tick(long nowNanos) {
+        time.reach(nowNanos);
+        long until = outageUntilNanos.get();
+        if (until != NO_OUTAGE && nowNanos >= until && outageUntilNanos.compareAndSet(until, NO_OUTAGE)) {
             changed();
         }
+        return isOutage();
     }
 
-    long nowNanos() {
-        return labNanos.get();
+    LabTime time() {
+        return time;
     }
 
     boolean isReading() {
@@ -158,7 +171,7 @@ public final class Faults {
     }
 
     boolean isOutage() {
-        return nowNanos() < outageUntilNanos;
+        return time.nowNanos() < outageUntilNanos.get();
     }
 
     boolean isHalving() {
@@ -205,6 +218,7 @@ public final class Faults {
     }
 
     private void changed() {
+        time.makeAllDue();
         synchronized (this) {
             notifyAll();
         }

@@ -8,38 +8,36 @@ public final class FirmwareClock {
     private static final long LONGEST_REST_NANOS = 100_000_000;
 
     private final Firmware firmware;
-    private long nowNanos;
+    private final LabTime time;
+    private final DueTime due;
     private long reachedNanos;
-    private long dueNanos;
 
     /**
-     * A clock at time 0.
+     * A clock at time 0, stepped as a task of the lab.
      *
      * @param firmware to advance; nothing else may step it
+     * @param time of the lab
      */
-    public FirmwareClock(Firmware firmware) {
+    public FirmwareClock(Firmware firmware, LabTime time) {
         this.firmware = firmware;
+        this.time = time;
+        this.due = time.add(this::step);
     }
 
-    /**
-     * Takes a step of the lab, unless the firmware rests.
-     *
-     * @param labNanos lab time at the end of the step
-     */
-    public void step(long labNanos) {
-        if (labNanos >= dueNanos) {
-            letRestUntil(nowNanos);
-            firmware.step((labNanos - nowNanos) / 1e9);
-            reachedNanos = labNanos;
-            dueNanos = labNanos + Math.min(LONGEST_REST_NANOS, firmware.restNanos());
-        }
-        nowNanos = labNanos;
+    /** Takes the present step of the lab. */
+    private void step() {
+        long nowNanos = time.nowNanos();
+        time.beginFirmware();
+        letRestUntil(time.beforeNanos());
+        firmware.step((nowNanos - time.beforeNanos()) / 1e9);
+        reachedNanos = nowNanos;
+        due.atLatest(nowNanos + Math.min(LONGEST_REST_NANOS, firmware.restNanos()));
     }
 
     /** Brings the firmware to the present, and lets it take the next step. To be called before anything else uses it. */
     public void wake() {
-        letRestUntil(nowNanos);
-        dueNanos = nowNanos;
+        letRestUntil(time.nowNanos());
+        due.atLatest(time.nowNanos());
     }
 
     private void letRestUntil(long nanos) {

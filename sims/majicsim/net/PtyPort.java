@@ -52,7 +52,7 @@ public final class PtyPort implements Port {
 
     @Override
     public void step(long labNanos) {
-        wiring.faults().tick(labNanos);
+        wiring.tick(labNanos);
         line.release();
     }
 

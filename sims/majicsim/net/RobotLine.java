@@ -24,8 +24,8 @@ abstract class RobotLine implements Line {
         this.robot = robot;
         this.peer = peer;
         this.wiring = wiring;
-        this.out = new DelayedBytes(wiring.faults(), jitters, this::writeCounted);
-        this.in = new DelayedBytes(wiring.faults(), jitters, this::deliver);
+        this.out = new DelayedBytes(wiring, jitters, this::writeCounted);
+        this.in = new DelayedBytes(wiring, jitters, this::deliver);
     }
 
     /** Gives bytes to the client without blocking, and returns how many it took or keeps for later; the others are lost. */

@@ -35,7 +35,7 @@ final class TcpService implements Runnable {
     }
 
     void step(long labNanos) {
-        wiring.faults().tick(labNanos);
+        wiring.tick(labNanos);
         for (int i = 0; i < lines.size(); i++) {
             TcpLine line = lines.get(i);
             line.release();

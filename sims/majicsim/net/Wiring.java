@@ -9,11 +9,12 @@ import java.util.concurrent.locks.ReentrantLock;
  * @param firmware of the robot behind the port
  * @param faults ordered for this robot's lines
  * @param waking called before each use of the firmware: ends its rest
+ * @param due when the ports must be stepped; lowered by lines that keep bytes for later
  */
-public record Wiring(ReentrantLock lock, Firmware firmware, Faults faults, Runnable waking) {
-    /** Wires a firmware that never rests. */
+public record Wiring(ReentrantLock lock, Firmware firmware, Faults faults, Runnable waking, DueTime due) {
+    /** Wires a firmware that never rests, to ports that are stepped all the time. */
     public Wiring(ReentrantLock lock, Firmware firmware, Faults faults) {
-        this(lock, firmware, faults, () -> {});
+        this(lock, firmware, faults, () -> {}, faults.time().add(() -> {}));
     }
 
     /**
@@ -25,6 +26,13 @@ public record Wiring(ReentrantLock lock, Firmware firmware, Faults faults, Runna
     public Firmware firmware() {
         waking.run();
         return firmware;
+    }
+
+    /** Reports that the lines have reached this time; they are stepped all the time during an outage. */
+    void tick(long labNanos) {
+        if (faults.tick(labNanos)) {
+            due.atLatest(labNanos);
+        }
     }
 
     /** Runs an action while the lab does not step; everything that may call the firmware must use this. */

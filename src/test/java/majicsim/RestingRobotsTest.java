@@ -12,6 +12,7 @@ import majicsim.hemisson.HemissonRobot;
 import majicsim.hemisson.options.HemissonOptions;
 import majicsim.net.Firmware;
 import majicsim.net.FirmwareClock;
+import majicsim.net.LabTime;
 import majicsim.net.Line;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.pioneer.packet.Hex;
@@ -108,11 +109,12 @@ class RestingRobotsTest {
     private static List<String> rested(Maker maker, Map<Integer, byte[]> commands) {
         World world = new World(Room.standard());
         Firmware robot = maker.make(world, Noise.seeded(1));
-        FirmwareClock clock = new FirmwareClock(robot);
+        LabTime time = new LabTime();
+        FirmwareClock clock = new FirmwareClock(robot, time);
         return run(world, commands, new Stepping() {
             @Override
             public void step(long nanos) {
-                clock.step(nanos);
+                time.step(STEP_NANOS);
             }
 
             @Override

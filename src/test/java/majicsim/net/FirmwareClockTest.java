@@ -10,7 +10,8 @@ class FirmwareClockTest {
     private static final long STEP_NANOS = 4_000_000;
 
     private final Sleeper firmware = new Sleeper();
-    private final FirmwareClock clock = new FirmwareClock(firmware);
+    private final LabTime time = new LabTime();
+    private final FirmwareClock clock = new FirmwareClock(firmware, time);
 
     @Test
     void aFirmwareAtWorkTakesEachStep() {
@@ -44,7 +45,7 @@ class FirmwareClockTest {
 
     private void step(int from, int to) {
         for (int number = from; number <= to; number++) {
-            clock.step(number * STEP_NANOS);
+            time.step(STEP_NANOS);
         }
     }
 

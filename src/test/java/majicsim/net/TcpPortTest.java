@@ -190,6 +190,18 @@ class TcpPortTest {
     }
 
     @Test
+    void anOutageShorterThanAStepEndsWithTheStep() throws Exception {
+        try (Client client = new Client(port.address())) {
+            client.read(2);
+            faults.outage(0.001);
+            client.send("late");
+            assertThat(faults.isReading()).isFalse();
+            step(4 * MS);
+            assertThat(client.read(6)).isEqualTo("[late]");
+        }
+    }
+
+    @Test
     void aPeerThatStopsReadingStillTalks() throws Exception {
         try (Client client = new Client(port.address())) {
             client.read(2);
