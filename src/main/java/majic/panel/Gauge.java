@@ -121,6 +121,7 @@ public final class Gauge extends JPanel {
         FontMetrics metrics = pen.getFontMetrics();
         pen.setColor(DrawingColors.current().line());
         pen.drawString(title, 0, metrics.getAscent());
+        pen.setColor(isEnabled() ? DrawingColors.current().line() : UIManager.getColor("Label.disabledForeground"));
         pen.drawString(figure(), getWidth() - metrics.stringWidth(figure()), metrics.getAscent());
         DrawingColors.prepare(pen);
         paintScale(pen, colors);

@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Shows a robot's camera picture, as large as the space allows, with a caption in its corner; or a reason why there is
- * no picture, over the faded last picture if there was one. A click, Enter or Space asks the surrounding
+ * no current picture, over the faded last one if there was one. A click, Enter or Space asks the surrounding
  * {@link PictureViewer} for a larger view. Must be used on the event dispatch thread.
  */
 public final class PictureView extends JPanel {
@@ -46,6 +46,7 @@ public final class PictureView extends JPanel {
     private transient @Nullable BufferedImage image;
     private String caption = "";
     private String words = "";
+    private boolean current = true;
     private int watched;
 
     /**
@@ -156,6 +157,7 @@ public final class PictureView extends JPanel {
         image = other.image;
         caption = other.caption;
         words = other.words;
+        current = other.current;
         getAccessibleContext().setAccessibleName(other.getAccessibleContext().getAccessibleName());
         repaint();
         copies.forEach(copy -> copy.take(this));
@@ -180,7 +182,7 @@ public final class PictureView extends JPanel {
         image = newImage;
         words = "";
         caption = newCaption;
-        changed(newCaption);
+        changed();
     }
 
     /**
@@ -191,11 +193,31 @@ public final class PictureView extends JPanel {
     public void miss(String why) {
         words = why;
         caption = "";
-        changed(why);
+        changed();
     }
 
-    private void changed(String state) {
-        getAccessibleContext().setAccessibleName(TEXTS.get("camera.shows", state));
+    /**
+     * Shows whether the picture is current: without a connection, the last one is faded under words that say so.
+     *
+     * @param isCurrent whether it is current
+     */
+    public void setCurrent(boolean isCurrent) {
+        if (current != isCurrent) {
+            current = isCurrent;
+            changed();
+        }
+    }
+
+    private String shownWords() {
+        return current ? words : TEXTS.get("camera.notConnected");
+    }
+
+    private String shownCaption() {
+        return current ? caption : "";
+    }
+
+    private void changed() {
+        getAccessibleContext().setAccessibleName(TEXTS.get("camera.shows", shownWords() + shownCaption()));
         repaint();
         copies.forEach(copy -> copy.take(this));
     }
@@ -223,12 +245,12 @@ public final class PictureView extends JPanel {
         } else {
             paintImage(pen, shown, frame);
         }
-        if (!words.isEmpty()) {
+        if (!shownWords().isEmpty()) {
             pen.setColor(DrawingColors.translucent(colors.grey(0.12), 1 - FADED));
             pen.fill(frame);
             paintWords(pen, colors, frame);
         }
-        if (!caption.isEmpty()) {
+        if (!shownCaption().isEmpty()) {
             paintCaption(pen, colors, frame);
         }
         pen.setColor(isFocusOwner() ? colors.accent() : colors.grey(0.35));
@@ -265,7 +287,7 @@ public final class PictureView extends JPanel {
     private List<String> lines(FontMetrics metrics, double width) {
         List<String> lines = new ArrayList<>();
         String line = "";
-        for (String word : words.split(" ")) {
+        for (String word : shownWords().split(" ")) {
             String longer = line.isEmpty() ? word : line + " " + word;
             if (!line.isEmpty() && metrics.stringWidth(longer) > width) {
                 lines.add(line);

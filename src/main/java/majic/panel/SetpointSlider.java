@@ -161,6 +161,15 @@ public final class SetpointSlider extends JPanel {
         }
     }
 
+    /**
+     * Shows whether the measured value is current; an older one is greyed.
+     *
+     * @param current whether it is current
+     */
+    public void setCurrent(boolean current) {
+        reading.setEnabled(current);
+    }
+
     @Override
     public void setEnabled(boolean enabled) {
         super.setEnabled(enabled);

@@ -46,6 +46,20 @@ class PictureViewTest {
     }
 
     @Test
+    void withoutAConnectionTheLastPictureIsNotShownAsCurrent() {
+        view.show(picture(208, 160), "5.0 frames/s");
+        view.setCurrent(false);
+
+        assertThat(shownText()).isEqualTo("camera, not connected");
+        assertThat(painted(208, 160).getRGB(20, 20)).isNotEqualTo(WALL.getRGB());
+
+        view.setCurrent(true);
+
+        assertThat(shownText()).isEqualTo("camera, 5.0 frames/s");
+        assertThat(painted(208, 160).getRGB(20, 20)).isEqualTo(WALL.getRGB());
+    }
+
+    @Test
     void longWordsAreBrokenIntoLinesInsideTheFrame() {
         view.miss("the picture is damaged and says so at length");
         BufferedImage painted = painted(120, 160);

@@ -107,6 +107,7 @@ public final class AiboPanel extends RefreshingPanel {
         body.refresh(dog.senses(), connected);
         readings.show(bot, connected);
         banner.show(staleness(), false);
+        camera.view().setCurrent(connected);
         drawing.setEnabled(connected);
         drawing.refresh();
     }

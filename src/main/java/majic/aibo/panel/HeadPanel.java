@@ -51,6 +51,7 @@ final class HeadPanel extends JPanel {
         boolean usable = bot.isConnected() && Member.of(bot).isPresent();
         sliders.forEach((joint, slider) -> {
             slider.setEnabled(usable);
+            slider.setCurrent(bot.isConnected());
             slider.show(
                     words(senses.number(joint.sensor())),
                     senses.number(joint.sensor()).orElse(null),

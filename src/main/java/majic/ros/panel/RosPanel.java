@@ -126,6 +126,7 @@ public final class RosPanel extends RefreshingPanel {
     protected void refresh() {
         readings.show(bot, bot.isConnected());
         banner.show(staleness(), false);
+        camera.view().setCurrent(bot.isConnected());
         scenes.get().or(this::old).ifPresentOrElse(this::show, () -> lights.show(bot.connection()));
     }
 
