@@ -23,9 +23,12 @@ final class SharedLights {
 
     void show(MajicBot bot, SharedScene scene) {
         panel.setCurrent(bot.isConnected());
+        link.setEnabled(true);
         showHolder(scene);
         double ageS = bot.time().secondsSince(bot.state().atNanos());
-        if (!bot.isConnected()) {
+        if (bot.connection() == MajicBot.Connection.CONNECTING) {
+            link.show(Kind.QUIET, TEXTS.get("link.connecting"));
+        } else if (!bot.isConnected()) {
             link.show(Kind.ALARM, TEXTS.get("link.lost"));
         } else if (ageS > OLD_S) {
             link.show(Kind.WARNING, TEXTS.get("link.old", ReadingText.age(ageS)));

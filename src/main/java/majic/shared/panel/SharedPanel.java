@@ -58,7 +58,8 @@ public final class SharedPanel extends RefreshingPanel {
         this.drawing = new SharedDrawing(!bot.profile().estimates());
         this.map = new ZoomableMap(drawing);
         this.camera = new SharedCamera(bot, pictures);
-        this.readings = ReadingsPanel.ofParameters(LONGEST_READING, measured(bot));
+        this.readings =
+                ReadingsPanel.ofParameters(LONGEST_READING, measured(bot)).labelled(SharedLabels::of);
         map.getAccessibleContext().setAccessibleName(TEXTS.get("map"));
         add(map);
         add(gauges);
@@ -145,7 +146,10 @@ public final class SharedPanel extends RefreshingPanel {
                 bot.profile().speed(),
                 state.turnRateDegPerSec(),
                 bot.profile().turn());
-        showBattery();
+        if (current) {
+            showBattery();
+        }
+        camera.view().setCurrent(current);
         lights.show(bot, scene);
     }
 
