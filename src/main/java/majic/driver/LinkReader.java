@@ -23,6 +23,9 @@ public final class LinkReader<M> {
     private static final int CHUNK = 4096;
     private static final String SERIAL = "serial:";
 
+    /** The message of Java for a connection that its peer has reset. */
+    private static final String RESET = "Connection reset";
+
     private final Link link;
     private final String closed;
     private final LinkHandler<M> handler;
@@ -69,7 +72,7 @@ public final class LinkReader<M> {
             }
             return new IOException(closedBy(link.address()));
         } catch (IOException e) {
-            return e;
+            return RESET.equals(e.getMessage()) ? new IOException("the other end reset it", e) : e;
         } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, "could not read " + link.address(), e);
             return new IOException("an error in MAJIC, see its log", e);

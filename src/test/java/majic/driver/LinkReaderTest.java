@@ -12,10 +12,13 @@ import static org.mockito.Mockito.never;
 import static org.mockito.Mockito.timeout;
 import static org.mockito.Mockito.verify;
 
+import java.io.IOException;
+import java.net.SocketException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import majic.link.Link;
 import majic.time.WaitLimit;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.BeforeEach;
@@ -77,8 +80,19 @@ class LinkReaderTest {
         assertThat(mayWait).containsExactly(false, false, false);
     }
 
+    @Test
+    void aResetOfTheConnectionIsNamedInPlainWords() throws IOException {
+        Link link = mock();
+        doThrow(new SocketException("Connection reset")).when(link).read(any());
+
+        readUntil("the other end reset it", link);
+    }
+
     private void readUntil(String end) {
-        ReplayLink link = new ReplayLink(new byte[] {'a'}, new byte[] {'b'}, new byte[] {'c'});
+        readUntil(end, new ReplayLink(new byte[] {'a'}, new byte[] {'b'}, new byte[] {'c'}));
+    }
+
+    private void readUntil(String end, Link link) {
         new LinkReader<>(link, "the robot closed it", handler).start("test reader");
         verify(handler, timeout(WaitLimit.MS))
                 .ended(assertArg(cause -> assertThat(cause).hasMessage(end)));
