@@ -1,5 +1,6 @@
 package majic.gui.bots;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Dimension;
@@ -56,6 +57,7 @@ final class RobotCard extends JPanel implements PlotHost {
     private final JLabel name;
     private final JLabel line;
     private final JLabel activity;
+    private final JLabel actTime;
     private final JLabel connection = new JLabel();
     private final JLabel battery = new JLabel();
     private final JButton reconnect;
@@ -77,6 +79,7 @@ final class RobotCard extends JPanel implements PlotHost {
         name.putClientProperty("FlatLaf.style", "font: bold");
         line = new PlainLabel("cardLine" + number, "");
         activity = new PlainLabel("cardActivity" + number, "");
+        actTime = new PlainLabel("cardActTime" + number, "");
         battery.setName("cardBattery" + number);
         stop = button("cardStop" + number, TEXTS.get("card.stop"), ActionIcon.STOP, TEXTS.get("card.stop.tip", number));
         stop.addActionListener(event -> actions.stop(member));
@@ -100,7 +103,7 @@ final class RobotCard extends JPanel implements PlotHost {
         JButton button = new JButton(text, icon);
         button.setName(name);
         button.setFocusable(false);
-        button.setIconTextGap(3);
+        button.setIconTextGap(UIScale.scale(3));
         button.setToolTipText(tip);
         button.getAccessibleContext().setAccessibleName(tip);
         return button;
@@ -155,29 +158,10 @@ final class RobotCard extends JPanel implements PlotHost {
         removeAll();
         adapt(newSize);
         switch (newSize) {
-            case FULL -> {
-                arrange("insets 4 8 4 6", "[grow][grow][grow]");
-                add(badge, "spany 3, aligny center");
-                add(name, "spanx 3, wmin 0, gapleft 8");
-                add(line, "newline, wmin 0, gapleft 8");
-                addMeters();
-                add(activity, "newline, spanx 3, split 3, wmin 0, growx, pushx, gapleft 8");
-            }
-            case MEDIUM -> {
-                arrange("insets 3 8 3 6", "[grow][grow]");
-                add(badge, "spany 2, aligny center");
-                add(name, "wmin 0, gapleft 8");
-                addMeters();
-                add(line, "newline, spanx 3, split 3, wmin 0, growx, pushx, gapleft 8");
-            }
-            case COMPACT, NARROW -> {
-                boolean narrow = newSize == CardSize.NARROW;
-                arrange(narrow ? "insets 0 3 0 2" : "insets 0 6 0 3", "[grow]");
-                add(badge);
-                add(line, narrow ? "wmin 0, gapleft 3" : "wmin 0, gapleft 6");
-                add(connection, "gapleft 4");
-                add(battery, "gapleft 4");
-            }
+            case FULL -> addThreeLines();
+            case MEDIUM -> addTwoLines();
+            case COMPACT -> addOneLine("insets 0 6 0 3", 6);
+            case NARROW -> addOneLine("insets 0 3 0 2", 3);
             case BADGE -> {
                 arrange("insets 0 3 0 2", "[grow]");
                 add(badge);
@@ -190,6 +174,33 @@ final class RobotCard extends JPanel implements PlotHost {
         }
         shown = null;
         update();
+    }
+
+    /** An act's name is cut where there is no room for all of it, its time is not. */
+    private void addThreeLines() {
+        arrange("insets 4 8 4 6", "[grow][grow][grow]");
+        add(badge, "spany 3, aligny center");
+        add(name, "spanx 3, wmin 0, gapleft 8");
+        add(line, "newline, wmin 0, gapleft 8");
+        addMeters();
+        add(activity, "newline, spanx 3, split 4, wmin 0, growx 0, gapleft 8");
+        add(actTime, "growx, pushx, gapleft 5");
+    }
+
+    private void addTwoLines() {
+        arrange("insets 3 8 3 6", "[grow][grow]");
+        add(badge, "spany 2, aligny center");
+        add(name, "wmin 0, gapleft 8");
+        addMeters();
+        add(line, "newline, spanx 3, split 3, wmin 0, growx, pushx, gapleft 8");
+    }
+
+    private void addOneLine(String insets, int gap) {
+        arrange(insets, "[grow]");
+        add(badge);
+        add(line, "wmin 0, gapleft " + gap);
+        add(connection, "gapleft 4");
+        add(battery, "gapleft 4");
     }
 
     /** Gives the parts the texts and margins that a size has room for. */
@@ -230,6 +241,7 @@ final class RobotCard extends JPanel implements PlotHost {
         line.putClientProperty("FlatLaf.style", now.problem().isEmpty() ? null : "font: bold");
         line.setForeground(now.isUnconfirmed() || now.isLost() ? Palette.error() : null);
         activity.setText(now.activity());
+        actTime.setText(now.actTime());
         connection.setIcon(new LinkIcon(now.bars()));
         connection.setVisible(!now.isLost() && (size != CardSize.NARROW || now.bars() < LinkMeter.MOST_BARS));
         battery.setIcon(new BatteryIcon(now.battery().percent(), false));

@@ -8,6 +8,7 @@ import majic.gui.acts.RunningAct;
 import majic.gui.kit.BotStatus;
 import majic.gui.kit.StateIcon;
 import majic.team.Member;
+import majic.team.Owner;
 import majic.team.StopStatus;
 import majic.text.Texts;
 
@@ -18,7 +19,8 @@ import majic.text.Texts;
  * @param name its name and type
  * @param condition whether it moves; if it is not connected, the state of its connection
  * @param problem what needs attention, in a few words; empty if nothing does
- * @param activity the name of the act and its running time, or what else owns or holds the robot; empty if nothing does
+ * @param activity the name of the act, or what else owns or holds the robot; empty if nothing does
+ * @param actTime the running time of the act; empty if none runs
  * @param battery its charge
  * @param bars the quality of its connection, 0 to 3
  * @param isLost whether it can be reconnected
@@ -30,6 +32,7 @@ record RobotSummary(
         String condition,
         String problem,
         String activity,
+        String actTime,
         BatteryLevel battery,
         int bars,
         boolean isLost,
@@ -58,7 +61,8 @@ record RobotSummary(
                 member.label(),
                 connected ? motion(bot) : BotStatus.condition(member),
                 problem(unconfirmed, lost, countdown, link, now),
-                activity(member, act),
+                act.now().map(Owner::name).orElseGet(() -> BotStatus.user(member)),
+                act.now().map(owner -> act.time()).orElse(""),
                 connected ? battery : BatteryLevel.UNKNOWN,
                 connected ? link.bars(now) : 0,
                 lost,
@@ -82,18 +86,19 @@ record RobotSummary(
                 .orElse("");
     }
 
-    private static String activity(Member member, RunningAct act) {
-        return act.now().map(owner -> owner.name() + "  " + act.time()).orElseGet(() -> BotStatus.user(member));
+    /** Returns the activity, followed by its running time if it has one. */
+    private String timedActivity() {
+        return actTime.isEmpty() ? activity : activity + "  " + actTime;
     }
 
     /** Returns the most important text of a card with room for one line beside the name. */
     String line() {
-        return firstOf(problem, activity, condition);
+        return firstOf(problem, timedActivity(), condition);
     }
 
     /** Returns the most important text of a card with room for one line only. */
     String shortest() {
-        return firstOf(problem, activity, name);
+        return firstOf(problem, timedActivity(), name);
     }
 
     private static String firstOf(String... texts) {
@@ -107,7 +112,7 @@ record RobotSummary(
                         name,
                         condition,
                         problem,
-                        activity,
+                        timedActivity(),
                         charge.map(text -> TEXTS.get("summary.battery", text)).orElse(""))
                 .filter(text -> !text.isEmpty())
                 .distinct()

@@ -47,7 +47,7 @@ final class StatusStrip extends JPanel {
      * @param move shows the robot's panel in a window of its own, or back in the main window
      */
     StatusStrip(Team team, Member member, RobotActions actions, Runnable move) {
-        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][][][]", "[][][][][][]"));
+        super(new MigLayout("insets 6 10 6 10, gap 8 2, hidemode 3", "[grow, fill][]", "[][][][][][]"));
         this.team = team;
         this.member = member;
         act = new ActBar(member, () -> actions.endAct(member));
@@ -72,14 +72,14 @@ final class StatusStrip extends JPanel {
         window.addActionListener(event -> move.run());
         setDocked(true);
         add(title, "wmin 0");
-        add(reconnect);
+        add(reconnect, "split 3");
         add(stopIt);
         add(window, "wrap");
-        add(condition, "spanx 4, wmin 0, wrap");
-        add(countdown, "spanx 4, wmin 0, wrap");
-        add(stopProblem, "spanx 4, wmin 0, wrap");
-        add(pose, "spanx 4, wmin 0, wrap");
-        add(act, "spanx 4, growx, wmin 0, gaptop 4");
+        add(condition, "spanx, wmin 0, wrap");
+        add(countdown, "spanx, wmin 0, wrap");
+        add(stopProblem, "spanx, wmin 0, wrap");
+        add(pose, "spanx, wmin 0, wrap");
+        add(act, "spanx, growx, wmin 0, gaptop 4");
         update();
     }
 
