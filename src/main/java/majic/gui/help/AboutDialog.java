@@ -15,6 +15,7 @@ import net.miginfocom.swing.MigLayout;
 public final class AboutDialog extends MajicDialog {
     private static final Texts TEXTS = Texts.of(AboutDialog.class);
     private static final long serialVersionUID = 1L;
+    private static final int SCROLL_BAR = 20;
 
     public AboutDialog(Window owner) {
         super(owner, TEXTS.get("about"));
@@ -30,8 +31,10 @@ public final class AboutDialog extends MajicDialog {
                 new JTable(HelpTables.file("libraries", TEXTS.get("libraries.name"), TEXTS.get("libraries.licence")));
         table.setName("libraries");
         table.setShowHorizontalLines(true);
+        TableColumns.fit(table);
         JScrollPane rows = new JScrollPane(table);
-        rows.setPreferredSize(UIScale.scale(new Dimension(460, 260)));
+        rows.setPreferredSize(
+                new Dimension(TableColumns.widthOf(table) + UIScale.scale(SCROLL_BAR), UIScale.scale(260)));
         content.add(label(TEXTS.get("libraries"), table));
         content.add(rows);
         fill(content, closing(TEXTS.get("close")));

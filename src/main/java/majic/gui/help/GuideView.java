@@ -109,6 +109,8 @@ final class GuideView extends JScrollPane {
         styles.addRule("body { color: " + hex(Palette.text()) + "; }");
         styles.addRule("ul, ol { margin-left: 20px; }");
         styles.addRule("h1 { font-size: 1.6em; } h2 { font-size: 1.3em; } h3 { font-size: 1.1em; }");
+        styles.addRule("h2 { margin-top: 18px; margin-bottom: 4px; } h3 { margin-top: 14px; margin-bottom: 4px; }");
+        styles.addRule("p { margin-top: 4px; margin-bottom: 6px; }");
         styles.addRule("code, pre { font-family: monospaced; }");
         styles.addRule("code { color: " + hex(Palette.command()) + "; }");
         styles.addRule("pre { color: " + hex(Palette.command()) + "; }");

@@ -3,6 +3,7 @@ package majic.gui.help;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Dimension;
+import java.awt.GraphicsConfiguration;
 import java.awt.Window;
 import java.util.ArrayList;
 import java.util.List;
@@ -27,7 +28,11 @@ import net.miginfocom.swing.MigLayout;
 public final class HelpDialog extends MajicDialog {
     private static final Texts TEXTS = Texts.of(HelpDialog.class);
     private static final long serialVersionUID = 1L;
-    private static final int TABLE_WIDTH = 820;
+    private static final int LEAST_WIDTH = 820;
+    private static final int MOST_WIDTH = 920;
+
+    /** Room for a scroll bar, or for the borders of the dialog on one side, pixels. */
+    private static final int EDGES = 20;
 
     private final JTextField search = new JTextField();
     private final transient List<JTable> tables = new ArrayList<>();
@@ -43,17 +48,27 @@ public final class HelpDialog extends MajicDialog {
         tabs.setName("helpTabs");
         tabs.addTab(
                 TEXTS.get("commands"),
-                scrolled("commands", file(TEXTS.get("commands.file"), TEXTS.get("commands.command")), 300));
+                scrolled("commands", file(TEXTS.get("commands.file"), TEXTS.get("commands.command"))));
         if (!members.isEmpty()) {
             tabs.addTab(TEXTS.get("parameters"), parameters(members, current));
         }
-        tabs.addTab(TEXTS.get("keys"), scrolled("keys", file(TEXTS.get("keys.file"), TEXTS.get("keys.key")), 275));
+        tabs.addTab(TEXTS.get("keys"), scrolled("keys", file(TEXTS.get("keys.file"), TEXTS.get("keys.key"))));
         addPage("user-guide", TEXTS.get("guide"));
         addPage("majic-script", TEXTS.get("guide.script"));
         tabs.addChangeListener(change -> search());
-        tabs.setPreferredSize(UIScale.scale(new Dimension(TABLE_WIDTH, 480)));
+        tabs.setPreferredSize(new Dimension(widthWithin(owner), UIScale.scale(480)));
         fill(content(), closing(TEXTS.get("close")));
         focusFirst(search);
+    }
+
+    /** Returns the width for the texts of most tables, as far as the screen has room for it. */
+    private int widthWithin(Window owner) {
+        GraphicsConfiguration screen = owner.getGraphicsConfiguration();
+        int most = (screen == null ? owner.getSize() : screen.getBounds().getSize()).width;
+        int texts = tables.stream().mapToInt(TableColumns::widthOf).max().orElse(0);
+        int wanted =
+                Math.max(UIScale.scale(LEAST_WIDTH), Math.min(texts + UIScale.scale(EDGES), UIScale.scale(MOST_WIDTH)));
+        return Math.min(wanted, most - UIScale.scale(2 * EDGES));
     }
 
     private void addPage(String name, String title) {
@@ -106,10 +121,10 @@ public final class HelpDialog extends MajicDialog {
 
     private JPanel parameters(List<Member> members, Optional<Member> current) {
         MemberChoice choice = new MemberChoice(members, current);
-        JScrollPane rows = scrolled("parameters", HelpTables.of(choice.chosen()), 130);
+        JScrollPane rows = scrolled("parameters", HelpTables.of(choice.chosen()));
         JTable table = (JTable) rows.getViewport().getView();
         choice.addActionListener(event -> {
-            show(table, HelpTables.of(choice.chosen()), 130);
+            show(table, HelpTables.of(choice.chosen()));
             search();
         });
         JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0", "[][grow, fill]", "[][grow, fill]"));
@@ -123,29 +138,25 @@ public final class HelpDialog extends MajicDialog {
         return HelpTables.file(name, left, TEXTS.get("effect"));
     }
 
-    private JScrollPane scrolled(String key, TableModel model, int firstWidth) {
+    private JScrollPane scrolled(String key, TableModel model) {
         JTable table = new JTable();
         table.setName("help " + key);
         table.getAccessibleContext().setAccessibleName(TEXTS.get(key));
         table.setShowHorizontalLines(true);
         table.setAutoResizeMode(JTable.AUTO_RESIZE_LAST_COLUMN);
         table.getTableHeader().setReorderingAllowed(false);
-        show(table, model, firstWidth);
+        show(table, model);
         tables.add(table);
         return new JScrollPane(table);
     }
 
-    private static void show(JTable table, TableModel model, int firstWidth) {
+    private static void show(JTable table, TableModel model) {
         table.setModel(model);
         TableRowSorter<TableModel> sorter = new TableRowSorter<>(model);
         for (int column = 0; column < model.getColumnCount(); column++) {
             sorter.setSortable(column, false);
         }
         table.setRowSorter(sorter);
-        int last = table.getColumnCount() - 1;
-        for (int column = 0; column < last; column++) {
-            table.getColumnModel().getColumn(column).setPreferredWidth(UIScale.scale(firstWidth));
-        }
-        table.getColumnModel().getColumn(last).setPreferredWidth(UIScale.scale(TABLE_WIDTH - last * firstWidth));
+        TableColumns.fit(table);
     }
 }
