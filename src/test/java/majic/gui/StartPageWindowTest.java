@@ -123,7 +123,7 @@ class StartPageWindowTest {
             window.await("the step", () -> window.isEnabled("Next"));
             window.push("Next");
             assertThat(window.text("tourTitle")).isEqualTo("Release");
-            window.push("Leave");
+            window.push("Close");
             assertThat(window.isShowing("Tour dialog")).isFalse();
         }
     }

@@ -38,7 +38,8 @@ final class ActSummary extends JPanel {
     /** Shows a text that is not about an act. */
     void say(String words) {
         clear();
-        note.show(words, false);
+        note.setText("");
+        description.show(words, false);
     }
 
     /** Shows an error. */

@@ -70,7 +70,7 @@ final class ChooseActDialog extends MajicDialog {
             }
         });
         JPanel panel = new JPanel(new MigLayout(
-                "insets 0, gap 14 8", "[200:230:, fill][320:380:, grow, fill]", "[][400::, grow, fill][]"));
+                "insets 0, gap 14 8", "[200:250:, fill][320:380:, grow, fill]", "[][400::, grow, fill][]"));
         panel.add(new JLabel(targets.heading()), "spanx 2, wrap");
         panel.add(new JScrollPane(list));
         JPanel described =

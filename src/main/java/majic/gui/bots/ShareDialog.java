@@ -49,7 +49,7 @@ public final class ShareDialog extends MajicDialog {
         person.setText(place.person());
         share.setName("shareBegin");
         end.setName("shareEnd");
-        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[right][grow, fill]", ""));
         add(content, "share.broker", broker);
         add(content, "share.desk", desk);
         add(content, "share.person", person);

@@ -45,7 +45,7 @@ public final class LoginDialog extends MajicDialog {
         password.setName("loginPassword");
         Paragraph question = new Paragraph("loginQuestion", 2, 42);
         question.showFaint(TEXTS.get("login.question", nameOf(address)));
-        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[][grow, fill]", ""));
+        JPanel content = new JPanel(new MigLayout("insets 0, gap 8 10", "[right][grow, fill]", ""));
         content.add(question, "spanx 2, growx, wmin 0, wrap");
         content.add(label(TEXTS.get("login.user"), user));
         content.add(user, "wrap");

@@ -2,6 +2,7 @@ package majic.gui.kit;
 
 import java.awt.Color;
 import java.util.function.Supplier;
+import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
 import majic.text.Texts;
@@ -27,7 +28,7 @@ public final class Paragraph extends JTextArea {
         setWrapStyleWord(true);
         setOpaque(false);
         setFocusable(false);
-        setBorder(null);
+        setBorder(BorderFactory.createEmptyBorder());
         setFont(UIManager.getFont("Label.font"));
     }
 

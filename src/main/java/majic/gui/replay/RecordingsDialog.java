@@ -86,7 +86,7 @@ public final class RecordingsDialog extends MajicDialog {
         list.setListData(entries.toArray(new Entry[0]));
         list.setSelectedIndex(0);
         if (entries.isEmpty()) {
-            showProblem(TEXTS.get("noRecording"));
+            problem.show(TEXTS.get("noRecording"), false);
         }
     }
 

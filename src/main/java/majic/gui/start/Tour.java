@@ -20,7 +20,7 @@ import net.miginfocom.swing.MigLayout;
 
 /**
  * The tour: a small window beside the main window that asks for one thing after the other, to be done in the main window
- * with the robots of the lab. It waits until each is done, and can be left at any time.
+ * with the robots of the lab. It waits until each is done, and can be closed at any time.
  */
 public final class Tour extends MajicDialog {
     private static final long serialVersionUID = 1L;
@@ -40,7 +40,7 @@ public final class Tour extends MajicDialog {
     private final JProgressBar progress = new JProgressBar(0, TourStep.ALL.size());
     private final JButton next = button(TEXTS.get("next"), this::next);
     private final JButton skip = button(TEXTS.get("skip"), this::next);
-    private final JButton leave = closing(TEXTS.get("leave"));
+    private final JButton close = closing(TEXTS.get("close"));
     private final Timer look = new Timer(LOOK_MS, event -> look());
     private int step = -1;
     private boolean done;
@@ -56,7 +56,7 @@ public final class Tour extends MajicDialog {
         events = new TourEvents(session);
         title.putClientProperty("FlatLaf.styleClass", "h3");
         text.setFocusable(true);
-        fill(content(), next, skip, leave);
+        fill(content(), next, skip, close);
         getAccessibleContext().setAccessibleDescription(TEXTS.get("tour.description"));
         next();
         placeBeside(owner);
@@ -85,7 +85,6 @@ public final class Tour extends MajicDialog {
         }
         count.setText(TEXTS.get("step", step + 1, TourStep.ALL.size()));
         title.setText(TEXTS.get(TourStep.ALL.get(step).title()));
-        skip.setVisible(true);
         look();
     }
 
@@ -97,8 +96,7 @@ public final class Tour extends MajicDialog {
         state.setText(" ");
         next.setVisible(false);
         skip.setVisible(false);
-        leave.setText(TEXTS.get("close"));
-        getRootPane().setDefaultButton(leave);
+        getRootPane().setDefaultButton(close);
     }
 
     /** Shows whether the step was done. */
@@ -111,7 +109,7 @@ public final class Tour extends MajicDialog {
         }
         state.setText(TEXTS.get(done ? "done" : "waiting"));
         next.setEnabled(done);
-        skip.setVisible(!done);
+        skip.setEnabled(!done);
     }
 
     /** Places the tour beside the window where the screen has room, otherwise where it hides neither cards nor pad. */
