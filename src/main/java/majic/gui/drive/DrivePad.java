@@ -1,5 +1,6 @@
 package majic.gui.drive;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Dimension;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
@@ -92,14 +93,14 @@ public final class DrivePad extends JPanel {
         label.setLabelFor(speed);
         label.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, TEXT_RESERVE));
         add(label, "cell 3 1, split 2, grow 0");
-        add(speed, "cell 3 1, growx, wmin 60, wmax 220");
+        add(speed, "cell 3 1, growx, wmin 60, wmax 220, gapright push");
     }
 
     private JButton arrow(Direction direction, String sign, String tip) {
         JButton button = new JButton(sign);
         button.setName("drive " + direction);
         button.setFocusable(false);
-        button.setPreferredSize(new Dimension(44, 30));
+        button.setPreferredSize(UIScale.scale(new Dimension(44, 30)));
         arrows.put(button, tip);
         button.getAccessibleContext().setAccessibleName(tip);
         button.addMouseListener(new MouseAdapter() {
