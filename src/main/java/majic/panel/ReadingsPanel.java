@@ -25,9 +25,6 @@ public final class ReadingsPanel<S> extends JPanel {
     private static final long serialVersionUID = 1;
     private static final int LEAST_ROWS = 3;
 
-    /** Maximum width of a column, as a factor of the width needed: figures far from their names are hard to read. */
-    private static final double WIDEST = 1.6;
-
     /** Reserve in pixels: text may be slightly wider than measured on a screen of another scale. */
     private static final int SLACK = 4;
 
@@ -255,9 +252,7 @@ public final class ReadingsPanel<S> extends JPanel {
     /** Returns the width of a column. */
     private int widthOfEach(int width) {
         int columns = columnsIn(width);
-        int room = (width - (columns - 1) * gap()) / columns;
-        int widest = Math.max(pairWidth(), (int) (WIDEST * columnWidth()));
-        return Math.max(columnWidth(), Math.min(room, widest));
+        return Math.max(columnWidth(), (width - (columns - 1) * gap()) / columns);
     }
 
     private int columnsIn(int width) {
