@@ -1,6 +1,7 @@
 package majic.aibo.panel;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalInt;
 import javax.swing.JLabel;
@@ -21,6 +22,14 @@ final class BodyPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final Texts TEXTS = Texts.of(BodyPanel.class);
     private static final int DISC = 56;
+
+    /** The keys of the words for what the dog reports. */
+    private static final Map<String, String> POSTURES = Map.of(
+            "stand", "posture.stand",
+            "sit", "posture.sit",
+            "lay", "posture.lay",
+            "beg", "posture.beg",
+            "stretch", "posture.stretch");
 
     private final Horizon horizon = new Horizon(DISC);
     private final JLabel battery =
@@ -44,6 +53,12 @@ final class BodyPanel extends JPanel {
         add(posture);
     }
 
+    /** Returns the user's word for a posture; a word of the dog that has none is shown as it is. */
+    private static String word(String guess) {
+        String key = POSTURES.get(guess);
+        return key == null ? guess : TEXTS.get(key);
+    }
+
     void refresh(SensorReadings senses, boolean connected) {
         horizon.setEnabled(connected);
         horizon.show(BodyTilt.of(senses)
@@ -53,7 +68,7 @@ final class BodyPanel extends JPanel {
         posture.setEnabled(connected);
         motors.setEnabled(connected);
         String guess = senses.posture();
-        posture.setText(guess == null ? TEXTS.get("posture.unknown") : TEXTS.get("posture", guess));
+        posture.setText(guess == null ? TEXTS.get("posture.unknown") : TEXTS.get("posture", word(guess)));
         Optional<Boolean> on = senses.motorsOn();
         motors.show(
                 on.orElse(false) ? Kind.GOOD : Kind.QUIET,
