@@ -27,6 +27,7 @@ import javax.swing.JMenuItem;
 import javax.swing.JRadioButtonMenuItem;
 import javax.swing.SwingUtilities;
 import majic.act.file.ActCatalog;
+import majic.gui.acts.OwnActs;
 import majic.gui.kit.Confirm;
 import majic.panel.PictureView;
 import majic.text.MarkedTexts;

@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * Pretends to share robots at any broker, except at one that is called {@code nowhere}; one that is called {@code strict}
  * wants the user anna with the password secret.
  */
-final class FakeSharing implements RobotSharing {
+public final class FakeSharing implements RobotSharing {
     private volatile @Nullable Place place;
     private volatile boolean connected = true;
     private volatile String login = "";
@@ -48,7 +48,7 @@ final class FakeSharing implements RobotSharing {
     }
 
     /** Returns whether the right user name and password were typed. */
-    boolean isAnna() {
+    public boolean isAnna() {
         return login.equals("anna:secret");
     }
 
@@ -58,7 +58,7 @@ final class FakeSharing implements RobotSharing {
     }
 
     /** Loses the connection with the broker. */
-    void lose() {
+    public void lose() {
         connected = false;
     }
 }

@@ -60,15 +60,15 @@ import org.jspecify.annotations.Nullable;
 public final class TestWindow implements AutoCloseable {
     private static final String MARKED = "test.marked";
 
-    final ToyType type = new ToyType(BotType.Reach.TCP);
+    public final ToyType type = new ToyType(BotType.Reach.TCP);
     public final Settings settings = Settings.inMemory();
-    final BotFactory factory = new BotFactory(List.of(type), settings);
+    public final BotFactory factory = new BotFactory(List.of(type), settings);
     public final Team team = new Team(TimeSource.system(), 200);
-    final FakeSharing sharing = new FakeSharing();
+    public final FakeSharing sharing = new FakeSharing();
     public final AtomicInteger quits = new AtomicInteger();
-    final Session session;
-    final MajicParser parser;
-    final MajicFrame frame;
+    public final Session session;
+    public final MajicParser parser;
+    public final MajicFrame frame;
     private final @Nullable Path history;
     private final Robot robot;
     private final java.awt.Robot input = input();
@@ -129,7 +129,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Opens a window with a setting from an earlier start. */
-    static TestWindow openWith(String key, String value) {
+    public static TestWindow openWith(String key, String value) {
         return new TestWindow(NoActs.here(), Map.of(key, value), null);
     }
 
@@ -144,7 +144,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Opens a window whose texts are marked, with the user's own acts. */
-    static TestWindow openMarked(ActCatalog acts) {
+    public static TestWindow openMarked(ActCatalog acts) {
         return new TestWindow(acts, Map.of(MARKED, ""), null);
     }
 
@@ -177,7 +177,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Adds this many connected toys, and waits for their cards. */
-    void addAll(int robots) {
+    public void addAll(int robots) {
         for (int number = 1; number <= robots; number++) {
             ToyBot bot = (ToyBot) factory.create("toy:number " + number);
             bot.connect();
@@ -203,7 +203,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Returns the numbers of the robots on the cards, in the order of the cards. */
-    List<String> cards() {
+    public List<String> cards() {
         Container strip = find("teamStrip", Container.class);
         return GuiActionRunner.execute(() -> Stream.of(strip.getComponents())
                 .map(card -> card.getName().substring("card".length()))
@@ -244,7 +244,7 @@ public final class TestWindow implements AutoCloseable {
      * Waits until a dialog is shown and has the keyboard focus. Requests the focus, as a click on the dialog does: a window
      * manager can leave it to another window when a previous dialog has just closed.
      */
-    void awaitDialogWithKeys(String title) {
+    public void awaitDialogWithKeys(String title) {
         Dialog dialog = awaitDialog(title);
         await("the keys of " + title, () -> {
             if (!dialog.isFocused()) {
@@ -303,30 +303,30 @@ public final class TestWindow implements AutoCloseable {
         with(KeyEvent.VK_CONTROL, () -> press(keyCode));
     }
 
-    void pressWithAlt(int keyCode) {
+    public void pressWithAlt(int keyCode) {
         with(KeyEvent.VK_ALT, () -> press(keyCode));
     }
 
     /** Dispatches the event of a key pressed together with Alt with a given time, ms since 1970. */
-    void pressWithAltAsOf(long whenMs, int keyCode) {
+    public void pressWithAltAsOf(long whenMs, int keyCode) {
         run(() -> frame.dispatchEvent(new KeyEvent(
                 frame, KeyEvent.KEY_PRESSED, whenMs, KeyEvent.ALT_DOWN_MASK, keyCode, KeyEvent.CHAR_UNDEFINED)));
     }
 
-    void clickWithCtrl(String name) {
+    public void clickWithCtrl(String name) {
         with(KeyEvent.VK_CONTROL, () -> click(name));
     }
 
-    void clickAt(String name, Point place) {
+    public void clickAt(String name, Point place) {
         give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.click(find(name, Component.class), place));
     }
 
     /** Opens the context menu of a component. */
-    void menuOf(String name) {
+    public void menuOf(String name) {
         give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.rightClick(awaitShowing(name, Component.class)));
     }
 
-    void menuAt(String name, Point place) {
+    public void menuAt(String name, Point place) {
         Component component = find(name, Component.class);
         give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.click(component, place, MouseButton.RIGHT_BUTTON, 1));
     }
@@ -345,20 +345,20 @@ public final class TestWindow implements AutoCloseable {
         settle();
     }
 
-    void hold(int keyCode) {
+    public void hold(int keyCode) {
         give(KeyEvent.KEY_PRESSED, 1, () -> robot.pressKey(keyCode));
     }
 
-    void letGo(int keyCode) {
+    public void letGo(int keyCode) {
         robot.releaseKey(keyCode);
         settle();
     }
 
-    void holdMouse(String name) {
+    public void holdMouse(String name) {
         give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.pressMouse(find(name, Component.class), new Point(5, 5)));
     }
 
-    void letGoMouse() {
+    public void letGoMouse() {
         robot.releaseMouseButtons();
         settle();
     }
@@ -393,7 +393,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Selects the item with this text in a list, once the list contains it. */
-    void select(String list, String item) {
+    public void select(String list, String item) {
         ListModel<?> model = awaitShowing(list, JList.class).getModel();
         await(item + " in the list", () -> indexOf(model, item) >= 0);
         run(() -> find(list, JList.class).setSelectedIndex(indexOf(model, item)));
@@ -406,7 +406,7 @@ public final class TestWindow implements AutoCloseable {
                 .orElse(-1);
     }
 
-    void write(String field, String text) {
+    public void write(String field, String text) {
         JTextField component = awaitShowing(field, JTextField.class);
         run(() -> {
             component.setText(text);
@@ -427,12 +427,12 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /** Returns the name in the file chooser. */
-    String fileName() {
+    public String fileName() {
         return fileNameField().getText();
     }
 
     /** Returns the selected part of the name in the file chooser; empty if none is selected. */
-    String selectedFileName() {
+    public String selectedFileName() {
         String selected = fileNameField().getSelectedText();
         return selected == null ? "" : selected;
     }
@@ -441,7 +441,7 @@ public final class TestWindow implements AutoCloseable {
         return fileChooser().fileNameTextBox().target();
     }
 
-    boolean isEnabled(String name) {
+    public boolean isEnabled(String name) {
         return GuiActionRunner.execute(find(name, Component.class)::isEnabled);
     }
 

@@ -25,8 +25,8 @@ import org.jspecify.annotations.Nullable;
 
 /** A robot of the window's tests; records the commands it gets. */
 public final class ToyBot extends BotDriver {
-    static final double CRUISE = 200;
-    static final double CRUISE_TURN = 40;
+    public static final double CRUISE = 200;
+    public static final double CRUISE_TURN = 40;
     private static final double FULL_CHARGE = 100;
 
     private static final BotProfile PROFILE =
@@ -41,7 +41,7 @@ public final class ToyBot extends BotDriver {
     private volatile boolean refuses;
     private volatile @Nullable String holder;
 
-    ToyBot(ToyType type, String address, BotEnvironment environment) {
+    public ToyBot(ToyType type, String address, BotEnvironment environment) {
         super(type, PROFILE, environment);
         this.type = type;
         this.address = address;
@@ -53,7 +53,7 @@ public final class ToyBot extends BotDriver {
     }
 
     /** Reports that a user of another program holds it from now on. */
-    void holdBy(String user) {
+    public void holdBy(String user) {
         holder = user;
         at(Pose.START, false);
     }

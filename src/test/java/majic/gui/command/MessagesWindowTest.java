@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.command;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -11,7 +11,7 @@ import javax.swing.JScrollBar;
 import javax.swing.JTextPane;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
-import majic.gui.command.MessageArea;
+import majic.gui.TestWindow;
 import majic.gui.kit.Palette;
 import majic.log.Line;
 import org.junit.jupiter.api.AutoClose;

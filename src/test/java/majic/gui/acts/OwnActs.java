@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -12,14 +12,14 @@ import majic.environment.Settings;
 import majic.script.ScriptAct;
 
 /** The user's own acts in the window's tests. */
-final class OwnActs {
+public final class OwnActs {
     /** System property that is set as soon as any code of the class {@code Spy} runs. */
-    static final String FLAG = "majic.test.spy";
+    public static final String FLAG = "majic.test.spy";
 
     /** A source from which no act can be made. */
-    static final String UNFIT = "public class Unfit { }";
+    public static final String UNFIT = "public class Unfit { }";
 
-    static final String SPY = """
+    public static final String SPY = """
             import majic.act.MajicAct;
 
             public class Spy extends MajicAct {
@@ -59,33 +59,33 @@ final class OwnActs {
     private final Path folder;
     private final ActTrust trust = new ActTrust(Settings.inMemory());
 
-    OwnActs(Path folder) {
+    public OwnActs(Path folder) {
         this.folder = folder;
     }
 
-    ActCatalog acts() {
+    public ActCatalog acts() {
         return new ActCatalog(folder, trust);
     }
 
     /** Adds a script as an act with a name. */
-    OwnActs script(String name, String... lines) throws IOException {
+    public OwnActs script(String name, String... lines) throws IOException {
         ScriptAct act = new ScriptAct(name, String.join("\n", lines));
         Files.write(folder.resolve(name + ".act"), ActMaker.save(act, ActDetails.named(name)));
         return this;
     }
 
     /** Adds an act that moves without end. */
-    OwnActs endless(String name, int mm) throws IOException {
+    public OwnActs endless(String name, int mm) throws IOException {
         return script(name, "repeat", "me move " + mm, "wait 100ms", "end");
     }
 
     /** Adds an act with code; making it loads another copy of its class, which is discarded. */
-    OwnActs spy() throws IOException {
+    public OwnActs spy() throws IOException {
         return spy("Spy");
     }
 
     /** Adds the same act under another name. */
-    OwnActs spy(String name) throws IOException {
+    public OwnActs spy(String name) throws IOException {
         ActDetails details = new ActDetails(name, "1.0", "Mata Hari", "Looks around.");
         Files.write(
                 folder.resolve(name + ".act"), ActMaker.from(source("Spy", SPY)).make("Spy", details));
@@ -94,14 +94,14 @@ final class OwnActs {
     }
 
     /** Adds an act with a role for any number of robots; its code may run. */
-    OwnActs convoy() throws IOException {
+    public OwnActs convoy() throws IOException {
         byte[] file = ActMaker.from(source("Together", TOGETHER)).make("Together", ActDetails.named("Together"));
         Files.write(folder.resolve("Together.act"), file);
         trust.agree(ActFile.of("Together", file));
         return this;
     }
 
-    Path source(String name, String text) throws IOException {
+    public Path source(String name, String text) throws IOException {
         return Files.writeString(folder.resolve(name + ".java"), text);
     }
 }

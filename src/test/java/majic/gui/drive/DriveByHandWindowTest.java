@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.drive;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -7,6 +7,8 @@ import java.awt.event.KeyEvent;
 import java.util.Collections;
 import javax.swing.JSlider;
 import majic.bot.BotException;
+import majic.gui.TestWindow;
+import majic.gui.ToyBot;
 import majic.gui.command.CommandLine;
 import majic.team.Owner;
 import org.junit.jupiter.api.AfterEach;

@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.bots;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -10,6 +10,10 @@ import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.util.concurrent.atomic.AtomicInteger;
 import javax.swing.SwingUtilities;
+import majic.gui.Contrast;
+import majic.gui.TestWindow;
+import majic.gui.ToyBot;
+import majic.gui.WindowAudit;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

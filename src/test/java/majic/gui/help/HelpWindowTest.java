@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.help;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,6 +9,7 @@ import javax.swing.JTable;
 import javax.swing.MenuSelectionManager;
 import javax.swing.text.Element;
 import javax.swing.text.html.HTMLDocument;
+import majic.gui.TestWindow;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;

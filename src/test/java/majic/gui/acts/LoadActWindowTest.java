@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JComboBox;
 import javax.swing.JComponent;
+import majic.gui.TestWindow;
+import majic.gui.ToyBot;
 import majic.team.Owner;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;

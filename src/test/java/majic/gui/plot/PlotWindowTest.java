@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.plot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -28,7 +28,10 @@ import javax.swing.TransferHandler.TransferSupport;
 import javax.swing.event.ListDataEvent;
 import javax.swing.event.ListDataListener;
 import majic.bot.Pose;
-import majic.gui.plot.Plots;
+import majic.gui.Contrast;
+import majic.gui.TestWindow;
+import majic.gui.ToyBot;
+import majic.gui.WindowAudit;
 import majic.gui.plot.data.LiveSource;
 import majic.panel.PlotHost;
 import org.junit.jupiter.api.AutoClose;

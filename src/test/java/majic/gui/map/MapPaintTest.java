@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,9 +9,6 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import majic.bot.Pose;
-import majic.gui.map.MapPainter;
-import majic.gui.map.MapScene;
-import majic.gui.map.TeamMap;
 import majic.lab.LabAccess.Furnishing;
 import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;

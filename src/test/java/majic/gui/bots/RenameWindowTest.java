@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.bots;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -7,6 +7,9 @@ import java.awt.Frame;
 import java.awt.event.KeyEvent;
 import javax.swing.JLabel;
 import javax.swing.JTextField;
+import majic.gui.Contrast;
+import majic.gui.TestWindow;
+import majic.gui.WindowAudit;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

@@ -1,9 +1,10 @@
-package majic.gui;
+package majic.gui.bots;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import javax.swing.JPasswordField;
 import javax.swing.JTextField;
+import majic.gui.TestWindow;
 import majic.gui.kit.RobotSharing.Place;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;

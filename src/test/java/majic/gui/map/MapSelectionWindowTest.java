@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -8,7 +8,8 @@ import java.awt.geom.Point2D;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import majic.bot.Pose;
-import majic.gui.map.TeamMap;
+import majic.gui.TestWindow;
+import majic.gui.ToyBot;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;

@@ -1,9 +1,11 @@
-package majic.gui;
+package majic.gui.acts;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import majic.gui.TestWindow;
+import majic.gui.ToyBot;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;

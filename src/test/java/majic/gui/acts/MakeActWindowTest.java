@@ -1,4 +1,4 @@
-package majic.gui;
+package majic.gui.acts;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -7,6 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.act.ActDetails;
 import majic.act.file.ActFile;
+import majic.gui.TestWindow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
