@@ -111,7 +111,7 @@ public record ActManifest(
         try {
             return text.isEmpty()
                     ? List.of(Role.any(Role.ME))
-                    : Stream.of(text.split(";")).map(Role::parse).toList();
+                    : Stream.of(text.split(";", -1)).map(Role::parse).toList();
         } catch (IllegalArgumentException e) {
             throw new InvalidActException(
                     "asks in its manifest for robots that cannot be (Act-Roles: " + text + ")", e);
