@@ -31,10 +31,10 @@ import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A Hemisson with HemiOS 1.50 behind its serial line. It greets after power-up and reset only, on the lines from which something
- * was received, and it has no watchdog: without a client it drives on. It counts as switched on long ago, so a new one sends no greeting.
- * Several lines are one wire: a reply goes to the line whose character completed the command. Every method with the lab's lock
- * held.
+ * A Hemisson with HemiOS 1.50 behind its serial line. It greets after power-up and reset only, on the lines from which
+ * something was received, and it has no watchdog: without a client it drives on. It counts as switched on long ago, so
+ * a new one sends no greeting. Several lines are one wire: a reply goes to the line whose character completed the
+ * command. Every method with the lab's lock held.
  */
 public final class HemissonRobot implements Firmware {
     /** The radius of the disc that stands for its body, mm. */

@@ -8,8 +8,8 @@ import java.lang.System.Logger.Level;
 import java.util.Arrays;
 
 /**
- * A pseudo-terminal in raw mode. Its client side is kept open here too, so that it stays raw and usable while clients open and close it.
- * Linux and macOS.
+ * A pseudo-terminal in raw mode. Its client side is kept open here too, so that it stays raw and usable while clients
+ * open and close it. Linux and macOS.
  */
 final class PseudoTerminal {
     private static final System.Logger LOG = System.getLogger(PseudoTerminal.class.getName());

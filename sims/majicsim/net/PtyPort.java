@@ -6,8 +6,9 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A pseudo-terminal behind which a firmware listens, for clients that want a serial port. Its one line is there as long as the port,
- * whether or not a client has the device open; a cut fault loses what is under way. One daemon thread reads.
+ * A pseudo-terminal behind which a firmware listens, for clients that want a serial port. Its one line is there as long
+ * as the port, whether or not a client has the device open; a cut fault loses what is under way. One daemon thread
+ * reads.
  */
 public final class PtyPort implements Port {
     private static final System.Logger LOG = System.getLogger(PtyPort.class.getName());

@@ -4,8 +4,8 @@ import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * What the lines of all ports share: the bytes on their way in both directions, the counters, and the end. Guarded by the lab's lock, but for the counters. A
- * subclass writes bytes.
+ * What the lines of all ports share: the bytes on their way in both directions, the counters, and the end. Guarded by
+ * the lab's lock, but for the counters. A subclass writes bytes.
  */
 abstract class RobotLine implements Line {
     private static final System.Logger LOG = System.getLogger(RobotLine.class.getName());
@@ -59,8 +59,8 @@ abstract class RobotLine implements Line {
     }
 
     /**
-     * Passes bytes to the firmware, or keeps them for later. Called on the reader's thread without the lock. A failure of the firmware is logged,
-     * and the line stays open.
+     * Passes bytes to the firmware, or keeps them for later. Called on the reader's thread without the lock. A failure
+     * of the firmware is logged, and the line stays open.
      */
     final void receive(byte[] bytes) {
         wiring.lock().lock();

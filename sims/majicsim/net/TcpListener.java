@@ -11,8 +11,8 @@ import java.nio.channels.SocketChannel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The listening end of a TCP port on loopback. While it does not listen, it keeps the port's number, so that the system gives that to no
- * other program. Opened by any thread, then used by the port's thread.
+ * The listening end of a TCP port on loopback. While it does not listen, it keeps the port's number, so that the system
+ * gives that to no other program. Opened by any thread, then used by the port's thread.
  */
 final class TcpListener {
     private static final int CHANGE_BOUND_MS = 1000;
@@ -86,8 +86,8 @@ final class TcpListener {
     }
 
     /**
-     * The system ends the listening socket only when the selector has dropped its key. That selection takes a wake-up which
-     * may have been meant for the next one, so it is repeated.
+     * The system ends the listening socket only when the selector has dropped its key. That selection takes a wake-up
+     * which may have been meant for the next one, so it is repeated.
      */
     private void endListening() throws IOException {
         if (server != null) {

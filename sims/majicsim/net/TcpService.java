@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
 /**
- * What the thread of a TCP port does: accept, read, write what a socket did not take at once, and end lines. It alone opens, reads and
- * closes sockets, and it takes the lab's lock for every call of the firmware.
+ * What the thread of a TCP port does: accept, read, write what a socket did not take at once, and end lines. It alone
+ * opens, reads and closes sockets, and it takes the lab's lock for every call of the firmware.
  */
 final class TcpService implements Runnable {
     private static final System.Logger LOG = System.getLogger(TcpService.class.getName());

@@ -6,8 +6,8 @@ import majicsim.pioneer.devices.Devices;
 import majicsim.pioneer.devices.Tone;
 
 /**
- * Physical access to the robot: its buttons, plugs, inputs and outputs. Works with or without a client connected; what a model does not
- * carry (gripper, charger) shows no effect. Every call must hold the lab's lock.
+ * Physical access to the robot: its buttons, plugs, inputs and outputs. Works with or without a client connected; what
+ * a model does not carry (gripper, charger) shows no effect. Every call must hold the lab's lock.
  */
 public final class PioneerHandling {
     private final Devices devices;

@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A Pioneer with an ARCOS controller. Serves one client at a time: as firmware of a network port it closes the line at
- * CLOSE and stops when the client disconnects; its {@link #serialPort()} behaves like the serial port of the real robot.
- * Every call must hold the lab's lock.
+ * CLOSE and stops when the client disconnects; its {@link #serialPort()} behaves like the serial port of the real
+ * robot. Every call must hold the lab's lock.
  */
 public final class PioneerRobot implements Firmware {
     private static final System.Logger LOG = System.getLogger(PioneerRobot.class.getName());
@@ -115,8 +115,8 @@ public final class PioneerRobot implements Firmware {
 
     /**
      * The robot's serial port, in place of the network: CLOSE leaves the line open for the next handshake, and a client
-     * that disconnects is detected only by the watchdog (ARCOS sheet 5.1). Its input is ignored while a network client is connected;
-     * a network client can replace its client only after a silence as long as the watchdog's time.
+     * that disconnects is detected only by the watchdog (ARCOS sheet 5.1). Its input is ignored while a network client
+     * is connected; a network client can replace its client only after a silence as long as the watchdog's time.
      *
      * @return firmware for a serial line; its steps do nothing, this robot's own step serves both
      */

@@ -7,9 +7,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the vendor's map text (ARCOS sheet appendix B): header lines in any order, then LINES, then DATA, where it stops. Of the
- * cairns it takes RobotHome, Sim.BoxObstacle (four walls), our own Lamp and Tape, and Goal and Dock as places inside the room; unknown
- * header lines are skipped. Scanned points are not walls.
+ * Reads the vendor's map text (ARCOS sheet appendix B): header lines in any order, then LINES, then DATA, where it
+ * stops. Of the cairns it takes RobotHome, Sim.BoxObstacle (four walls), our own Lamp and Tape, and Goal and Dock as
+ * places inside the room; unknown header lines are skipped. Scanned points are not walls.
  */
 final class MapParser {
     private static final double WHITE = 1;

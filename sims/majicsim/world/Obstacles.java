@@ -30,8 +30,8 @@ final class Obstacles {
     }
 
     /**
-     * As {@link #areClearOf(Body, Pose)}, for a motion of at most so many mm from where the body stands; walls are measured only when
-     * the room known to be free around it is used up.
+     * As {@link #areClearOf(Body, Pose)}, for a motion of at most so many mm from where the body stands; walls are
+     * measured only when the room known to be free around it is used up.
      */
     boolean areClearOf(Body body, Pose at, double travelMm) {
         if (travelMm >= body.wallFreeMm() && !body.isMeasured()) {

@@ -8,9 +8,9 @@ import majicsim.world.Body;
 import majicsim.world.Noise;
 
 /**
- * The motion of the body by walking and turning. Nominal: 83.333 mm/s and 36 deg/s at one gait cycle a second (URBI sheet, section 15,
- * calibration); simultaneous walks are averaged, like the commands of the legs. A real dog's steps differ and drift, and backward
- * it is slower; in an exact lab all steps are equal.
+ * The motion of the body by walking and turning. Nominal: 83.333 mm/s and 36 deg/s at one gait cycle a second (URBI
+ * sheet, section 15, calibration); simultaneous walks are averaged, like the commands of the legs. A real dog's steps
+ * differ and drift, and backward it is slower; in an exact lab all steps are equal.
  */
 public final class Gait {
     static final double MM_PER_CYCLE = 83.333;

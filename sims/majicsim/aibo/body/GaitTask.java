@@ -7,8 +7,9 @@ import majicsim.aibo.urbi.run.Server;
 import majicsim.aibo.urbi.run.Task;
 
 /**
- * One walk or turn of a given time. The body moves from its first step on for exactly that time in an exact lab, and up to two kernel
- * cycles longer otherwise, as it was measured (URBI sheet, section 3); the command ends at the cycle after.
+ * One walk or turn of a given time. The body moves from its first step on for exactly that time in an exact lab, and up
+ * to two kernel cycles longer otherwise, as it was measured (URBI sheet, section 3); the command ends at the cycle
+ * after.
  */
 public final class GaitTask extends Task {
     private static final double STEP_MS = 2000;

@@ -5,8 +5,8 @@ import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.value.Value;
 
 /**
- * A motor with its angle. The measured angle follows the command with a short lag; without power the angle stays, and when switched on the motor
- * holds that (URBI sheet, section 14).
+ * A motor with its angle. The measured angle follows the command with a short lag; without power the angle stays, and
+ * when switched on the motor holds that (URBI sheet, section 14).
  */
 public final class Joint implements Variable.Hardware {
     /** The lag of a joint behind its command on the real server (capture E: 0.48 degrees at 40 degrees a second). */

@@ -8,8 +8,8 @@ import majicsim.aibo.urbi.value.Value;
 import majicsim.world.Noise;
 
 /**
- * The two microphones: always the last 32 ms (URBI sheet, section 13). They record the dog's own speaker and motors, a whistle beside
- * it, and in a lab with noise a quiet hiss.
+ * The two microphones: always the last 32 ms (URBI sheet, section 13). They record the dog's own speaker and motors, a
+ * whistle beside it, and in a lab with noise a quiet hiss.
  */
 public final class Microphone {
     private static final int FRAMES = 512;

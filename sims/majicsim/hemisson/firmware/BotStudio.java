@@ -6,9 +6,9 @@ import majicsim.hemisson.board.SensorTables;
 import majicsim.hemisson.uart.Reply;
 
 /**
- * The commands {@code Q}, {@code S}, {@code U} and {@code X}, by which K-Team's BotStudio loads, starts and watches a program. Their
- * answers have no line end, and {@code S} and {@code U} take the bytes behind their CR raw (sheet 15). The program memory is erased:
- * a program started there sets the right motor to 63.
+ * The commands {@code Q}, {@code S}, {@code U} and {@code X}, by which K-Team's BotStudio loads, starts and watches a
+ * program. Their answers have no line end, and {@code S} and {@code U} take the bytes behind their CR raw (sheet 15).
+ * The program memory is erased: a program started there sets the right motor to 63.
  */
 public final class BotStudio {
     private static final int ADDRESS_BYTES = 2;

@@ -14,8 +14,8 @@ import majicsim.hemisson.modules.I2cBus;
 import majicsim.hemisson.uart.Reply;
 
 /**
- * The commands of HemiOS 1.50 and their replies (sheet 4.3). Nothing is parsed: each command looks at fixed positions of the buffer, so
- * odd commands get the odd replies of the real firmware.
+ * The commands of HemiOS 1.50 and their replies (sheet 4.3). Nothing is parsed: each command looks at fixed positions
+ * of the buffer, so odd commands get the odd replies of the real firmware.
  */
 public final class Commands implements Interpreter {
     static final String GREETING_END = " , K-Team S.A. ( Alexandre Colot )  30-Aug-04 @ 09:37:30" + Reply.EOL

@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The modules by address. Failures are not reported: an absent module, or one that has not started yet, reads 255, and writing to it
- * does nothing (sheet 4.5).
+ * The modules by address. Failures are not reported: an absent module, or one that has not started yet, reads 255, and
+ * writing to it does nothing (sheet 4.5).
  */
 public final class I2cBus {
     private static final int NOBODY = 0xFF;

@@ -3,7 +3,8 @@ package majicsim.pioneer.devices;
 import java.util.Objects;
 
 /**
- * The short-range infra-red sensors: 8 in the IO packet, active low, and the two that look down for a ledge (ARCOS sheet 8.1, 11.2).
+ * The short-range infra-red sensors: 8 in the IO packet, active low, and the two that look down for a ledge (ARCOS
+ * sheet 8.1, 11.2).
  */
 public final class Infrared {
     private static final int ALL = 0xFF;

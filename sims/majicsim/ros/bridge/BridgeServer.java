@@ -13,8 +13,8 @@ import majicsim.ros.message.JsonForm;
 import majicsim.ros.options.RosOptions;
 
 /**
- * A rosbridge v2 server. Sends no pings and no status messages, and publishes nothing in the name of a client that has disconnected.
- * Guarded by the lab's lock.
+ * A rosbridge v2 server. Sends no pings and no status messages, and publishes nothing in the name of a client that has
+ * disconnected. Guarded by the lab's lock.
  */
 public final class BridgeServer {
     private static final long STEP_NANOS = 4_000_000;
@@ -92,8 +92,8 @@ public final class BridgeServer {
     }
 
     /**
-     * Hangs, or goes on with what arrived meanwhile, as a process that is suspended. Of a connection that was closed meanwhile
-     * only the first message is carried out and the others are lost, as with real servers. A fault.
+     * Hangs, or goes on with what arrived meanwhile, as a process that is suspended. Of a connection that was closed
+     * meanwhile only the first message is carried out and the others are lost, as with real servers. A fault.
      *
      * @param hangs whether it hangs from now on
      */

@@ -11,8 +11,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds JSON in what a client sends, as the bridge does (sheet 2, framing errors): text that cannot be parsed is put before the next message,
- * and the first object with an {@code op} in it is taken wherever it begins.
+ * Finds JSON in what a client sends, as the bridge does (sheet 2, framing errors): text that cannot be parsed is put
+ * before the next message, and the first object with an {@code op} in it is taken wherever it begins.
  */
 final class InputBuffer {
     /** Each opening brace is tried, which is quadratic; the real bridge has no limit and becomes slow. */

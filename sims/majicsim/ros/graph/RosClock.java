@@ -18,7 +18,8 @@ public final class RosClock {
     }
 
     /**
-     * Sets the clock forward or back, as a time server does. Timers of the network, which use {@link #elapsedNanos()}, do not notice.
+     * Sets the clock forward or back, as a time server does. Timers of the network, which use {@link #elapsedNanos()},
+     * do not notice.
      *
      * @param nanos by how much; negative is back
      */

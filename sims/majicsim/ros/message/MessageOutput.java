@@ -9,9 +9,9 @@ import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
 
 /**
- * Writes messages as the bridge of one version of ROS does (sheet 4): all fields in order, zero for missing ones, {@code null}
- * for NaN and infinity but in fixed arrays of ROS 2, base64 for bytes, float32 widened. CBOR keeps NaN and infinity, and has bytes and
- * typed arrays.
+ * Writes messages as the bridge of one version of ROS does (sheet 4): all fields in order, zero for missing ones,
+ * {@code null} for NaN and infinity but in fixed arrays of ROS 2, base64 for bytes, float32 widened. CBOR keeps NaN and
+ * infinity, and has bytes and typed arrays.
  */
 public final class MessageOutput {
     private static final long NANOS_PER_SECOND = 1_000_000_000;

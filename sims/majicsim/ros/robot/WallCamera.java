@@ -15,8 +15,8 @@ import majicsim.world.View;
 import majicsim.world.World;
 
 /**
- * A camera that points ahead: ceiling, floor, and in each column the wall or robot that one ray meets, all of the same height, darker
- * with the distance.
+ * A camera that points ahead: ceiling, floor, and in each column the wall or robot that one ray meets, all of the same
+ * height, darker with the distance.
  */
 final class WallCamera {
     static final int WIDTH = 160;

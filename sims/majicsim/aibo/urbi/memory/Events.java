@@ -11,8 +11,8 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The events that programs emit (URBI sheet, section 8). One is seen for a whole cycle at least, by every handler alike; the next of
- * the same name comes a cycle after it, so that handlers see the edge between them.
+ * The events that programs emit (URBI sheet, section 8). One is seen for a whole cycle at least, by every handler
+ * alike; the next of the same name comes a cycle after it, so that handlers see the edge between them.
  */
 public final class Events {
     /** More events of one name than this do not wait for their turn. */

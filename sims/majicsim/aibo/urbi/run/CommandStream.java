@@ -10,8 +10,8 @@ import majicsim.aibo.urbi.syntax.Statement;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A queue of commands (URBI sheet, section 3): after a command with a semicolon the next one waits for its end, after one with a comma
- * the next one starts at once. A block is a stream that ends; a connection's own stream never ends.
+ * A queue of commands (URBI sheet, section 3): after a command with a semicolon the next one waits for its end, after
+ * one with a comma the next one starts at once. A block is a stream that ends; a connection's own stream never ends.
  */
 public final class CommandStream extends Task {
     private final Deque<SeparatedStatement> pending = new ArrayDeque<>();

@@ -34,8 +34,8 @@ public final class EvaluatingTask extends Task {
     }
 
     /**
-     * A command whose first expression may be the call of a program's function, which runs first. Everywhere else in an expression the
-     * kernel refuses such a call (URBI sheet, section 21).
+     * A command whose first expression may be the call of a program's function, which runs first. Everywhere else in an
+     * expression the kernel refuses such a call (URBI sheet, section 21).
      */
     public static EvaluatingTask calling(Context context, List<Expr> exprs, Continuation continuation) {
         return new EvaluatingTask(context, exprs, true, continuation);

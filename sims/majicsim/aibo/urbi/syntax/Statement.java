@@ -3,8 +3,8 @@ package majicsim.aibo.urbi.syntax;
 import java.util.List;
 
 /**
- * A command of the language as the parser read it; the kinds that contain other commands are declared here. A statement does not run by
- * itself; a {@link Visitor} executes it.
+ * A command of the language as the parser read it; the kinds that contain other commands are declared here. A statement
+ * does not run by itself; a {@link Visitor} executes it.
  */
 public sealed interface Statement
         permits Action,

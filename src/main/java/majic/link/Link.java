@@ -45,8 +45,8 @@ public interface Link extends AutoCloseable {
     void abort();
 
     /**
-     * Changes the speed of a serial line for what is read and written from now on. Bytes written before may still be sent at
-     * the old speed.
+     * Changes the speed of a serial line for what is read and written from now on. Bytes written before may still be
+     * sent at the old speed.
      *
      * @param baud the new speed, baud
      * @return false if the link has no speed; nothing happens then

@@ -253,8 +253,9 @@ public final class Program implements AutoCloseable {
 
     /**
      * Begins the session, now that it has a listener: makes the file of the session log, and reports the errors that
-     * occurred before, those of plug-ins included. If the log cannot be written, as in a read-only folder, that is reported,
-     * and there is none. A STOP of another desk that was latched before is reported, too. Does nothing when called again; may block.
+     * occurred before, those of plug-ins included. If the log cannot be written, as in a read-only folder, that is
+     * reported, and there is none. A STOP of another desk that was latched before is reported, too. Does nothing when
+     * called again; may block.
      */
     public void announce() {
         if (!announced.compareAndSet(false, true)) {

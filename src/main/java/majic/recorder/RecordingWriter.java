@@ -23,9 +23,9 @@ import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes the lines of a recording to compressed files, four times a second, on a thread of its own. What is written is readable after
- * one second, also if the program is killed. When the disk is too slow, lines are dropped and counted. When a file cannot
- * be written, that is reported once, and another file is tried a minute later. Thread-safe.
+ * Writes the lines of a recording to compressed files, four times a second, on a thread of its own. What is written is
+ * readable after one second, also if the program is killed. When the disk is too slow, lines are dropped and counted.
+ * When a file cannot be written, that is reported once, and another file is tried a minute later. Thread-safe.
  */
 final class RecordingWriter {
     private static final Logger LOG = LateLogger.of(RecordingWriter.class);
@@ -148,8 +148,8 @@ final class RecordingWriter {
     }
 
     /**
-     * The files of this recording so far that still exist; their content is complete up to this call. A file that is begun
-     * meanwhile is left out, since nothing of it can be read yet. Blocks.
+     * The files of this recording so far that still exist; their content is complete up to this call. A file that is
+     * begun meanwhile is left out, since nothing of it can be read yet. Blocks.
      */
     List<Path> files() {
         CompletableFuture<List<Path>> flushed = new CompletableFuture<>();

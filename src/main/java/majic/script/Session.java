@@ -185,8 +185,8 @@ public final class Session {
     }
 
     /**
-     * The robot at an address that has lost its link or is being connected again. {@code add} connects it again under its number instead of taking
-     * in another one; a dialog that connects robots must do the same.
+     * The robot at an address that has lost its link or is being connected again. {@code add} connects it again under
+     * its number instead of taking in another one; a dialog that connects robots must do the same.
      *
      * @param address as {@code add} would take it
      * @return a robot of the team; empty if none is lost there or being connected again

@@ -12,8 +12,8 @@ import majic.time.TimeSource;
 
 /**
  * Connects robots again whose connection was lost: after 1, 2, 5, 10, 20 and 30 s, then every 30 s, until the robot is
- * connected, removed or cancelled. It does what {@link majic.bot.MajicBot#connect()} does and nothing else: no motion, queue, act or
- * manual control resumes, and a latched STOP stays latched. Thread-safe.
+ * connected, removed or cancelled. It does what {@link majic.bot.MajicBot#connect()} does and nothing else: no motion,
+ * queue, act or manual control resumes, and a latched STOP stays latched. Thread-safe.
  */
 public final class AutoReconnect implements TeamListener, AutoCloseable {
     private static final System.Logger LOG = LateLogger.of(AutoReconnect.class);

@@ -14,9 +14,9 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Polls the values that are needed only while the panel is visible: pictures, and the state of the LEDs and ears. Has its own thread
- * meanwhile, because no other may wait for a picture. After each picture the connection is left to the readings for at least as long as
- * the picture took. Thread-safe.
+ * Polls the values that are needed only while the panel is visible: pictures, and the state of the LEDs and ears. Has
+ * its own thread meanwhile, because no other may wait for a picture. After each picture the connection is left to the
+ * readings for at least as long as the picture took. Thread-safe.
  */
 public final class PanelPoller {
     private static final Texts TEXTS = Texts.of(PanelPoller.class);

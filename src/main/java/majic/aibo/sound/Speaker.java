@@ -14,9 +14,9 @@ import majic.bot.LinkLost;
 import majic.driver.Motion;
 
 /**
- * Plays one sound at a time, to its end. A sound is sent in pieces on the connection for sensors, each after the end of the one before
- * (URBI sheet 12), so at most one piece plays on after a stop, and no motion waits for it. Waits as a motion does, so a stop ends
- * it at once. Thread-safe.
+ * Plays one sound at a time, to its end. A sound is sent in pieces on the connection for sensors, each after the end of
+ * the one before (URBI sheet 12), so at most one piece plays on after a stop, and no motion waits for it. Waits as a
+ * motion does, so a stop ends it at once. Thread-safe.
  */
 public final class Speaker {
     private static final Logger LOG = System.getLogger(Speaker.class.getName());

@@ -8,8 +8,8 @@ import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads and writes the RIFF files that WAV files are. Lengths are not trusted: a chunk ends at the end of the file at the latest, because programs that write while they record leave
- * lengths of zero or the largest value.
+ * Reads and writes the RIFF files that WAV files are. Lengths are not trusted: a chunk ends at the end of the file at
+ * the latest, because programs that write while they record leave lengths of zero or the largest value.
  */
 final class WaveFile {
     private static final int PCM = 1;

@@ -25,8 +25,8 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Chooses the act for one or several robots: one that needs no path, or a file; shows for each what it is and whether the robots can
- * run it.
+ * Chooses the act for one or several robots: one that needs no path, or a file; shows for each what it is and whether
+ * the robots can run it.
  */
 final class ChooseActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;

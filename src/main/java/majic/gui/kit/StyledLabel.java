@@ -5,8 +5,9 @@ import java.awt.Font;
 import javax.swing.UIManager;
 
 /**
- * A label in another style or size than usual, which follow the look and feel. FlatLaf can style any component by a client property, but reads annotations for it and installs the look of the component
- * twice, which delays the first window.
+ * A label in another style or size than usual, which follow the look and feel. FlatLaf can style any component by a
+ * client property, but reads annotations for it and installs the look of the component twice, which delays the first
+ * window.
  */
 public final class StyledLabel extends PlainLabel {
     private static final long serialVersionUID = 1L;

@@ -19,7 +19,8 @@ import majic.text.Texts;
 
 /**
  * Keeps the team in the settings, so that it can be opened again after the next start: as it was when a robot was added
- * last, or when the program ended. Keeps the addresses of its robots too, which Add Bot offers. Must be used on the event dispatch thread unless stated otherwise.
+ * last, or when the program ended. Keeps the addresses of its robots too, which Add Bot offers. Must be used on the
+ * event dispatch thread unless stated otherwise.
  */
 public final class LastTeam implements TeamListener {
     private static final Logger LOG = LateLogger.of(LastTeam.class);

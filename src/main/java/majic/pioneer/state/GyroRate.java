@@ -4,9 +4,9 @@ import java.util.OptionalDouble;
 import majic.pioneer.arcos.Gyro;
 
 /**
- * Computes the turn rate from the samples of the gyro (ARCOS sheet 11.6: 512 is rest; 9.1: GyroScaler). The sheet has neither scale nor
- * sign; both are taken from ARIA: 300 deg/s are 2.5 V, 5 V are 1023 counts, and less is counterclockwise. Not
- * tested on a robot.
+ * Computes the turn rate from the samples of the gyro (ARCOS sheet 11.6: 512 is rest; 9.1: GyroScaler). The sheet has
+ * neither scale nor sign; both are taken from ARIA: 300 deg/s are 2.5 V, 5 V are 1023 counts, and less is
+ * counterclockwise. Not tested on a robot.
  */
 final class GyroRate {
     private static final int REST = 512;
