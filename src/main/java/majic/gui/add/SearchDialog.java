@@ -43,7 +43,7 @@ final class SearchDialog extends MajicDialog {
     private final DefaultListModel<FoundRobot> found = new DefaultListModel<>();
     private final JList<FoundRobot> list = new JList<>(found);
     private final JProgressBar progress = new JProgressBar();
-    private final Paragraph status = new Paragraph("searchStatus", 2, 40);
+    private final Paragraph status = new Paragraph("searchStatus", 3, 40);
     private final JButton use;
     private final transient Consumer<String> chosen;
     private transient @Nullable PortSearch search;
@@ -97,7 +97,7 @@ final class SearchDialog extends MajicDialog {
         status.show(TEXTS.get("looking"), false);
         JScrollPane scroll = new JScrollPane(list);
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 8, wrap 1", "[440, grow, fill]", "[][][grow, fill]"));
-        panel.add(status, "wmin 0, h 40");
+        panel.add(status, "wmin 0");
         panel.add(progress, "h 6!");
         panel.add(scroll, "h 180");
         return panel;

@@ -1,6 +1,7 @@
 package majic.gui.kit;
 
 import java.awt.Color;
+import java.awt.Dimension;
 import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
@@ -46,6 +47,12 @@ public final class Paragraph extends JTextArea {
         color = newColor;
         setForeground(newColor.get());
         setText(words);
+    }
+
+    /** One row: the height of the text at the least width would make a dialog higher than the screen. */
+    @Override
+    public Dimension getMinimumSize() {
+        return new Dimension(0, getRowHeight());
     }
 
     /** Updates the colour for the look and feel. */

@@ -19,6 +19,15 @@ class ParagraphTest {
     }
 
     @Test
+    void aLongTextNeedsNoMoreHeightThanARow() {
+        Paragraph paragraph = new Paragraph("text", 2, 20);
+        paragraph.show("words that need many lines in a narrow dialog ".repeat(10), false);
+
+        assertThat(paragraph.getMinimumSize().height)
+                .isLessThan(2 * paragraph.getFont().getSize());
+    }
+
+    @Test
     void itsTextBeginsAtItsEdgeAfterAChangeOfTheLookToo() {
         FlatLightLaf.setup();
         Paragraph paragraph = new Paragraph("text", 2, 20);
