@@ -115,6 +115,12 @@ final class ChildProgram {
                 .start());
     }
 
+    /** Starts a team whose robots report, and waits until all are connected. */
+    Reporting reporting(List<String> addresses) throws IOException {
+        return new Reporting(process(List.of(JAVA, "@" + OPTIONS), classAndArguments(ReportingTeam.class, addresses))
+                .start());
+    }
+
     private Process measured(String task, String... arguments) throws IOException {
         List<String> rest = new ArrayList<>(List.of(task));
         rest.addAll(List.of(arguments));
@@ -143,6 +149,34 @@ final class ChildProgram {
     private static void end(Process process) {
         process.destroyForcibly();
         process.onExit().join();
+    }
+
+    private static Duration processorTime(Process process) {
+        return process.info().totalCpuDuration().orElseThrow();
+    }
+
+    /** A team in a process of its own that does nothing but receive reports. */
+    static final class Reporting implements AutoCloseable {
+        private final Process process;
+
+        private Reporting(Process process) throws IOException {
+            this.process = process;
+            String line = process.inputReader().readLine();
+            if (!ReportingTeam.CONNECTED.equals(line)) {
+                end(process);
+                throw new IOException("a team cannot be connected: " + line);
+            }
+        }
+
+        /** Returns the processor time since its start. */
+        Duration processorTime() {
+            return ChildProgram.processorTime(process);
+        }
+
+        @Override
+        public void close() {
+            end(process);
+        }
     }
 
     /** A lab in a process of its own. */
@@ -181,13 +215,9 @@ final class ChildProgram {
         double percentOfACore() throws InterruptedException {
             Thread.sleep(SETTLING_S * 1000);
             long began = System.nanoTime();
-            Duration before = processorTime();
+            Duration before = processorTime(process);
             Thread.sleep(MEASURED_S * 1000);
-            return 100.0 * processorTime().minus(before).toNanos() / (System.nanoTime() - began);
-        }
-
-        private Duration processorTime() {
-            return process.info().totalCpuDuration().orElseThrow();
+            return 100.0 * processorTime(process).minus(before).toNanos() / (System.nanoTime() - began);
         }
 
         /** Returns the number of its process. */

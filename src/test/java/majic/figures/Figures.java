@@ -17,7 +17,7 @@ import majic.shared.broker.Mosquitto;
  * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
  * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}, {@code load},
  * {@code crash}, {@code shared}, {@code ros}; without arguments all are measured. {@code shared:10x100} measures one row of
- * {@code shared}, with 10 desks and 100 robots. The address of a robot behind a rosbridge server, such as
+ * {@code shared}, with 10 desks and 100 robots, and {@code lab:500} one row of {@code lab}. The address of a robot behind a rosbridge server, such as
  * {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to 12 degrees.
  */
 public final class Figures {
@@ -37,7 +37,8 @@ public final class Figures {
 
     private static final int MOST_OF_A_LAB = 500;
 
-    private static final int[] LABS = {1, 10, 45, 100, 500};
+    private static final List<Integer> LABS = List.of(1, 10, 45, 100, 500);
+    private static final String LAB_ROW = "lab:";
     private static final List<String> ALL = List.of(
             "start", "idle", "events", "large", "line", "memory", "stop", "flood", "lab", "load", "crash", "shared",
             "ros");
@@ -66,7 +67,7 @@ public final class Figures {
                 case "memory" -> figures.memory();
                 case "stop" -> figures.stop();
                 case "flood" -> figures.flood();
-                case "lab" -> figures.lab();
+                case "lab" -> figures.lab(LABS);
                 case "load" -> figures.load();
                 case "crash" -> figures.crash();
                 case "shared" -> figures.shared(SHARED);
@@ -77,16 +78,18 @@ public final class Figures {
     }
 
     private static boolean isWithoutWindow(String name) {
-        return WITHOUT_WINDOW.contains(name) || name.startsWith(SHARED_ROW);
+        return WITHOUT_WINDOW.contains(name) || name.startsWith(SHARED_ROW) || name.startsWith(LAB_ROW);
     }
 
     private void measureNamed(String name) throws IOException, InterruptedException {
-        if (!name.startsWith(SHARED_ROW)) {
+        if (name.startsWith(LAB_ROW)) {
+            lab(List.of(Integer.parseInt(name.substring(LAB_ROW.length()))));
+        } else if (name.startsWith(SHARED_ROW)) {
+            String[] row = name.substring(SHARED_ROW.length()).split("x");
+            shared(new int[][] {{Integer.parseInt(row[0]), Integer.parseInt(row[1])}});
+        } else {
             ros(name);
-            return;
         }
-        String[] row = name.substring(SHARED_ROW.length()).split("x");
-        shared(new int[][] {{Integer.parseInt(row[0]), Integer.parseInt(row[1])}});
     }
 
     /** Alternates the three starts, so that a change of the computer's load affects all of them. */
@@ -151,9 +154,9 @@ public final class Figures {
     }
 
     /** Connects plain clients to all Pioneers of labs without a window; the Aibo and the Hemisson have none. */
-    private void lab() throws IOException, InterruptedException {
+    private void lab(List<Integer> counts) throws IOException, InterruptedException {
         say("processor time of a lab with Pioneers that are all connected (each at most 0.05 % of a core at 500)");
-        for (int count : LABS) {
+        for (int count : counts) {
             try (ChildProgram.Lab lab = programs.usualLab(count);
                     PioneerClients clients = PioneerClients.connect(lab.pioneers())) {
                 double atRest = lab.percentOfACore();
@@ -173,9 +176,12 @@ public final class Figures {
     }
 
     /** Measures teams of Pioneers, then a team of 60 robots of all makes. */
-    private void load() throws IOException {
-        say("a team without a window: 99 of 100 commands on the link within 1 ms with 100 robots on 2 cores,");
-        say("at most 0.15 % of a core and 100 KB of heap a Pioneer, with 500 within 20 % of that with 10");
+    private void load() throws IOException, InterruptedException {
+        say(
+                "teams without a window that report at the same time (a Pioneer at most 0.15 % of a core, flat within 20 %)");
+        FurtherRobots.measure(programs).forEach(line -> say("  " + line));
+        say("one team at a time: 99 of 100 commands on the link within 1 ms with 100 robots on 2 cores,");
+        say("at most 100 KB of heap a Pioneer");
         say(LoadTable.head());
         LoadTable table = new LoadTable();
         for (int robots : TEAMS) {

@@ -6,8 +6,9 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * The figures of {@link TeamLoad} for teams of growing size. The program itself takes some processor time and memory however
- * few robots it has, so what a robot costs is the difference from the smaller team before, divided by the number of further robots.
+ * The figures of {@link TeamLoad} for teams of growing size. The program itself takes some memory however few robots it has, so
+ * that of a robot is the difference from the smaller team before, divided by the number of further robots; {@link FurtherRobots}
+ * does the same for the processor time.
  */
 final class LoadTable {
     private static final String[] HEADS = {
@@ -23,16 +24,14 @@ final class LoadTable {
         "not sent",
         "GCs",
         "longest ms",
-        "% a further",
         "KB a further"
     };
     private static final String[] FORMATS = {
-        "%.0f", "%.2f", "%.0f", "%.0f", "%.3f", "%.3f", "%.3f", "%.0f", "%.0f", "%.0f", "%.0f", "%.0f", "%.3f", "%.1f"
+        "%.0f", "%.2f", "%.0f", "%.0f", "%.3f", "%.3f", "%.3f", "%.0f", "%.0f", "%.0f", "%.0f", "%.0f", "%.1f"
     };
     private static final int ROBOTS = 0;
-    private static final int CPU_PERCENT = 1;
     private static final int HEAP_KB = 2;
-    private static final int MEASURED = HEADS.length - 2;
+    private static final int MEASURED = HEADS.length - 1;
 
     private double[] before = new double[MEASURED];
 
@@ -44,8 +43,7 @@ final class LoadTable {
     String row(String figures) {
         double[] row = Arrays.copyOf(values(figures), HEADS.length);
         double further = row[ROBOTS] - before[ROBOTS];
-        row[MEASURED] = (row[CPU_PERCENT] - before[CPU_PERCENT]) / further;
-        row[MEASURED + 1] = (row[HEAP_KB] - before[HEAP_KB]) / further;
+        row[MEASURED] = (row[HEAP_KB] - before[HEAP_KB]) / further;
         before = row;
         return formatted(row);
     }
