@@ -249,8 +249,8 @@ final class HiveConnection implements BrokerConnection {
     /** Passes messages to the handlers. */
     private final class Handlers implements HiveSession.Arrivals {
         @Override
-        public boolean isUrgent(String topic) {
-            return urgent.hasHandler(topic);
+        public boolean hasHandler(String topic, boolean isUrgent) {
+            return (isUrgent ? urgent : subscriptions).hasHandler(topic);
         }
 
         @Override

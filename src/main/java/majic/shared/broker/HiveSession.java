@@ -7,6 +7,8 @@ import com.hivemq.client.mqtt.mqtt5.Mqtt5ClientBuilder;
 import com.hivemq.client.mqtt.mqtt5.message.connect.Mqtt5Connect;
 import com.hivemq.client.mqtt.mqtt5.message.connect.Mqtt5ConnectBuilder;
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
+import io.reactivex.disposables.Disposable;
+import io.reactivex.schedulers.Schedulers;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.concurrent.CompletableFuture;
@@ -37,8 +39,12 @@ final class HiveSession {
 
     /** What the messages of a session are for. */
     interface Arrivals {
-        /** Returns whether handlers of a topic have to be called at once. Called on the thread of the network. */
-        boolean isUrgent(String topic);
+        /**
+         * Returns whether a topic has handlers. Called on the thread of the network.
+         *
+         * @param urgent true for those that have to be called at once, false for the others
+         */
+        boolean hasHandler(String topic, boolean urgent);
 
         /**
          * Calls the handlers of a message.
@@ -93,13 +99,21 @@ final class HiveSession {
 
     private void receive(Arrivals arrivals, Executor handlers) {
         Consumer<Mqtt5Publish> urgent = publish -> {
-            if (arrivals.isUrgent(publish.getTopic().toString())) {
+            if (arrivals.hasHandler(publish.getTopic().toString(), true)) {
                 arrivals.received(HiveMessages.received(publish), true);
             }
         };
-        Consumer<Mqtt5Publish> others = publish -> arrivals.received(HiveMessages.received(publish), false);
         client.publishes(MqttGlobalPublishFilter.ALL, urgent);
-        client.publishes(MqttGlobalPublishFilter.ALL, others, handlers);
+        receiveOthers(arrivals, handlers);
+    }
+
+    /** What only urgent handlers need does not wake the thread of the others. The end of the session ends the flow with an error. */
+    private void receiveOthers(Arrivals arrivals, Executor handlers) {
+        Disposable ignored = client.toRx()
+                .publishes(MqttGlobalPublishFilter.ALL)
+                .filter(publish -> arrivals.hasHandler(publish.getTopic().toString(), false))
+                .observeOn(Schedulers.from(handlers), true)
+                .subscribe(publish -> arrivals.received(HiveMessages.received(publish), false), ended -> {});
     }
 
     private static Mqtt5Connect connect(ConnectOptions options, BrokerCredentials credentials) {
