@@ -11,6 +11,7 @@ import majic.bot.FakeBot;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
+import majic.bot.MotionOrder;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
@@ -122,7 +123,8 @@ class BotDriverTest {
 
         driver.stop();
 
-        assertThatThrownBy(() -> driver.move(100, Guard.NEVER, before)).isInstanceOf(MotionStopped.class);
+        assertThatThrownBy(() -> driver.perform(new MotionOrder.Move(100), Guard.NEVER, before))
+                .isInstanceOf(MotionStopped.class);
         assertThat(bot.sent()).containsOnly("halt");
     }
 

@@ -1,8 +1,8 @@
 package majic.script.actions;
 
 import java.util.List;
-import majic.bot.BotControl;
 import majic.bot.Guard;
+import majic.bot.MotionOrder;
 import majic.script.conditions.UntilGuard;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
@@ -30,8 +30,7 @@ final class MotionActions {
             this.until = command.until();
         }
 
-        /** Moves the robot and returns what the answer shows in brackets. */
-        abstract Object move(BotControl robot, Guard until);
+        abstract MotionOrder order();
 
         @Override
         public final void run(Execution execution, List<Member> robots) {
@@ -40,7 +39,7 @@ final class MotionActions {
 
         private QueuedCommand command(Member member, Execution execution) {
             Guard guard = until == null ? Guard.NEVER : new UntilGuard(until, execution.selection(), member);
-            return new QueuedCommand(text(), true, robot -> List.of(text() + ": done (" + move(robot, guard) + ")"));
+            return QueuedCommand.motion(text(), order(), guard, report -> List.of(text() + ": done (" + report + ")"));
         }
 
         final void checkUntil(Check check) {
@@ -65,8 +64,8 @@ final class MotionActions {
         }
 
         @Override
-        Object move(BotControl robot, Guard until) {
-            return robot.move(number(distance), until);
+        MotionOrder order() {
+            return new MotionOrder.Move(number(distance));
         }
     }
 
@@ -85,8 +84,8 @@ final class MotionActions {
         }
 
         @Override
-        Object move(BotControl robot, Guard until) {
-            return robot.turn(number(angle), until);
+        MotionOrder order() {
+            return new MotionOrder.Turn(number(angle));
         }
     }
 
@@ -114,9 +113,9 @@ final class MotionActions {
         }
 
         @Override
-        Object move(BotControl robot, Guard until) {
+        MotionOrder order() {
             double seconds = drive.seconds().orElse(drive.until() == null ? DRIVE_S : LONGEST_DRIVE_S);
-            return robot.drive(number(drive.speed()), number(drive.rate()), seconds, until);
+            return new MotionOrder.Drive(number(drive.speed()), number(drive.rate()), seconds);
         }
     }
 
