@@ -5,9 +5,11 @@ import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import com.formdev.flatlaf.util.SystemInfo;
 import java.awt.Font;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import javax.swing.UIDefaults;
 import javax.swing.UIManager;
 import majic.environment.Settings;
 import majic.gui.kit.BackgroundSettings;
@@ -20,6 +22,8 @@ final class LookAndFeels {
     private static final String LIGHT = "light";
     private static final String SIZE = "window.textSize";
     private static final int NORMAL = 100;
+    private static final String LINK = "Component.linkColor";
+    private static final String OWN_LINK = "Majic.linkColor";
 
     /** The text sizes to choose from, percent. */
     static final List<Integer> TEXT_SIZES = List.of(NORMAL, 125, 150);
@@ -29,12 +33,17 @@ final class LookAndFeels {
     private LookAndFeels() {}
 
     static {
+        Map<String, String> changed = new HashMap<>();
+        // FlatLaf would read Java's style sheet for HTML to set the colour of links there, which delays the window.
+        changed.put(LINK, "null");
+        changed.put(OWN_LINK, "@accentLinkColor");
         if (SystemInfo.isLinux) {
             // The names that FlatLaf tries first are searched in all fonts of the computer where they are not
             // installed.
             FlatLaf.setPreferredMonospacedFontFamily(Font.MONOSPACED);
-            FlatLaf.setGlobalExtraDefaults(Map.of("semibold.font", "bold"));
+            changed.put("semibold.font", "bold");
         }
+        FlatLaf.setGlobalExtraDefaults(changed);
     }
 
     /**
@@ -90,5 +99,7 @@ final class LookAndFeels {
         } else {
             FlatLightLaf.setup();
         }
+        UIDefaults defaults = UIManager.getLookAndFeelDefaults();
+        defaults.put(LINK, defaults.getColor(OWN_LINK));
     }
 }

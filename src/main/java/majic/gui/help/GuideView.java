@@ -107,6 +107,7 @@ final class GuideView extends JScrollPane {
         styles.addRule("body { font-family: " + font.getFamily() + "; }");
         styles.addRule("body { font-size: " + font.getSize() + "px; }");
         styles.addRule("body { color: " + hex(Palette.text()) + "; }");
+        styles.addRule("a, address { color: " + hex(Palette.link()) + "; }");
         styles.addRule("ul, ol { margin-left: 20px; }");
         styles.addRule("h1 { font-size: 1.6em; } h2 { font-size: 1.3em; } h3 { font-size: 1.1em; }");
         styles.addRule("h2 { margin-top: 18px; margin-bottom: 4px; } h3 { margin-top: 14px; margin-bottom: 4px; }");

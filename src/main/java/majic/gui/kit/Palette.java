@@ -18,6 +18,10 @@ public final class Palette {
         return DrawingColors.current().faint();
     }
 
+    public static Color link() {
+        return UIManager.getColor("Component.linkColor");
+    }
+
     public static Color command() {
         return FlatLaf.isLafDark() ? new Color(0x7FBEFA) : new Color(0x1560A8);
     }
