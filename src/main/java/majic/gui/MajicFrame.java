@@ -153,6 +153,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     /** Adds what would have delayed the window. */
     private void complete(FrameMenu menu, FrameActions actions) {
         setIconImage(Icons.program(ICON_SIZE));
+        commands.complete();
         menu.fill(this, actions, new FrameActions.MenuActions(this, dialogs, editor), editor);
         FileDrop.installInside(getRootPane(), editor::open);
         MacMenu.install(this::quit, dialogs::about);

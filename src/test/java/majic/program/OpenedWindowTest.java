@@ -78,6 +78,16 @@ class OpenedWindowTest {
     }
 
     @Test
+    void noTextIsMadeForMessagesAsLongAsThereIsNone() {
+        assertNoneIsLoaded("majic\\.gui\\.command\\.(WrappingKit|MessageText\\$.*)");
+    }
+
+    @Test
+    void javasStyleSheetForHtmlIsNotRead() {
+        assertNoneIsLoaded("javax\\.swing\\.text\\.html\\.(HTMLEditorKit|StyleSheet|CSS).*");
+    }
+
+    @Test
     void noPanelOfARobotAndNoSimulatorIsMade() {
         assertNoneIsLoaded("(majicsim|majic\\.[a-z]+\\.panel)\\..*");
     }

@@ -62,6 +62,11 @@ public final class CommandPane extends JPanel {
         return panel;
     }
 
+    /** Adds what would have delayed the window; to be called when that was painted. */
+    public void complete() {
+        messages.complete();
+    }
+
     public MessageArea messages() {
         return messages.area();
     }

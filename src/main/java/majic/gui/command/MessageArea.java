@@ -13,14 +13,17 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
+import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Position;
 import majic.gui.kit.EventThread;
 import majic.log.Line;
 import majic.log.SessionListener;
 import majic.panel.RefreshTicks;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Shows the lines of the session that a filter accepts: the newest one at the bottom, in view unless the area is scrolled
@@ -33,21 +36,35 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     private final transient List<Message> waiting = new ArrayList<>();
     private final transient Deque<Message> kept = new ArrayDeque<>();
     private final transient Runnable update = this::showWaiting;
-    private final MessageText text = new MessageText();
+    private final transient Supplier<MessageText> newText;
+    private @Nullable MessageText made;
     private transient MessageDocument document = new MessageDocument(false);
     private transient MessageFilter filter = MessageFilter.EVERYTHING;
     private transient Runnable changed = () -> {};
     private boolean withTimes;
 
-    MessageArea() {
-        text.setDocument(document);
-        setViewportView(text);
+    /**
+     * Creates an empty area, without a text as long as there is no message, because making it delays the window.
+     *
+     * @param newText makes the text
+     */
+    MessageArea(Supplier<MessageText> newText) {
+        this.newText = newText;
         setName("messageArea");
         setPreferredSize(UIScale.scale(new Dimension(600, 150)));
         setMinimumSize(UIScale.scale(new Dimension(200, 70)));
     }
 
+    /** Returns the text, which is made at the first call. */
     MessageText text() {
+        MessageText text = made;
+        if (text == null) {
+            text = newText.get();
+            made = text;
+            text.setDocument(document);
+            setViewportView(text);
+            validate();
+        }
         return text;
     }
 
@@ -115,6 +132,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     @Override
     public void updateUI() {
         super.updateUI();
+        getViewport().setBackground(UIManager.getColor("TextPane.inactiveBackground"));
         if (document != null) {
             document.recolour();
         }
@@ -123,7 +141,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     /** Keeps the newest line in view when the size changes. */
     @Override
     public void doLayout() {
-        boolean follow = isAtEnd();
+        boolean follow = made != null && isAtEnd();
         super.doLayout();
         if (follow) {
             EventThread.later(this::toEnd);
@@ -140,6 +158,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         while (kept.size() > MOST_KEPT) {
             kept.removeFirst();
         }
+        text();
         if (isAtEnd()) {
             document.append(accepted(added));
             EventThread.later(this::toEnd);
@@ -157,6 +176,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     private void appendAbove(List<Message> added) {
         Point view = getViewport().getViewPosition();
         try {
+            MessageText text = text();
             Position top = document.createPosition(text.viewToModel2D(view));
             double before = y(top);
             document.append(added);
@@ -174,6 +194,7 @@ public final class MessageArea extends JScrollPane implements SessionListener {
      * @param height the height of these lines in pixels; more than the area has for all lines in view
      */
     int textEnd(int height) {
+        MessageText text = text();
         Rectangle view = getViewport().getViewRect();
         int line = text.getFontMetrics(text.getFont()).getHeight();
         double end = 0;
@@ -189,14 +210,14 @@ public final class MessageArea extends JScrollPane implements SessionListener {
     }
 
     private double y(Position place) throws BadLocationException {
-        Rectangle2D character = text.modelToView2D(place.getOffset());
+        Rectangle2D character = text().modelToView2D(place.getOffset());
         return character == null ? 0 : character.getY();
     }
 
     private void showKept() {
         document = new MessageDocument(withTimes);
         document.append(accepted(kept));
-        text.setDocument(document);
+        text().setDocument(document);
         EventThread.later(this::toEnd);
         changed.run();
     }

@@ -65,7 +65,7 @@ final class MessageBar extends JPanel implements ClosesByEsc {
         setLayout(new BoxLayout(this, BoxLayout.X_AXIS));
         this.area = area;
         this.toCommandLine = toCommandLine;
-        search = new MessageSearch(area.text());
+        search = new MessageSearch(area);
         prepare(robots, "messageRobots", TEXTS.get("robots.hint"));
         prepare(kinds, "messageKinds", TEXTS.get("kinds.hint"));
         robots.addActionListener(event -> robotMenu().show(robots, 0, robots.getHeight()));
@@ -109,9 +109,13 @@ final class MessageBar extends JPanel implements ClosesByEsc {
         find.getAccessibleContext().setAccessibleName(TEXTS.get("find.field"));
         count.setName("foundCount");
         find.addActionListener(event -> move(-1));
+        find.getDocument().addDocumentListener(new TextChange(this::findText));
+    }
+
+    /** Adds the keys of the search. */
+    void complete() {
         KeyAction.bind(find, WHEN_FOCUSED, KeyStroke.getKeyStroke("shift ENTER"), () -> move(1));
         KeyAction.bind(find, WHEN_FOCUSED, KeyStroke.getKeyStroke("ESCAPE"), this::endFind);
-        find.getDocument().addDocumentListener(new TextChange(this::findText));
     }
 
     /** Gives the focus to the field for the search. */

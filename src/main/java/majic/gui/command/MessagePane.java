@@ -20,7 +20,7 @@ final class MessagePane extends JPanel {
     private static final String TIMES = "window.messages.times";
 
     private final transient Settings settings;
-    private final MessageArea area = new MessageArea();
+    private final MessageArea area = new MessageArea(this::newText);
     private final MessageBar bar;
 
     /**
@@ -33,11 +33,21 @@ final class MessagePane extends JPanel {
         this.settings = settings;
         bar = new MessageBar(area, toCommandLine);
         area.onChange(bar::update);
-        area.text().useMenu(() -> new MessageMenu(area, bar::startFind, this::resize, this::keepTimes));
-        settings.get(SIZE).ifPresent(points -> area.text().setLarger(number(points)));
-        area.showTimes(settings.get(TIMES).filter("yes"::equals).isPresent());
         add(bar, BorderLayout.NORTH);
         add(area, BorderLayout.CENTER);
+    }
+
+    private MessageText newText() {
+        MessageText text = new MessageText(() -> new MessageMenu(area, bar::startFind, this::resize, this::keepTimes));
+        settings.get(SIZE).ifPresent(points -> text.setLarger(number(points)));
+        return text;
+    }
+
+    /** Adds what would have delayed the window: the text of the messages and the keys. */
+    void complete() {
+        area.showTimes(settings.get(TIMES).filter("yes"::equals).isPresent());
+        area.text();
+        bar.complete();
         bind(MENU_KEY + "F", bar::startFind);
         bind("F3", () -> bar.move(-1));
         bind("shift F3", () -> bar.move(1));

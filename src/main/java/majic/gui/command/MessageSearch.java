@@ -25,14 +25,14 @@ final class MessageSearch {
     private static final Texts TEXTS = Texts.of(MessageSearch.class);
     private static final int MOST_MARKS = 500;
 
-    private final JTextComponent text;
+    private final MessageArea area;
     private final List<Object> marks = new ArrayList<>();
     private List<MatchResult> places = List.of();
     private String sought = "";
     private int present = -1;
 
-    MessageSearch(JTextComponent text) {
-        this.text = text;
+    MessageSearch(MessageArea area) {
+        this.area = area;
     }
 
     /** Finds a text; an empty one removes the marks. Selects nothing. */
@@ -49,7 +49,7 @@ final class MessageSearch {
         }
         places = places();
         present = Math.min(present, places.size() - 1);
-        Highlighter highlighter = text.getHighlighter();
+        Highlighter highlighter = area.text().getHighlighter();
         marks.forEach(highlighter::removeHighlight);
         marks.clear();
         try {
@@ -62,7 +62,7 @@ final class MessageSearch {
     }
 
     private List<MatchResult> places() {
-        Document document = text.getDocument();
+        Document document = area.text().getDocument();
         try {
             String all = document.getText(0, document.getLength());
             return sought.isEmpty()
@@ -88,6 +88,7 @@ final class MessageSearch {
         boolean first = present < 0;
         present = first ? places.size() - 1 : Math.floorMod(present + step, places.size());
         MatchResult place = places.get(present);
+        MessageText text = area.text();
         text.select(place.start(), place.end());
         text.getCaret().setSelectionVisible(true);
         try {

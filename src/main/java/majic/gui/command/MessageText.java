@@ -26,7 +26,13 @@ final class MessageText extends JTextPane {
     private int menuOffset;
     private transient @Nullable Supplier<JPopupMenu> menu;
 
-    MessageText() {
+    /**
+     * Creates a text.
+     *
+     * @param menu makes the context menu when it is first opened
+     */
+    MessageText(Supplier<JPopupMenu> menu) {
+        this.menu = menu;
         setName("messages");
         setEditable(false);
         setBorder(BorderFactory.createEmptyBorder(6, 8, 6, 8));
@@ -58,11 +64,6 @@ final class MessageText extends JTextPane {
         if (usual != null) {
             setFont(usual.deriveFont(usual.getSize2D() + larger));
         }
-    }
-
-    /** Sets what makes the context menu when it is first opened. */
-    void useMenu(Supplier<JPopupMenu> made) {
-        menu = made;
     }
 
     @Override
