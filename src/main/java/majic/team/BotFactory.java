@@ -4,7 +4,6 @@ import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
@@ -68,8 +67,13 @@ public final class BotFactory {
         while (more) {
             more = takeNext(found, types);
         }
-        types.sort(Comparator.comparingInt(BotFactory::place).thenComparing(BotType::name));
+        types.sort(BotFactory::inOrder);
         return types;
+    }
+
+    private static int inOrder(BotType one, BotType other) {
+        int places = Integer.compare(place(one), place(other));
+        return places == 0 ? one.name().compareTo(other.name()) : places;
     }
 
     /** Adds the next type; returns false at the end. A type that cannot be instantiated is skipped. */

@@ -2,8 +2,6 @@ package majic.panel.map;
 
 import java.awt.event.ActionEvent;
 import java.util.List;
-import java.util.function.Consumer;
-import java.util.function.Predicate;
 import javax.swing.AbstractAction;
 import javax.swing.KeyStroke;
 import majic.text.Texts;
@@ -11,25 +9,25 @@ import majic.text.Texts;
 /** The actions on a map: each has a key that works while the map has the focus; most have a button too. */
 enum MapAction {
     /** Zooms in. */
-    ZOOM_IN("zoomIn", List.of("+"), map -> map.zoom(1.25)),
+    ZOOM_IN("zoomIn", List.of("+")),
     /** Zooms out. */
-    ZOOM_OUT("zoomOut", List.of("-"), map -> map.zoom(0.8)),
+    ZOOM_OUT("zoomOut", List.of("-")),
     /** Shows everything. */
-    FIT("fit", List.of("0"), ZoomableMap::fit),
+    FIT("fit", List.of("0")),
     /** Keeps the robot in the middle. */
-    FOLLOW("follow", List.of("f"), ZoomableMap::toggleFollow, ZoomableMap::follows),
+    FOLLOW("follow", List.of("f")),
     /** Keeps the robot in the middle, with its heading up. */
-    AHEAD_UP("aheadUp", List.of("u"), ZoomableMap::toggleAheadUp, ZoomableMap::hasAheadUp),
+    AHEAD_UP("aheadUp", List.of("u")),
     /** Clears trails and echoes; by button alone, because cleared data cannot be restored. */
-    CLEAR("clear", List.of(), ZoomableMap::clear),
+    CLEAR("clear", List.of()),
     /** Moves the view to the left. */
-    LEFT("left", List.of("LEFT"), map -> map.drag(MapAction.STEP_PX, 0)),
+    LEFT("left", List.of("LEFT")),
     /** Moves the view to the right. */
-    RIGHT("right", List.of("RIGHT"), map -> map.drag(-MapAction.STEP_PX, 0)),
+    RIGHT("right", List.of("RIGHT")),
     /** Moves the view up. */
-    UP("up", List.of("UP"), map -> map.drag(0, MapAction.STEP_PX)),
+    UP("up", List.of("UP")),
     /** Moves the view down. */
-    DOWN("down", List.of("DOWN"), map -> map.drag(0, -MapAction.STEP_PX));
+    DOWN("down", List.of("DOWN"));
 
     /** The actions with a button, in the order of the buttons; the last one is set apart. */
     static final List<MapAction> WITH_BUTTON = List.of(ZOOM_IN, ZOOM_OUT, FIT, FOLLOW, AHEAD_UP, CLEAR);
@@ -39,29 +37,10 @@ enum MapAction {
 
     private final String text;
     private final List<String> keys;
-    private final Consumer<ZoomableMap> effect;
-    private final Predicate<ZoomableMap> state;
-    private final boolean toggles;
 
-    MapAction(String text, List<String> keys, Consumer<ZoomableMap> effect) {
-        this(text, keys, effect, map -> false, false);
-    }
-
-    MapAction(String text, List<String> keys, Consumer<ZoomableMap> effect, Predicate<ZoomableMap> state) {
-        this(text, keys, effect, state, true);
-    }
-
-    MapAction(
-            String text,
-            List<String> keys,
-            Consumer<ZoomableMap> effect,
-            Predicate<ZoomableMap> state,
-            boolean toggles) {
+    MapAction(String text, List<String> keys) {
         this.text = text;
         this.keys = keys;
-        this.effect = effect;
-        this.state = state;
-        this.toggles = toggles;
     }
 
     String title() {
@@ -74,20 +53,31 @@ enum MapAction {
     }
 
     boolean toggles() {
-        return toggles;
+        return this == FOLLOW || this == AHEAD_UP;
     }
 
     /** Returns whether the action applies to this map: actions about the robot need one to follow. */
     boolean suits(ZoomableMap map) {
-        return map.hasRobot() || this != FOLLOW && this != AHEAD_UP;
+        return map.hasRobot() || !toggles();
     }
 
     boolean isOn(ZoomableMap map) {
-        return state.test(map);
+        return this == FOLLOW && map.follows() || this == AHEAD_UP && map.hasAheadUp();
     }
 
     void perform(ZoomableMap map) {
-        effect.accept(map);
+        switch (this) {
+            case ZOOM_IN -> map.zoom(1.25);
+            case ZOOM_OUT -> map.zoom(0.8);
+            case FIT -> map.fit();
+            case FOLLOW -> map.toggleFollow();
+            case AHEAD_UP -> map.toggleAheadUp();
+            case CLEAR -> map.clear();
+            case LEFT -> map.drag(STEP_PX, 0);
+            case RIGHT -> map.drag(-STEP_PX, 0);
+            case UP -> map.drag(0, STEP_PX);
+            case DOWN -> map.drag(0, -STEP_PX);
+        }
     }
 
     static void bindKeys(ZoomableMap map) {
