@@ -84,7 +84,7 @@ public final class MajicCommand implements Callable<Integer> {
                 }
                 return Console.standard(program).run(start.firstRobots(program), List.of());
             }
-            return new Window(program).run(() -> start.firstRobots(program));
+            return new Window(program).run(start);
         }
     }
 }

@@ -23,7 +23,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ScopeType;
 
 /** The options of every start of a session: a lab, robots, a port to listen at. */
-final class StartOptions {
+final class StartOptions implements FirstRobots.Source {
     @Option(
             names = "--lab",
             scope = ScopeType.INHERIT,
@@ -194,7 +194,8 @@ final class StartOptions {
      * @return those of the lab, and those of {@code --add}
      * @throws BotException if the lab cannot be started now
      */
-    FirstRobots firstRobots(Program program) {
+    @Override
+    public FirstRobots firstRobots(Program program) {
         if (lab && program.lab() == null) {
             startLab(program);
         }

@@ -1,6 +1,7 @@
 package majic.program;
 
 import java.util.List;
+import majic.bot.BotException;
 
 /**
  * The robots that are added when a program starts, each by a line of MAJIC Script.
@@ -9,6 +10,17 @@ import java.util.List;
  * @param requested robots that the user has requested, which get the next free numbers in this order
  */
 public record FirstRobots(List<String> ofLab, List<String> requested) {
+    /** Determines the robots to add to a program. */
+    @FunctionalInterface
+    public interface Source {
+        /**
+         * Returns the robots to add; may start the lab that they are in.
+         *
+         * @throws BotException if that cannot be started
+         */
+        FirstRobots firstRobots(Program program);
+    }
+
     /** No robot. */
     public static final FirstRobots NONE = new FirstRobots(List.of(), List.of());
 

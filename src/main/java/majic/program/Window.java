@@ -6,7 +6,6 @@ import java.awt.event.WindowEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 import majic.gui.MajicFrame;
@@ -39,18 +38,13 @@ public final class Window {
     /**
      * Shows the window and blocks until the end of the program.
      *
-     * @param firstRobots returns the robots to add; called once the window is painted, and may block then
+     * @param firstRobots asked for the robots to add once the window is painted; may block then
      * @return the exit status
      * @throws UsageException if the display cannot be used
      */
-    public int run(Supplier<FirstRobots> firstRobots) {
-        WindowPreloader.prepareWindow();
-        MajicFrame frame = open(this::show);
-        awaitPainted();
-        program.announce();
-        Thread adding = new Thread(() -> add(firstRobots), "adding robots");
-        adding.setDaemon(true);
-        adding.start();
+    public int run(FirstRobots.Source firstRobots) {
+        MajicFrame frame = open(true);
+        begin(firstRobots);
         try {
             program.awaitQuit();
         } catch (InterruptedException e) {
@@ -61,12 +55,15 @@ public final class Window {
         return 0;
     }
 
-    /** Waits for the events of the opening, the first painting among them: what begins now does not delay it. */
-    private static void awaitPainted() {
-        onEventThread(() -> {});
+    /** Begins the session, and adds its first robots in the background. */
+    private void begin(FirstRobots.Source firstRobots) {
+        program.announce();
+        Thread adding = new Thread(() -> add(firstRobots), "adding robots");
+        adding.setDaemon(true);
+        adding.start();
     }
 
-    private void add(Supplier<FirstRobots> firstRobots) {
+    private void add(FirstRobots.Source firstRobots) {
         try {
             program.addFirst(robotsOrNone(firstRobots));
         } catch (InterruptedException e) {
@@ -74,9 +71,9 @@ public final class Window {
         }
     }
 
-    private FirstRobots robotsOrNone(Supplier<FirstRobots> firstRobots) {
+    private FirstRobots robotsOrNone(FirstRobots.Source firstRobots) {
         try {
-            return firstRobots.get();
+            return firstRobots.firstRobots(program);
         } catch (BotException e) {
             program.session().alarm(String.valueOf(e.getMessage()));
             return FirstRobots.NONE;
@@ -85,11 +82,11 @@ public final class Window {
 
     /**
      * Builds and paints the window and its dialogs without showing them, and waits a little for what the window does in
-     * the background once it is open.
+     * the background once it is open. Takes the same steps as {@link #run}, since what is not rehearsed delays each start.
      */
     public void rehearse() throws InterruptedException {
-        MajicFrame frame = open(this::build);
-        program.announce();
+        MajicFrame frame = open(false);
+        begin(rehearsed -> FirstRobots.NONE);
         onEventThread(() -> {
             frame.addNotify();
             frame.validate();
@@ -102,9 +99,19 @@ public final class Window {
         });
     }
 
-    private MajicFrame open(Supplier<MajicFrame> making) {
+    /**
+     * Builds the window and waits for the events of its opening, the first painting among them: what begins afterwards does
+     * not delay it.
+     */
+    private MajicFrame open(boolean visible) {
+        WindowPreloader.prepareWindow();
         AtomicReference<MajicFrame> frame = new AtomicReference<>();
-        onEventThread(() -> frame.set(making.get()));
+        onEventThread(() -> {
+            MajicFrame built = build();
+            built.setVisible(visible);
+            frame.set(built);
+        });
+        onEventThread(() -> {});
         return frame.get();
     }
 
@@ -116,12 +123,6 @@ public final class Window {
         } catch (InvocationTargetException | AWTError e) {
             throw new WindowFailed(e);
         }
-    }
-
-    private MajicFrame show() {
-        MajicFrame frame = build();
-        frame.setVisible(true);
-        return frame;
     }
 
     private MajicFrame build() {

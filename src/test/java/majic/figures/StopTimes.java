@@ -128,7 +128,7 @@ final class StopTimes {
             team.member(count + 1).bot().addListener(gate.blocked(BotListener.class));
         }
         background(() -> new Console(program, new Typed(typed)).run(FirstRobots.NONE, List.of()));
-        background(() -> new Window(program).run(() -> FirstRobots.NONE));
+        background(() -> new Window(program).run(started -> FirstRobots.NONE));
         background(() -> client.getInputStream().transferTo(OutputStream.nullOutputStream()));
         send("bots");
         MeasuredWindow.awaitWindow();
