@@ -1,6 +1,8 @@
 package majic.gui;
 
 import java.awt.AWTEvent;
+import java.awt.ActiveEvent;
+import java.awt.Component;
 import java.awt.EventQueue;
 import java.awt.Toolkit;
 import java.awt.event.InvocationEvent;
@@ -29,6 +31,7 @@ final class EarlyKeyQueue extends EventQueue {
     private final List<Consumer<KeyEvent>> listeners = new CopyOnWriteArrayList<>();
     private final Thread looking = new Thread(this::lookAlways, "early keys");
     private final Object taking = new Object();
+    private final Fetches fetches = new Fetches();
 
     /** Events that were taken from the queue in search of keys; dispatched before those in the queue. Guarded by taking. */
     private final Queue<AWTEvent> ahead = new ArrayDeque<>();
@@ -136,17 +139,20 @@ final class EarlyKeyQueue extends EventQueue {
         }
     }
 
-    /** Takes the events only if there is a key among them. Posting the last one fetches what the window system has sent. */
+    /** Takes the events only if there is a key among them. */
     private List<KeyEvent> keysBehindPresentEvent() {
+        postEvent(new Fetch(fetches));
+        return peekEvent(KeyEvent.KEY_PRESSED) == null ? List.of() : keysOfTakenEvents();
+    }
+
+    private List<KeyEvent> keysOfTakenEvents() {
         InvocationEvent last = new InvocationEvent(this, () -> {});
         postEvent(last);
         List<KeyEvent> keys = new ArrayList<>();
-        if (peekEvent(KeyEvent.KEY_PRESSED) != null) {
-            for (AWTEvent event = taken(); event != null && event != last; event = taken()) {
-                ahead.add(event);
-                if (event instanceof KeyEvent key && key.getID() == KeyEvent.KEY_PRESSED) {
-                    keys.add(key);
-                }
+        for (AWTEvent event = taken(); event != null && event != last; event = taken()) {
+            ahead.add(event);
+            if (event instanceof KeyEvent key && key.getID() == KeyEvent.KEY_PRESSED) {
+                keys.add(key);
             }
         }
         return keys;
@@ -158,6 +164,28 @@ final class EarlyKeyQueue extends EventQueue {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             return null;
+        }
+    }
+
+    /** An event without effect. Posting it fetches what the window system has sent. */
+    private static final class Fetch extends AWTEvent implements ActiveEvent {
+        private static final long serialVersionUID = 1L;
+
+        Fetch(Fetches source) {
+            super(source, RESERVED_ID_MAX + 1);
+        }
+
+        @Override
+        public void dispatch() {}
+    }
+
+    /** Lets the queue keep only one of the events without effect, however long the present event takes. */
+    private static final class Fetches extends Component {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        protected AWTEvent coalesceEvents(AWTEvent waiting, AWTEvent posted) {
+            return waiting;
         }
     }
 }
