@@ -114,7 +114,13 @@ public final class Variables {
         if (local != null) {
             return local;
         }
-        for (String place : objects.places(fullName(scope, key))) {
+        String full = fullName(scope, key);
+        Variable own = all.get(full);
+        return own == null ? inherited(full) : own;
+    }
+
+    private @Nullable Variable inherited(String full) {
+        for (String place : objects.places(full)) {
             Variable found = all.get(place);
             if (found != null) {
                 return found;
