@@ -39,6 +39,20 @@ record FuzzResult(
                 FINDING.matcher(text).results().map(found -> found.group(1)).toList());
     }
 
+    /** Returns this result and that of the search that was continued afterwards, whose findings count. */
+    FuzzResult then(FuzzResult next) {
+        double seconds =
+                executions / (double) Math.max(1, perSecond) + next.executions / (double) Math.max(1, next.perSecond);
+        long all = executions + next.executions;
+        return new FuzzResult(
+                all,
+                Math.round(all / Math.max(1, seconds)),
+                Math.max(coverage, next.coverage),
+                newInputs + next.newInputs,
+                Math.max(megabytes, next.megabytes),
+                next.findings);
+    }
+
     private static long statistic(String name, String text) {
         return last(Pattern.compile("stat::" + name + ":\\s*(\\d+)"), text);
     }
