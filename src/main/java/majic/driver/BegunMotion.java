@@ -4,8 +4,8 @@ import majic.bot.BotException;
 import majic.bot.MotionReport;
 
 /**
- * A motion that one thread has begun, for which no other motion of the robot may begin, and which another thread finishes.
- * {@link #finish} must follow, also when the motion was stopped meanwhile.
+ * A motion that one thread has begun, for which no other motion of the robot may begin, and which another thread
+ * finishes. {@link #finish} must follow, also when the motion was stopped meanwhile.
  */
 public final class BegunMotion {
     private final MotionGate gate;

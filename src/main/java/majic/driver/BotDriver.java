@@ -454,8 +454,9 @@ public abstract class BotDriver extends MajicBot {
     protected abstract Value turnBy(double degrees, Motion motion);
 
     /**
-     * Returns whether sending a command to the robot never waits for its connection: the command is queued, or refused. Such a
-     * robot is commanded on the thread that submits a motion or drives it by hand, which may be the event dispatch thread.
+     * Returns whether sending a command to the robot never waits for its connection: the command is queued, or refused.
+     * Such a robot is commanded on the thread that submits a motion or drives it by hand, which may be the event
+     * dispatch thread.
      *
      * @return false unless overridden: writing to a link may block for as long as its deadline
      */
@@ -464,9 +465,10 @@ public abstract class BotDriver extends MajicBot {
     }
 
     /**
-     * Sends the first command of a motion through it, unless something has to be waited for before, such as the first evaluation
-     * of its guard. Called only if {@link #queuesCommands()}; must not wait. {@link #moveBy}, {@link #turnBy} or {@link #driveFor}
-     * follows with the same motion on another thread, and must not send the command again.
+     * Sends the first command of a motion through it, unless something has to be waited for before, such as the first
+     * evaluation of its guard. Called only if {@link #queuesCommands()}; must not wait. {@link #moveBy},
+     * {@link #turnBy} or {@link #driveFor} follows with the same motion on another thread, and must not send the command
+     * again.
      *
      * @param order within the limits of the robot
      * @param motion for sending

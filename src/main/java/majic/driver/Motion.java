@@ -12,7 +12,8 @@ import majic.time.WaitPolicy;
 
 /**
  * One motion in progress, as its driver handles it. Every command that moves the robot is sent through it and every
- * wait is done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread at a time.
+ * wait is done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread at a
+ * time.
  */
 public final class Motion {
     private final MovingRobot bot;

@@ -96,8 +96,8 @@ final class RemoteMotions {
     }
 
     /**
-     * Performs a motion, or goes on with one that was sent ahead. The desk evaluates its guard if it can, otherwise this program
-     * does.
+     * Performs a motion, or goes on with one that was sent ahead. The desk evaluates its guard if it can, otherwise
+     * this program does.
      *
      * @param action makes the request from the condition that the desk evaluates, which may be empty
      * @return the last answer; null if a guard that is evaluated here has ended the motion, or prevented it

@@ -80,8 +80,8 @@ final class CommandQueue {
     }
 
     /**
-     * Makes a command the current one without queueing it; {@link #beginAhead} must follow. Called with the lock held that guards
-     * {@code mayWork}.
+     * Makes a command the current one without queueing it; {@link #beginAhead} must follow. Called with the lock held
+     * that guards {@code mayWork}.
      *
      * @return false if another command runs or waits, or it must not begin now; nothing was done then
      */

@@ -250,8 +250,8 @@ public final class Member implements TeamMembership {
     }
 
     /**
-     * Wakes the worker of the robot, which takes longer than to prepare many a command. To be called before a command is prepared
-     * that will be submitted at once; without one it has no effect.
+     * Wakes the worker of the robot, which takes longer than to prepare many a command. To be called before a command
+     * is prepared that will be submitted at once; without one it has no effect.
      */
     public void expectCommand() {
         ownership.queue().expect();

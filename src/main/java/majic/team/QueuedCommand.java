@@ -78,8 +78,8 @@ public final class QueuedCommand {
     }
 
     /**
-     * Creates a command that is one motion. If the robot {@link BotDriver#queuesCommands() queues} what is sent to it, nothing
-     * waits in its queue and the command need not be held, then the thread that submits the command sends it.
+     * Creates a command that is one motion. If the robot {@link BotDriver#queuesCommands() queues} what is sent to it,
+     * nothing waits in its queue and the command need not be held, then the thread that submits the command sends it.
      *
      * @param text the command without the robot, as answers repeat it
      * @param order what to do
@@ -114,7 +114,8 @@ public final class QueuedCommand {
     }
 
     /**
-     * Returns the same command, not submitted, with a further check that is made when its turn comes and nothing holds it.
+     * Returns the same command, not submitted, with a further check that is made when its turn comes and nothing holds
+     * it.
      *
      * @param further must not wait; throws a {@link BotException} if the command must not begin; the command ends with that
      * @return a new command
@@ -198,7 +199,10 @@ public final class QueuedCommand {
         return hold == NOTHING && work instanceof MotionWork;
     }
 
-    /** Checks it and begins its motion, if nothing has to be waited for. What it throws, {@link #check} or {@link #run} throws. */
+    /**
+     * Checks it and begins its motion, if nothing has to be waited for. What it throws, {@link #check} or {@link #run}
+     * throws.
+     */
     void beginAhead() {
         check();
         if (work instanceof MotionWork motion) {

@@ -1,8 +1,8 @@
 package majic.time;
 
 /**
- * Lets a thread wake up while another thread still prepares work for it, because waking up takes longer than to prepare many a
- * work. {@link Signal#raise} has to follow {@link #raise} and {@link #meet}. Thread-safe.
+ * Lets a thread wake up while another thread still prepares work for it, because waking up often takes longer than
+ * the preparation. {@link Signal#raise} has to follow {@link #raise} and {@link #meet}. Thread-safe.
  */
 public final class Expectation {
     /** About 0.2 ms: an expectation that is not met costs no more. */
@@ -32,8 +32,8 @@ public final class Expectation {
     }
 
     /**
-     * Waits for announced work without sleeping, for about 0.2 ms at most; leaves the processor to all other threads. Returns at
-     * once if none was announced. Takes no lock, which would delay the thread that brings the work.
+     * Waits for announced work without sleeping, for about 0.2 ms at most; leaves the processor to all other threads.
+     * Returns at once if none was announced. Takes no lock, which would delay the thread that brings the work.
      */
     public void await() {
         if (raised) {

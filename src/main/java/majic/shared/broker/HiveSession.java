@@ -107,7 +107,10 @@ final class HiveSession {
         receiveOthers(arrivals, handlers);
     }
 
-    /** What only urgent handlers need does not wake the thread of the others. The end of the session ends the flow with an error. */
+    /**
+     * What only urgent handlers need does not wake the thread of the others. The end of the session ends the flow with
+     * an error.
+     */
     private void receiveOthers(Arrivals arrivals, Executor handlers) {
         Disposable ignored = client.toRx()
                 .publishes(MqttGlobalPublishFilter.ALL)

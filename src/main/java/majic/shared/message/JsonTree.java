@@ -16,8 +16,8 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads and writes JSON as a tree. An object mapper does the same with several times as much code, which delays a command by as
- * much as the broker does: between two commands, other programs replace that code in the caches of the processor.
+ * Reads and writes JSON as a tree. An object mapper does the same with more code, which delays a command: between two
+ * commands, other programs replace that code in the caches of the processor.
  */
 final class JsonTree {
     /** Deeper than any message of this version; a description needs 7 levels. */
