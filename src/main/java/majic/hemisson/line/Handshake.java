@@ -140,8 +140,8 @@ public final class Handshake {
         }
         return new ConnectFailed(
                 Reason.NO_ANSWER,
-                "no Hemisson answered two questions; one that receives nothing any more is switched off, and on again after 5 s. "
-                        + "Or is it another port, or the robot off, or in the Pgm position?");
+                "no Hemisson answered two questions; one that no longer receives anything needs a restart: "
+                        + "switch it off, wait 5 s, switch it on. Or is it another port, or the robot off, or in the Pgm position?");
     }
 
     private ConnectFailed wrongDevice() {
