@@ -99,7 +99,7 @@ class SharedPanelInLabTest {
                 .isEqualTo(anna.bot.get("distanceFront").toString());
         assertThat(shown(panel, "battery")).contains("V");
         assertThat(shown(panel, "holder")).isEqualTo("held by you");
-        assertThat(shown(panel, "link")).matches("delay \\d+ ms");
+        assertThat(shown(panel, "link")).matches("link \\d+ ms");
     }
 
     @Test
