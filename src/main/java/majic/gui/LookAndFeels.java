@@ -9,7 +9,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import javax.swing.UIDefaults;
 import javax.swing.UIManager;
 import majic.environment.Settings;
 import majic.gui.kit.BackgroundSettings;
@@ -22,8 +21,6 @@ final class LookAndFeels {
     private static final String LIGHT = "light";
     private static final String SIZE = "window.textSize";
     private static final int NORMAL = 100;
-    private static final String LINK = "Component.linkColor";
-    private static final String OWN_LINK = "Majic.linkColor";
 
     /** The text sizes to choose from, percent. */
     static final List<Integer> TEXT_SIZES = List.of(NORMAL, 125, 150);
@@ -35,8 +32,7 @@ final class LookAndFeels {
     static {
         Map<String, String> changed = new HashMap<>();
         // FlatLaf would read Java's style sheet for HTML to set the colour of links there, which delays the window.
-        changed.put(LINK, "null");
-        changed.put(OWN_LINK, "@accentLinkColor");
+        changed.put("Component.linkColor", "null");
         if (SystemInfo.isLinux) {
             // The names that FlatLaf tries first are searched in all fonts of the computer where they are not
             // installed.
@@ -99,7 +95,5 @@ final class LookAndFeels {
         } else {
             FlatLightLaf.setup();
         }
-        UIDefaults defaults = UIManager.getLookAndFeelDefaults();
-        defaults.put(LINK, defaults.getColor(OWN_LINK));
     }
 }

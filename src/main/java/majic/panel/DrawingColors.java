@@ -23,6 +23,9 @@ public record DrawingColors(Color line, Color paper, Color accent, Color alarm) 
 
     private static final Color ALARM_ON_DARK = new Color(0xFF9E95);
 
+    private static final Color ACCENT_ON_LIGHT = new Color(0x236DB2);
+    private static final Color ACCENT_ON_DARK = new Color(0x579BF6);
+
     private static final Color GOOD_ON_LIGHT = new Color(0x2E7D32);
     private static final Color GOOD_ON_DARK = new Color(0x7BCB80);
 
@@ -43,7 +46,7 @@ public record DrawingColors(Color line, Color paper, Color accent, Color alarm) 
         return new DrawingColors(
                 color("Label.foreground", Color.BLACK),
                 paper,
-                color("Component.linkColor", Color.BLUE),
+                isDark(paper) ? ACCENT_ON_DARK : ACCENT_ON_LIGHT,
                 isDark(paper) ? ALARM_ON_DARK : ALARM_ON_LIGHT);
     }
 

@@ -19,7 +19,7 @@ public final class Palette {
     }
 
     public static Color link() {
-        return UIManager.getColor("Component.linkColor");
+        return DrawingColors.current().accent();
     }
 
     public static Color command() {
