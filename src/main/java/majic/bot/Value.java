@@ -225,9 +225,6 @@ public sealed interface Value {
         if (!Double.isFinite(number)) {
             return String.valueOf(number);
         }
-        if (number == Math.rint(number) && Math.abs(number) < 1e15) {
-            return Long.toString((long) number);
-        }
         int digits = Math.abs(number) >= 100 ? 0 : Math.abs(number) >= 10 ? 1 : 3;
         BigDecimal rounded = BigDecimal.valueOf(number)
                 .setScale(Math.min(digits, mostDigits), RoundingMode.HALF_UP)

@@ -15,7 +15,6 @@ import majic.bot.ConnectFailed;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
-import majic.bot.MotionOrder;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
@@ -129,42 +128,32 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final MotionReport move(double mm, Guard until) {
-        return perform(new MotionOrder.Move(mm), until, permit());
+        return move(mm, until, permit());
+    }
+
+    final MotionReport move(double mm, Guard until, Permit permit) {
+        limits.checkMove(mm);
+        return gate.perform(until, permit, motion -> moveBy(mm, motion));
     }
 
     @Override
     public final MotionReport turn(double degrees, Guard until) {
-        return perform(new MotionOrder.Turn(degrees), until, permit());
+        return turn(degrees, until, permit());
+    }
+
+    final MotionReport turn(double degrees, Guard until, Permit permit) {
+        limits.checkTurn(degrees);
+        return gate.perform(until, permit, motion -> turnBy(degrees, motion));
     }
 
     @Override
     public final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until) {
-        return perform(new MotionOrder.Drive(mmPerSec, degPerSec, seconds), until, permit());
+        return drive(mmPerSec, degPerSec, seconds, until, permit());
     }
 
-    final MotionReport perform(MotionOrder order, Guard until, Permit permit) {
-        order.check(this);
-        return gate.perform(until, permit, maneuver(order));
-    }
-
-    private MotionGate.Maneuver maneuver(MotionOrder order) {
-        if (order instanceof MotionOrder.Move move) {
-            return motion -> moveBy(move.mm(), motion);
-        }
-        if (order instanceof MotionOrder.Turn turn) {
-            return motion -> turnBy(turn.degrees(), motion);
-        }
-        MotionOrder.Drive drive = (MotionOrder.Drive) order;
-        return motion -> driveFor(drive.mmPerSec(), drive.degPerSec(), drive.seconds(), motion);
-    }
-
-    /** Begins a motion within the limits, if that waits for nothing; otherwise returns null, with nothing begun. */
-    final @Nullable BegunMotion begin(MotionOrder order, Guard until, Permit permit) {
-        if (!queuesCommands()) {
-            return null;
-        }
-        order.check(this);
-        return gate.tryBegin(until, permit, maneuver(order), motion -> sendAhead(order, motion));
+    final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
+        limits.checkDrive(mmPerSec, degPerSec, seconds);
+        return gate.drive(mmPerSec, degPerSec, seconds, until, permit);
     }
 
     @Override
@@ -452,28 +441,6 @@ public abstract class BotDriver extends MajicBot {
      * @return how far it turned, degrees
      */
     protected abstract Value turnBy(double degrees, Motion motion);
-
-    /**
-     * Returns whether sending a command to the robot never waits for its connection: the command is queued, or refused.
-     * Such a robot is commanded on the thread that submits a motion or drives it by hand, which may be the event
-     * dispatch thread.
-     *
-     * @return false unless overridden: writing to a link may block for as long as its deadline
-     */
-    public boolean queuesCommands() {
-        return false;
-    }
-
-    /**
-     * Sends the first command of a motion through it, unless something has to be waited for before, such as the first
-     * evaluation of its guard. Called only if {@link #queuesCommands()}; must not wait. {@link #moveBy},
-     * {@link #turnBy} or {@link #driveFor} follows with the same motion on another thread, and must not send the command
-     * again.
-     *
-     * @param order within the limits of the robot
-     * @param motion for sending
-     */
-    protected void sendAhead(MotionOrder order, Motion motion) {}
 
     /**
      * Sends the command to drive a curve from now on, and does not wait for anything. Called repeatedly during a

@@ -12,8 +12,7 @@ import majic.time.WaitPolicy;
 
 /**
  * One motion in progress, as its driver handles it. Every command that moves the robot is sent through it and every
- * wait is done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread at a
- * time.
+ * wait is done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread.
  */
 public final class Motion {
     private final MovingRobot bot;
@@ -46,14 +45,6 @@ public final class Motion {
             hasSent = true;
             write.run();
         });
-    }
-
-    Permit permit() {
-        return permit;
-    }
-
-    Guard guard() {
-        return guard;
     }
 
     /** Returns whether anything was sent, so that the robot may move by it. */

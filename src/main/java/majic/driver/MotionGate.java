@@ -5,7 +5,6 @@ import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.bot.BotControl;
 import majic.bot.BotException;
@@ -114,40 +113,12 @@ final class MotionGate {
         bot.requireConnected();
         Permit own = permit();
         begin(permit);
-        return finish(new BegunMotion(this, new Motion(bot, this, until, permit), own, maneuver));
-    }
-
-    /**
-     * Begins a motion without waiting.
-     *
-     * @param sendAhead sends its first message, if it can; what it throws, the maneuver will throw again
-     * @return null if another motion is under way, or there is no connection; nothing was begun
-     */
-    @Nullable
-    BegunMotion tryBegin(Guard until, Permit permit, Maneuver maneuver, Consumer<Motion> sendAhead) {
-        Permit own = permit();
-        if (!bot.isConnected() || !motionUnderWay.compareAndSet(false, true)) {
-            return null;
-        }
         Motion motion = new Motion(bot, this, until, permit);
         try {
             endDrive();
-            motion.check();
-            sendAhead.accept(motion);
-        } catch (RuntimeException | Error e) {
-            LOG.log(Level.DEBUG, "the motion of " + bot.name() + " is not sent ahead", e);
-        }
-        return new BegunMotion(this, motion, own, maneuver);
-    }
-
-    MotionReport finish(BegunMotion begun) {
-        Motion motion = begun.motion();
-        Permit permit = motion.permit();
-        try {
-            endDrive();
-            return watching(motion.guard(), () -> {
+            return watching(until, () -> {
                 motion.check();
-                Value amount = begun.maneuver().run(motion);
+                Value amount = maneuver.run(motion);
                 return new MotionReport(amount, motion.seconds());
             });
         } catch (LinkLost e) {
@@ -157,8 +128,7 @@ final class MotionGate {
             }
             throw e;
         } catch (RuntimeException | Error e) {
-            if (!permit.isRevoked()
-                    || (motion.hasSent() && !begun.permitOfRobot().isRevoked())) {
+            if (!permit.isRevoked() || (motion.hasSent() && !own.isRevoked())) {
                 haltIfConnected();
             }
             throw e;
@@ -209,6 +179,10 @@ final class MotionGate {
         } catch (BotException e) {
             LOG.log(Level.DEBUG, "could not halt " + bot.name(), e);
         }
+    }
+
+    MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
+        return perform(until, permit, motion -> bot.driveFor(mmPerSec, degPerSec, seconds, motion));
     }
 
     /** Drives for a time by a command that is renewed, unless the guard holds already. */

@@ -67,6 +67,11 @@ final class MovingDriver implements MovingRobot {
     }
 
     @Override
+    public @Nullable Value driveFor(double mmPerSec, double degPerSec, double seconds, Motion motion) {
+        return bot.driveFor(mmPerSec, degPerSec, seconds, motion);
+    }
+
+    @Override
     public void halt() {
         bot.halt();
     }

@@ -33,6 +33,10 @@ interface MovingRobot {
 
     void driveAt(double mmPerSec, double degPerSec);
 
+    /** Drives for a time, and returns how the speeds were adjusted; null if they were not. */
+    @Nullable
+    Value driveFor(double mmPerSec, double degPerSec, double seconds, Motion motion);
+
     void halt();
 
     void haltAhead();

@@ -4,13 +4,10 @@ import java.util.List;
 import majic.bot.BotCommand;
 import majic.bot.BotControl;
 import majic.bot.Guard;
-import majic.bot.MotionOrder;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
-import majic.bot.ParameterException;
 import majic.bot.Value;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Lets one user of a robot, such as an act or manual control, use the robot while a permit is valid. Once the permit is
@@ -73,34 +70,22 @@ public final class PermittedControl implements BotControl {
 
     @Override
     public MotionReport move(double mm, Guard until) {
-        return permitted().perform(new MotionOrder.Move(mm), until, permitForMotion());
+        return permitted().move(mm, until, permitForMotion());
     }
 
     @Override
     public MotionReport turn(double degrees, Guard until) {
-        return permitted().perform(new MotionOrder.Turn(degrees), until, permitForMotion());
+        return permitted().turn(degrees, until, permitForMotion());
     }
 
     @Override
     public MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until) {
-        return permitted().perform(new MotionOrder.Drive(mmPerSec, degPerSec, seconds), until, permitForMotion());
+        return permitted().drive(mmPerSec, degPerSec, seconds, until, permitForMotion());
     }
 
     @Override
     public void drive(double mmPerSec, double degPerSec) {
         permitted().drive(mmPerSec, degPerSec, permitForMotion());
-    }
-
-    /**
-     * Begins a motion, if that waits for nothing.
-     *
-     * @param order what to do
-     * @param until ends it early
-     * @return to be finished; null if a thread that may wait has to perform the motion, and nothing was begun
-     * @throws ParameterException if the robot does not accept the numbers; nothing was begun
-     */
-    public @Nullable BegunMotion begin(MotionOrder order, Guard until) {
-        return permit.isRevoked() ? null : bot.begin(order, until, permitForMotion());
     }
 
     @Override

@@ -20,7 +20,6 @@ import majic.bot.BotState;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
-import majic.bot.MotionOrder;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
@@ -226,17 +225,6 @@ public final class MajicShared extends BotDriver {
         if (open != null) {
             open.close();
         }
-    }
-
-    /** The connection with the broker queues what is published. */
-    @Override
-    public boolean queuesCommands() {
-        return true;
-    }
-
-    @Override
-    protected void sendAhead(MotionOrder order, Motion motion) {
-        motions.sendAhead(motion, until -> RequestedAction.of(order, until));
     }
 
     @Override

@@ -36,10 +36,6 @@ final class RemoteMotions {
     private final Remote remote;
     private volatile @Nullable PendingReply motion;
     private volatile @Nullable PendingReply drive;
-    private volatile @Nullable Ahead ahead;
-
-    /** A motion whose request was sent ahead. */
-    private record Ahead(Motion motion, PendingReply reply) {}
 
     /** The robot as its desk reports it. */
     interface Remote {
@@ -68,72 +64,28 @@ final class RemoteMotions {
     }
 
     /**
-     * Publishes the request of a motion ahead, unless its guard has to be evaluated here before. Waits for nothing.
-     *
-     * @param action as in {@link #perform}
-     */
-    void sendAhead(Motion permitted, Function<String, RequestedAction> action) {
-        String until = until(permitted);
-        forget(ahead);
-        if (!permitted.isGuarded() || !until.isEmpty()) {
-            ahead = new Ahead(permitted, send(permitted, action.apply(until)));
-        }
-    }
-
-    /** The condition that the desk evaluates; empty if there is none, or this program evaluates it. */
-    private String until(Motion permitted) {
-        return permitted.handOverGuard(remote::canGuard).orElse("");
-    }
-
-    private PendingReply send(Motion permitted, RequestedAction action) {
-        RobotCommands to = commands.get();
-        AtomicReference<@Nullable PendingReply> sent = new AtomicReference<>();
-        permitted.send(() -> {
-            sent.set(to.request(action));
-            motion = sent.get();
-        });
-        return Objects.requireNonNull(sent.get());
-    }
-
-    /**
-     * Performs a motion, or goes on with one that was sent ahead. The desk evaluates its guard if it can, otherwise
-     * this program does.
+     * Performs a motion. The desk evaluates its guard if it can, otherwise this program does.
      *
      * @param action makes the request from the condition that the desk evaluates, which may be empty
      * @return the last answer; null if a guard that is evaluated here has ended the motion, or prevented it
      */
     @Nullable
     RequestReply perform(Motion permitted, Function<String, RequestedAction> action) {
-        RobotCommands to = commands.get();
-        PendingReply asked = takeAhead(permitted);
-        if (asked == null) {
-            String until = until(permitted);
-            if (!permitted.pause(0)) {
-                return null;
-            }
-            asked = send(permitted, action.apply(until));
+        String until = permitted.handOverGuard(remote::canGuard).orElse("");
+        if (!permitted.pause(0)) {
+            return null;
         }
+        RobotCommands to = commands.get();
+        AtomicReference<@Nullable PendingReply> sent = new AtomicReference<>();
+        permitted.send(() -> {
+            sent.set(to.request(action.apply(until)));
+            motion = sent.get();
+        });
+        PendingReply asked = Objects.requireNonNull(sent.get());
         try {
             return await(permitted, asked);
         } finally {
             to.forget(asked);
-        }
-    }
-
-    private @Nullable PendingReply takeAhead(Motion permitted) {
-        Ahead sent = ahead;
-        ahead = null;
-        if (sent != null && sent.motion == permitted) {
-            return sent.reply;
-        }
-        forget(sent);
-        return null;
-    }
-
-    /** Expects no answer to a motion that was stopped before it was performed. */
-    private void forget(@Nullable Ahead stopped) {
-        if (stopped != null) {
-            commands.get().forget(stopped.reply);
         }
     }
 
@@ -273,6 +225,5 @@ final class RemoteMotions {
     void reset() {
         motion = null;
         drive = null;
-        ahead = null;
     }
 }

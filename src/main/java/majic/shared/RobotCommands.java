@@ -1,8 +1,5 @@
 package majic.shared;
 
-import java.util.EnumMap;
-import java.util.Map;
-import java.util.Objects;
 import java.util.OptionalLong;
 import majic.bot.BotException;
 import majic.driver.RobotWait;
@@ -29,8 +26,8 @@ final class RobotCommands {
     private static final int REQUEST_EXPIRY_S = 2;
 
     private final PooledBroker broker;
+    private final SharedAddress address;
     private final SiteTopics topics;
-    private final Map<Part, String> topicOf = new EnumMap<>(Part.class);
     private final RobotFeed feed;
     private final RobotWait waiting;
 
@@ -42,12 +39,10 @@ final class RobotCommands {
      */
     RobotCommands(PooledBroker broker, SharedAddress address, RobotFeed feed, RobotWait waiting) {
         this.broker = broker;
+        this.address = address;
         this.topics = new SiteTopics(address.broker().site());
         this.feed = feed;
         this.waiting = waiting;
-        for (Part part : Part.values()) {
-            topicOf.put(part, topics.robot(address.desk(), address.robot(), part));
-        }
     }
 
     /** Publishes a request, whose answers are collected until {@link #forget}. */
@@ -117,7 +112,7 @@ final class RobotCommands {
     }
 
     private String topic(Part part) {
-        return Objects.requireNonNull(topicOf.get(part));
+        return topics.robot(address.desk(), address.robot(), part);
     }
 
     /** Returns whether the robot cannot be used any more. */

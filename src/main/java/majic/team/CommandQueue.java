@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
-import majic.time.Expectation;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -28,10 +27,8 @@ final class CommandQueue {
     private final Object lock;
     private final BooleanSupplier mayWork;
     private final Signal work;
-    private final Expectation expectation = new Expectation();
     private final Deque<QueuedCommand> queue = new ArrayDeque<>();
     private @Nullable QueuedCommand current;
-    private @Nullable QueuedCommand begunAhead;
     private @Nullable Thread worker;
     private boolean closed;
 
@@ -79,43 +76,8 @@ final class CommandQueue {
         queue.add(command);
     }
 
-    /**
-     * Makes a command the current one without queueing it; {@link #beginAhead} must follow. Called with the lock held
-     * that guards {@code mayWork}.
-     *
-     * @return false if another command runs or waits, or it must not begin now; nothing was done then
-     */
-    synchronized boolean takeAhead(QueuedCommand command) {
-        boolean isFirst = !closed && current == null && queue.isEmpty() && mayWork.getAsBoolean();
-        if (isFirst) {
-            current = command;
-        }
-        return isFirst;
-    }
-
-    /** Begins a command on the calling thread, and passes it to the thread of the queue. */
-    void beginAhead(QueuedCommand command) {
-        try {
-            command.beginAhead();
-        } catch (RuntimeException | Error e) {
-            LOG.log(Level.DEBUG, "the thread of the robot begins the command again, and reports this", e);
-        } finally {
-            synchronized (this) {
-                begunAhead = command;
-            }
-            work.raise();
-        }
-    }
-
     /** Makes the thread check again whether it may work; must not be called while holding a lock. */
     void wake() {
-        expectation.meet();
-        work.raise();
-    }
-
-    /** Wakes the thread, because a command will follow at once. */
-    void expect() {
-        expectation.raise();
         work.raise();
     }
 
@@ -141,9 +103,8 @@ final class CommandQueue {
 
     private void work() {
         try {
-            while (!isOver()) {
-                work.await(() -> expectation.isRaised() || mustLook(), Signal.FOR_EVER);
-                expectation.await();
+            while (!isClosed()) {
+                work.await(() -> isClosed() || (mayWork.getAsBoolean() && hasCommands()), Signal.FOR_EVER);
                 QueuedCommand next = next();
                 if (next != null) {
                     settle(next, attempt(next, listeners));
@@ -154,17 +115,8 @@ final class CommandQueue {
         }
     }
 
-    private boolean mustLook() {
-        return isOver() || hasBegunAhead() || (mayWork.getAsBoolean() && hasCommands());
-    }
-
-    /** Whether it is closed, and no command that was begun remains to be ended. */
-    private synchronized boolean isOver() {
-        return closed && current == null;
-    }
-
-    private synchronized boolean hasBegunAhead() {
-        return begunAhead != null;
+    private synchronized boolean isClosed() {
+        return closed;
     }
 
     private synchronized boolean hasCommands() {
@@ -174,23 +126,12 @@ final class CommandQueue {
     /** Takes the next command out of the queue; no stop can come between this and the check that it may begin. */
     private @Nullable QueuedCommand next() {
         synchronized (lock) {
-            QueuedCommand begun = takeBegun();
-            return begun == null && mayWork.getAsBoolean() ? poll() : begun;
+            return mayWork.getAsBoolean() ? poll() : null;
         }
     }
 
-    private synchronized @Nullable QueuedCommand takeBegun() {
-        QueuedCommand begun = begunAhead;
-        begunAhead = null;
-        return begun;
-    }
-
-    /** While a command is being begun on another thread, no other one is next. */
     private synchronized @Nullable QueuedCommand poll() {
-        if (closed || current != null) {
-            return null;
-        }
-        current = queue.poll();
+        current = closed ? null : queue.poll();
         return current;
     }
 

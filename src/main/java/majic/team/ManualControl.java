@@ -32,7 +32,6 @@ public final class ManualControl implements AutoCloseable {
     private final ManualLog log;
     private final Map<String, Consumer<BotControl>> settings = new LinkedHashMap<>();
     private boolean finishing;
-    private boolean setting;
     private volatile boolean released;
     private volatile boolean off;
 
@@ -66,28 +65,10 @@ public final class ManualControl implements AutoCloseable {
      * @param degPerSec counterclockwise positive
      */
     public void drive(double mmPerSec, double degPerSec) {
-        Consumer<BotControl> setter = robot -> {
+        put(DRIVE, robot -> {
             robot.drive(mmPerSec, degPerSec);
             log.drove(mmPerSec, degPerSec);
-        };
-        if (!driveAtOnce(setter)) {
-            put(DRIVE, setter);
-        }
-    }
-
-    /** Drives on this thread, if the robot's commands wait for nothing and no setting is before this one. */
-    private synchronized boolean driveAtOnce(Consumer<BotControl> setter) {
-        if (!member.driver().queuesCommands() || released || finishing || setting || !settings.isEmpty()) {
-            return false;
-        }
-        try {
-            setter.accept(robot);
-            return true;
-        } catch (BotException e) {
-            return put(DRIVE, failed -> {
-                throw e;
-            });
-        }
+        });
     }
 
     /**
@@ -156,7 +137,6 @@ public final class ManualControl implements AutoCloseable {
                 if (next != null && !released) {
                     next.accept(robot);
                 }
-                settled();
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -195,11 +175,6 @@ public final class ManualControl implements AutoCloseable {
         }
         Consumer<BotControl> taken = oldest.next();
         oldest.remove();
-        setting = true;
         return taken;
-    }
-
-    private synchronized void settled() {
-        setting = false;
     }
 }

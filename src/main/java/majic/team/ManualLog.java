@@ -10,7 +10,7 @@ import majic.time.TimeSource;
 /**
  * Records what a {@link ManualControl} sends to its robot, as commands that repeat it: consecutive equal drives become
  * one command with a time. Times are never rounded up, and a drive that expired counts until its expiry. Used by one
- * thread at a time.
+ * thread.
  */
 final class ManualLog {
     /** The longest time that a timed drive accepts, seconds. */

@@ -250,14 +250,6 @@ public final class Member implements TeamMembership {
     }
 
     /**
-     * Wakes the worker of the robot, which takes longer than to prepare many a command. To be called before a command
-     * is prepared that will be submitted at once; without one it has no effect.
-     */
-    public void expectCommand() {
-        ownership.queue().expect();
-    }
-
-    /**
      * Runs a command at once, beside the queue, on a thread of its own: a {@code get} at the prompt.
      *
      * @param command what to do; must not move the robot; not submitted before

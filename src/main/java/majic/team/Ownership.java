@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.driver.BotDriver;
@@ -118,7 +119,7 @@ final class Ownership {
     }
 
     /** Returns how a command that is queued now uses the robot: the next stop, or losing the connection, ends it. */
-    synchronized PermittedControl controlFor(@Nullable Owner by) {
+    synchronized BotControl controlFor(@Nullable Owner by) {
         return (loan != null && isBorrower(by) ? loan.control : control).forCommand();
     }
 
@@ -169,21 +170,13 @@ final class Ownership {
     /** Puts a command at the end of its source's queue; throws as {@link Member#submit}. */
     void submit(QueuedCommand command, @Nullable Owner by) {
         CommandQueue used;
-        boolean isFirst;
         synchronized (this) {
             check(command.moves(), by);
             command.accept(controlFor(by));
             used = queueOf(by);
-            isFirst = bot.queuesCommands() && command.canBeginAhead() && used.takeAhead(command);
-            if (!isFirst) {
-                used.add(command);
-            }
+            used.add(command);
         }
-        if (isFirst) {
-            used.beginAhead(command);
-        } else {
-            used.wake();
-        }
+        used.wake();
     }
 
     /**

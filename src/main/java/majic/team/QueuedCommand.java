@@ -5,14 +5,8 @@ import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
-import java.util.function.Function;
 import majic.bot.BotControl;
 import majic.bot.BotException;
-import majic.bot.Guard;
-import majic.bot.MotionOrder;
-import majic.bot.MotionReport;
-import majic.driver.BotDriver;
-import majic.driver.PermittedControl;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -22,17 +16,14 @@ import org.jspecify.annotations.Nullable;
  */
 public final class QueuedCommand {
     private static final Logger LOG = System.getLogger(QueuedCommand.class.getName());
-    private static final Runnable NOTHING = () -> {};
 
     private final String text;
     private final boolean moves;
-    private final Runnable hold;
     private final Runnable check;
     private final Work work;
     private final @Nullable Object asker;
     private final Consumer<Answer> ending;
-    private volatile @Nullable PermittedControl control;
-    private volatile boolean checked;
+    private volatile @Nullable BotControl control;
     private volatile Answer.@Nullable Outcome outcome;
     private volatile boolean ended;
 
@@ -57,39 +48,17 @@ public final class QueuedCommand {
      * @param work what it does
      */
     public QueuedCommand(String text, boolean moves, Work work) {
-        this(text, moves, NOTHING, NOTHING, work, null, answer -> {});
+        this(text, moves, () -> {}, work, null, answer -> {});
     }
 
     private QueuedCommand(
-            String text,
-            boolean moves,
-            Runnable hold,
-            Runnable check,
-            Work work,
-            @Nullable Object asker,
-            Consumer<Answer> ending) {
+            String text, boolean moves, Runnable check, Work work, @Nullable Object asker, Consumer<Answer> ending) {
         this.text = text;
         this.moves = moves;
-        this.hold = hold;
         this.check = check;
         this.work = work;
         this.asker = asker;
         this.ending = ending;
-    }
-
-    /**
-     * Creates a command that is one motion. If the robot {@link BotDriver#queuesCommands() queues} what is sent to it,
-     * nothing waits in its queue and the command need not be held, then the thread that submits the command sends it.
-     *
-     * @param text the command without the robot, as answers repeat it
-     * @param order what to do
-     * @param until ends the motion early
-     * @param answers makes the answers, each without the robot's number
-     * @return a command that was not submitted yet, without an asker
-     */
-    public static QueuedCommand motion(
-            String text, MotionOrder order, Guard until, Function<MotionReport, List<String>> answers) {
-        return new QueuedCommand(text, true, new MotionWork(order, until, answers));
     }
 
     /**
@@ -100,24 +69,13 @@ public final class QueuedCommand {
      * @return a new command
      */
     public QueuedCommand askedBy(@Nullable Object by) {
-        return new QueuedCommand(text, moves, hold, check, work, by, ending);
+        return new QueuedCommand(text, moves, check, work, by, ending);
     }
 
     /**
-     * Returns the same command, not submitted, which may be held when its turn comes.
+     * Returns the same command, not submitted, with a further check that is made when its turn comes.
      *
-     * @param until blocks until the command may begin; throws a {@link BotException} if it must not
-     * @return a new command
-     */
-    public QueuedCommand heldUntil(Runnable until) {
-        return new QueuedCommand(text, moves, until, check, work, asker, ending);
-    }
-
-    /**
-     * Returns the same command, not submitted, with a further check that is made when its turn comes and nothing holds
-     * it.
-     *
-     * @param further must not wait; throws a {@link BotException} if the command must not begin; the command ends with that
+     * @param further throws a {@link BotException} if the command must not begin; the command ends with that
      * @return a new command
      */
     public QueuedCommand checkedBy(Runnable further) {
@@ -125,7 +83,7 @@ public final class QueuedCommand {
             further.run();
             check.run();
         };
-        return new QueuedCommand(text, moves, hold, all, work, asker, ending);
+        return new QueuedCommand(text, moves, all, work, asker, ending);
     }
 
     /**
@@ -136,7 +94,7 @@ public final class QueuedCommand {
      * @return a new command
      */
     public QueuedCommand endingIn(Consumer<Answer> receiver) {
-        return new QueuedCommand(text, moves, hold, check, work, asker, receiver);
+        return new QueuedCommand(text, moves, check, work, asker, receiver);
     }
 
     /**
@@ -187,36 +145,16 @@ public final class QueuedCommand {
      *
      * @throws IllegalStateException if it was accepted before
      */
-    synchronized void accept(PermittedControl robot) {
+    synchronized void accept(BotControl robot) {
         if (control != null) {
             throw new IllegalStateException(text + " was submitted before");
         }
         control = robot;
     }
 
-    /** Returns whether the thread that submits it may begin it: it need not be held, and is a motion. */
-    boolean canBeginAhead() {
-        return hold == NOTHING && work instanceof MotionWork;
-    }
-
-    /**
-     * Checks it and begins its motion, if nothing has to be waited for. What it throws, {@link #check} or {@link #run}
-     * throws.
-     */
-    void beginAhead() {
-        check();
-        if (work instanceof MotionWork motion) {
-            motion.begin(Objects.requireNonNull(control, "not submitted"));
-        }
-    }
-
-    /** Waits until it may begin; throws a {@link BotException} if it must not. Makes each check once. */
+    /** Checks whether it may begin; throws a {@link BotException} if not. */
     void check() {
-        if (!checked) {
-            hold.run();
-            check.run();
-            checked = true;
-        }
+        check.run();
     }
 
     /** Runs the accepted command and returns its answers; blocks until it is done. */

@@ -30,7 +30,6 @@ public final class FakeBot extends BotDriver {
     private volatile boolean stuck;
     private volatile boolean handsGuardsOver;
     private volatile boolean haltsBadly;
-    private volatile boolean queuesCommands;
     private volatile double confirmSeconds;
     private volatile Pose pose = Pose.START;
     private volatile Runnable lineIsSlow = () -> {};
@@ -139,21 +138,6 @@ public final class FakeBot extends BotDriver {
     /** Makes the robot take the guards of its moves as texts, without obeying them. */
     public void handsGuardsOver() {
         handsGuardsOver = true;
-    }
-
-    /** Makes the robot queue what is sent to it; it notes which thread sends a motion ahead. */
-    public void queueCommands() {
-        queuesCommands = true;
-    }
-
-    @Override
-    public boolean queuesCommands() {
-        return queuesCommands;
-    }
-
-    @Override
-    protected void sendAhead(MotionOrder order, Motion motion) {
-        motion.send(() -> sent.add(order + " ahead by " + Thread.currentThread().getName()));
     }
 
     /** Makes the sending of a drive take as long as this does. */

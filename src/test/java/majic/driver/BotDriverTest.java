@@ -11,7 +11,6 @@ import majic.bot.FakeBot;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
-import majic.bot.MotionOrder;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
@@ -123,8 +122,7 @@ class BotDriverTest {
 
         driver.stop();
 
-        assertThatThrownBy(() -> driver.perform(new MotionOrder.Move(100), Guard.NEVER, before))
-                .isInstanceOf(MotionStopped.class);
+        assertThatThrownBy(() -> driver.move(100, Guard.NEVER, before)).isInstanceOf(MotionStopped.class);
         assertThat(bot.sent()).containsOnly("halt");
     }
 

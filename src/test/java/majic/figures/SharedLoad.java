@@ -12,11 +12,10 @@ import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.bot.Guard;
 import majic.bot.MajicBot;
-import majic.bot.MotionOrder;
 import majic.environment.Settings;
 import majic.shared.SharedType;
 import majic.shared.broker.BrokerAddress;
@@ -30,7 +29,6 @@ import majic.shared.message.SiteTopics;
 import majic.shared.message.SpeedMessage;
 import majic.stop.RecordingRelay;
 import majic.team.BotFactory;
-import majic.team.ManualControl;
 import majic.team.Member;
 import majic.team.QueuedCommand;
 import majic.team.Team;
@@ -279,7 +277,7 @@ final class SharedLoad {
             for (int robot = 0; robot < used(); robot++) {
                 bare.send();
                 Thread.sleep(BETWEEN_MS);
-                samples.add(turn(robot));
+                samples.add(give(robot, RIGHT, control -> control.turn(-2)));
                 Thread.sleep(BETWEEN_MS);
             }
             await(() -> team.members().stream().allMatch(Member::isIdle));
@@ -288,36 +286,37 @@ final class SharedLoad {
     }
 
     private List<Sample> drives(BareMessages bare, int count) throws InterruptedException {
-        List<ManualControl> controls =
-                team.members().stream().map(ManualControl::new).toList();
         List<Sample> samples = new ArrayList<>();
         for (int number = 0; number < count; number++) {
             boolean left = number / used() % 2 == 0;
             double rate = left ? DRIVE_DEG_PER_SEC : -DRIVE_DEG_PER_SEC;
             bare.send();
             Thread.sleep(BETWEEN_MS / 2);
-            Sample sample = sample(number % used(), left ? LEFT : RIGHT);
-            controls.get(number % used()).drive(0, rate);
-            samples.add(sample);
+            samples.add(give(number % used(), left ? LEFT : RIGHT, control -> control.drive(0, rate)));
             Thread.sleep(BETWEEN_MS / 2);
         }
         team.stop(team.members(), null);
-        await(() -> team.members().stream().noneMatch(Member::isStopping)
-                && controls.stream().allMatch(ManualControl::isOff));
+        await(() -> team.members().stream().noneMatch(Member::isStopping));
         return samples;
     }
 
-    private Sample turn(int robot) {
-        Sample sample = sample(robot, RIGHT);
-        MotionOrder turn = new MotionOrder.Turn(-2);
-        team.members().get(robot).submit(QueuedCommand.motion("figure", turn, Guard.NEVER, report -> List.of()), null);
-        return sample;
+    /** Something that a robot is made to do. */
+    private interface Deed {
+        void run(BotControl control);
     }
 
-    /** Begins a sample, for a command that follows at once. */
-    private Sample sample(int robot, String packet) {
+    private Sample give(int robot, String packet, Deed deed) {
         RecordingRelay line = lines.get(robot);
-        return new Sample(line, line.length(), packet, System.nanoTime());
+        Sample sample = new Sample(line, line.length(), packet, System.nanoTime());
+        team.members()
+                .get(robot)
+                .submit(
+                        new QueuedCommand("figure", true, control -> {
+                            deed.run(control);
+                            return List.of();
+                        }),
+                        null);
+        return sample;
     }
 
     /**

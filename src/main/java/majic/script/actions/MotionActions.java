@@ -1,8 +1,8 @@
 package majic.script.actions;
 
 import java.util.List;
+import majic.bot.BotControl;
 import majic.bot.Guard;
-import majic.bot.MotionOrder;
 import majic.script.conditions.UntilGuard;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
@@ -30,7 +30,8 @@ final class MotionActions {
             this.until = command.until();
         }
 
-        abstract MotionOrder order();
+        /** Moves the robot and returns what the answer shows in brackets. */
+        abstract Object move(BotControl robot, Guard until);
 
         @Override
         public final void run(Execution execution, List<Member> robots) {
@@ -39,7 +40,7 @@ final class MotionActions {
 
         private QueuedCommand command(Member member, Execution execution) {
             Guard guard = until == null ? Guard.NEVER : new UntilGuard(until, execution.selection(), member);
-            return QueuedCommand.motion(text(), order(), guard, report -> List.of(text() + ": done (" + report + ")"));
+            return new QueuedCommand(text(), true, robot -> List.of(text() + ": done (" + move(robot, guard) + ")"));
         }
 
         final void checkUntil(Check check) {
@@ -64,8 +65,8 @@ final class MotionActions {
         }
 
         @Override
-        MotionOrder order() {
-            return new MotionOrder.Move(number(distance));
+        Object move(BotControl robot, Guard until) {
+            return robot.move(number(distance), until);
         }
     }
 
@@ -84,8 +85,8 @@ final class MotionActions {
         }
 
         @Override
-        MotionOrder order() {
-            return new MotionOrder.Turn(number(angle));
+        Object move(BotControl robot, Guard until) {
+            return robot.turn(number(angle), until);
         }
     }
 
@@ -113,9 +114,9 @@ final class MotionActions {
         }
 
         @Override
-        MotionOrder order() {
+        Object move(BotControl robot, Guard until) {
             double seconds = drive.seconds().orElse(drive.until() == null ? DRIVE_S : LONGEST_DRIVE_S);
-            return new MotionOrder.Drive(number(drive.speed()), number(drive.rate()), seconds);
+            return robot.drive(number(drive.speed()), number(drive.rate()), seconds, until);
         }
     }
 

@@ -156,7 +156,7 @@ public final class ScriptExecution extends Execution {
         }
         ScriptControl.GatedCommand gate = turn.command();
         Permit permit = member.currentPermit();
-        return gate.use(command.heldUntil(() -> {
+        return gate.use(command.checkedBy(() -> {
             awaitTurn(() -> gate.mayBegin() || permit.isRevoked() || mustNotBegin());
             gate.begin();
         }));

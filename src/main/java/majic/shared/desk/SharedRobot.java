@@ -104,11 +104,9 @@ final class SharedRobot implements StoppableRobot {
                 forward(
                         requestLimit,
                         message,
-                        member::expectCommand,
                         held -> requests.receivedFrom(held, message),
                         () -> requests.received(message));
-            case SPEED ->
-                forward(speedLimit, message, speeds::expect, held -> speedFrom(held, message), () -> speed(message));
+            case SPEED -> forward(speedLimit, message, held -> speedFrom(held, message), () -> speed(message));
             case DESCRIPTION, STATE, CHANGES, MESSAGES -> {}
         }
     }
@@ -117,24 +115,15 @@ final class SharedRobot implements StoppableRobot {
      * Handles a message of the holder at once, if that is possible, and everything else on the worker of the desk: claiming the
      * robot calls the listeners of the team, which may block.
      *
-     * @param expect wakes the thread that will send the command to the robot, while the message is read
      * @param atOnce handles it without blocking; returns false, having done nothing, if it is no motion of the holder
      * @param onWorker handles any message
      */
-    private void forward(
-            MessageLimit limit,
-            BrokerMessage message,
-            Runnable expect,
-            Predicate<RobotHold> atOnce,
-            Runnable onWorker) {
+    private void forward(MessageLimit limit, BrokerMessage message, Predicate<RobotHold> atOnce, Runnable onWorker) {
         if (!limit.allows()) {
             reportFlood(limit, message.topic());
             return;
         }
         RobotHold now = message.payload().length > LONGEST_AT_ONCE_BYTES || !inbox.isEmpty() ? null : hold();
-        if (now != null) {
-            expect.run();
-        }
         if ((now == null || !atOnce.test(now)) && !inbox.add(onWorker)) {
             reportFlood(limit, message.topic());
         }

@@ -5,7 +5,6 @@ import majic.shared.broker.BrokerMessage;
 import majic.shared.message.RequestReply;
 import majic.shared.message.RequestReply.Outcome;
 import majic.shared.message.SpeedMessage;
-import majic.time.Expectation;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -21,7 +20,6 @@ final class SpeedDriver {
     private final DeskContext desk;
     private final String thread;
     private final Signal changed;
-    private final Expectation expectation = new Expectation();
     private @Nullable Speed newest;
     private boolean running;
 
@@ -41,7 +39,6 @@ final class SpeedDriver {
             begins = !running;
             running = true;
         }
-        expectation.meet();
         TimeSource time = desk.connection().time();
         if (begins && !time.tryRunAsync(thread, this::run)) {
             synchronized (this) {
@@ -49,12 +46,6 @@ final class SpeedDriver {
             }
             desk.reply(source, RequestReply.of(Outcome.FAILED, "the system has no thread left to drive the robot"));
         }
-        changed.raise();
-    }
-
-    /** Wakes the thread, if there is one, because a speed will follow at once. */
-    void expect() {
-        expectation.raise();
         changed.raise();
     }
 
@@ -69,9 +60,7 @@ final class SpeedDriver {
     }
 
     private @Nullable Speed next() throws InterruptedException {
-        while (changed.await(() -> expectation.isRaised() || hasSpeed(), UNUSED_S) && !hasSpeed()) {
-            expectation.await();
-        }
+        changed.await(this::hasSpeed, UNUSED_S);
         synchronized (this) {
             Speed taken = newest;
             newest = null;

@@ -1,7 +1,11 @@
 package majic.shared.message;
 
+import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -18,6 +22,9 @@ import org.jspecify.annotations.Nullable;
  * each error is a sentence that names the message and the field.
  */
 final class JsonObject {
+    /** Deeper than any message of this version; a description needs 7 levels. */
+    private static final int DEEPEST = 20;
+
     /** Longer texts are cut: no message has a use for them, and they are shown to users. */
     private static final int LONGEST_TEXT = 4000;
 
@@ -26,6 +33,14 @@ final class JsonObject {
 
     /** A surrogate without its other half, which no message can contain in UTF-8. */
     private static final Pattern HALF_CHARACTER = Pattern.compile("\\p{Cs}");
+
+    private static final JsonMapper JSON = JsonMapper.builder(JsonFactory.builder()
+                    .streamReadConstraints(StreamReadConstraints.builder()
+                            .maxNestingDepth(DEEPEST)
+                            .build())
+                    .build())
+            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+            .build();
 
     private final String what;
     private final JsonNode fields;
@@ -49,7 +64,7 @@ final class JsonObject {
                     what + ": " + payload.length + " bytes are too many; at most " + mostBytes + " are read");
         }
         try {
-            return of(what, JsonTree.read(payload));
+            return of(what, JSON.readTree(payload));
         } catch (JsonProcessingException e) {
             throw new UnusableMessageException(what + ": is not JSON: " + reason(e));
         } catch (IOException e) {
@@ -71,14 +86,14 @@ final class JsonObject {
     }
 
     static ObjectNode create() {
-        return JsonTree.object();
+        return JSON.createObjectNode();
     }
 
     static byte[] bytes(ObjectNode message) {
         try {
-            return JsonTree.write(message);
-        } catch (IOException e) {
-            throw new IllegalArgumentException("cannot be written as JSON: " + e.getMessage(), e);
+            return JSON.writeValueAsBytes(message);
+        } catch (JsonProcessingException e) {
+            throw new IllegalArgumentException("cannot be written as JSON: " + e.getOriginalMessage(), e);
         }
     }
 

@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import majic.bot.MotionOrder;
 import majic.bot.Value;
 
 /** What a request asks a robot to do. Immutable; {@code toString()} is how answers repeat it. */
@@ -122,24 +121,6 @@ public sealed interface RequestedAction {
         public String toString() {
             return "picture";
         }
-    }
-
-    /**
-     * Asks for a motion.
-     *
-     * @param order the motion
-     * @param until MAJIC Script; empty for none
-     * @return the action
-     */
-    static RequestedAction of(MotionOrder order, String until) {
-        if (order instanceof MotionOrder.Move move) {
-            return new Move(move.mm(), until);
-        }
-        if (order instanceof MotionOrder.Turn turn) {
-            return new Turn(turn.degrees(), until);
-        }
-        MotionOrder.Drive drive = (MotionOrder.Drive) order;
-        return new Drive(drive.mmPerSec(), drive.degPerSec(), drive.seconds(), until);
     }
 
     private static String behind(String until) {

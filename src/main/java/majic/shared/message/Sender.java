@@ -6,6 +6,7 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 import java.util.UUID;
+import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.text.VisibleText;
 
@@ -21,7 +22,8 @@ public record Sender(String desk, String person, String session) {
     private static final int LONGEST = 64;
     private static final int LONGEST_PERSON = 40;
     private static final int HASH_BYTES = 8;
-    private static final int LONGEST_DESK = 20;
+    private static final Pattern DESK = Pattern.compile("\\p{L}[\\p{L}\\d_-]{0,19}");
+    private static final Pattern SESSION = Pattern.compile("[\\w-]{1," + LONGEST + "}");
 
     /**
      * A sender of this run of this program.
@@ -56,31 +58,7 @@ public record Sender(String desk, String person, String session) {
      * @return true for a letter, then letters, digits, - and _, at most 20 characters in all
      */
     public static boolean isDesk(String text) {
-        if (text.isEmpty()
-                || text.codePointCount(0, text.length()) > LONGEST_DESK
-                || !Character.isLetter(text.codePointAt(0))) {
-            return false;
-        }
-        for (int at = 0; at < text.length(); at += Character.charCount(text.codePointAt(at))) {
-            if (!Character.isLetter(text.codePointAt(at)) && !isInName(text.codePointAt(at))) {
-                return false;
-            }
-        }
-        return true;
-    }
-
-    private static boolean isSession(String text) {
-        for (int at = 0; at < text.length(); at++) {
-            char one = text.charAt(at);
-            if (!(one >= 'a' && one <= 'z' || one >= 'A' && one <= 'Z' || isInName(one))) {
-                return false;
-            }
-        }
-        return !text.isEmpty() && text.length() <= LONGEST;
-    }
-
-    private static boolean isInName(int one) {
-        return one >= '0' && one <= '9' || one == '_' || one == '-';
+        return DESK.matcher(text).matches();
     }
 
     /**
@@ -114,7 +92,7 @@ public record Sender(String desk, String person, String session) {
     /** Reads the fields; {@code desk} and {@code person} may be missing. */
     static Sender read(JsonObject from) {
         String session = from.text("session");
-        if (!isSession(session)) {
+        if (!SESSION.matcher(session).matches()) {
             throw from.wrong("session", "it is 1 to " + LONGEST + " letters, digits, - and _");
         }
         String desk = from.text("desk", "");
