@@ -9,7 +9,7 @@ final class LineMenu extends JPopupMenu {
     private static final long serialVersionUID = 1L;
 
     private final CommandLine line;
-    private final List<JMenuItem> ofSelection;
+    private final transient List<JMenuItem> ofSelection;
     private final JMenuItem all;
 
     LineMenu(CommandLine line) {
