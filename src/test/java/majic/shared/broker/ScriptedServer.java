@@ -5,12 +5,16 @@ import java.io.UncheckedIOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import org.jspecify.annotations.Nullable;
 
 /** A port that answers the first bytes of each client with bytes of its own, or closes the connection. */
 final class ScriptedServer implements AutoCloseable {
     private final ServerSocket server;
     private final byte @Nullable [] answer;
+    /** Java closes a socket that nothing refers to. */
+    private final List<Socket> open = new CopyOnWriteArrayList<>();
 
     /** Answers with bytes, after which the connection stays open; closes the connection if there are none. */
     ScriptedServer(byte @Nullable [] answer) {
@@ -46,6 +50,7 @@ final class ScriptedServer implements AutoCloseable {
         } else if (answer == null) {
             client.close();
         } else {
+            open.add(client);
             client.getOutputStream().write(answer);
         }
     }
@@ -54,6 +59,9 @@ final class ScriptedServer implements AutoCloseable {
     public void close() {
         try {
             server.close();
+            for (Socket client : open) {
+                client.close();
+            }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
