@@ -36,7 +36,8 @@ class FleetVehicleTest {
     @BeforeEach
     void share() {
         sharing.start();
-        rig.clock.until(() -> !rig.broker.published(VEHICLE + "state").isEmpty());
+        rig.clock.until(() -> !rig.broker.published(VEHICLE + "factsheet").isEmpty()
+                && !rig.broker.published(VEHICLE + "state").isEmpty());
     }
 
     private static JsonNode json(BrokerMessage message) {
