@@ -16,37 +16,27 @@ import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.MotionReport;
-import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Value;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
-import majic.time.Signal;
-import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The driver of one robot. A subclass implements the protected hooks, which speak the robot's protocol. This class
- * checks arguments, orders callers, stops, ends a {@code drive} that is not renewed, calls listeners and defines the
- * shared parameters.
+ * The driver of one robot. A subclass implements the protected abstract methods, which speak the robot's protocol. This
+ * class checks arguments, lets one caller move the robot after the other, stops it, ends a {@code drive} that is not
+ * renewed, calls listeners and defines the shared parameters.
  */
-public abstract class BotDriver extends MajicBot {
+public abstract class BotDriver extends MovingRobot {
     private volatile BotType type;
-    private final TimeSource time;
     private final Settings settings;
     private final ParameterTable parameters = new ParameterTable();
     private final CommandTable commands = new CommandTable();
     private final Listeners listeners;
     private final ConnectionLife life;
-    private final Signal changes;
-    private final Readings readings;
-    private final RobotTimer timer;
-    private final MotionGate gate;
     private final ShutdownHook.Closing atShutdown;
 
-    private volatile BotProfile profile;
-    private volatile MotionLimits limits;
     private volatile String name;
     private volatile @Nullable TeamMembership membership;
 
@@ -58,22 +48,16 @@ public abstract class BotDriver extends MajicBot {
      * @param environment its clock and settings
      */
     protected BotDriver(BotType type, BotProfile profile, BotEnvironment environment) {
+        super(profile, Objects.requireNonNull(environment, "environment").time());
         this.type = Objects.requireNonNull(type, "type");
-        this.profile = Objects.requireNonNull(profile, "profile");
-        this.limits = new MotionLimits(profile);
-        this.time = Objects.requireNonNull(environment, "environment").time();
         this.settings = environment.settings();
-        this.listeners = new Listeners(this, time);
+        this.listeners = new Listeners(this, time());
         this.life = new ConnectionLife(listeners::connectionChanged);
-        this.changes = time.signal();
-        this.readings = new Readings(changes);
-        this.timer = new RobotTimer(time);
-        this.gate = new MotionGate(new MovingDriver(this, readings), timer);
         this.name = "the " + type.label();
-        this.atShutdown = new ShutdownHook.Closing(this::name, time, this::revokeForGood, this::close);
+        this.atShutdown = new ShutdownHook.Closing(this::name, time(), this::revokeForGood, this::close);
         SharedParameters.describe(
-                parameters, new SharedParameters.Source(this::state, this::profile, time), this::setPose);
-        limits.describe(parameters);
+                parameters, new SharedParameters.Source(this::state, this::profile, time()), this::setPose);
+        limits().describe(parameters);
     }
 
     /**
@@ -97,10 +81,10 @@ public abstract class BotDriver extends MajicBot {
         try {
             ShutdownHook.add(atShutdown);
             if (first) {
-                listeners.start(time, type.name());
-                timer.start(type.name());
+                listeners.start(time(), type.name());
+                timer().start(type.name());
             }
-            readings.reconnecting();
+            readings().reconnecting();
             listeners.deliver();
             openOrExplain();
         } catch (RuntimeException | Error e) {
@@ -127,101 +111,6 @@ public abstract class BotDriver extends MajicBot {
     }
 
     @Override
-    public final MotionReport move(double mm, Guard until) {
-        return move(mm, until, permit());
-    }
-
-    final MotionReport move(double mm, Guard until, Permit permit) {
-        limits.checkMove(mm);
-        return gate.perform(until, permit, motion -> moveBy(mm, motion));
-    }
-
-    @Override
-    public final MotionReport turn(double degrees, Guard until) {
-        return turn(degrees, until, permit());
-    }
-
-    final MotionReport turn(double degrees, Guard until, Permit permit) {
-        limits.checkTurn(degrees);
-        return gate.perform(until, permit, motion -> turnBy(degrees, motion));
-    }
-
-    @Override
-    public final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until) {
-        return drive(mmPerSec, degPerSec, seconds, until, permit());
-    }
-
-    final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
-        limits.checkDrive(mmPerSec, degPerSec, seconds);
-        return gate.drive(mmPerSec, degPerSec, seconds, until, permit);
-    }
-
-    @Override
-    public final void drive(double mmPerSec, double degPerSec) {
-        drive(mmPerSec, degPerSec, permit());
-    }
-
-    final void drive(double mmPerSec, double degPerSec, Permit permit) {
-        limits.checkDrive(mmPerSec, degPerSec);
-        gate.drive(mmPerSec, degPerSec, permit);
-    }
-
-    @Override
-    public final void stop() {
-        revokeMotions();
-        if (isConnected()) {
-            sendStop();
-        } else {
-            changes.raise();
-        }
-    }
-
-    /**
-     * Revokes the permission to move of all current motions; does not block, sends nothing. Wakes no thread that waits
-     * in a motion: {@link #writeStop()} does, so that those threads do not delay the stops of other robots.
-     */
-    public final void revokeMotions() {
-        gate.revoke(() -> new MotionStopped("stopped"));
-    }
-
-    /**
-     * Sends the stop and waits until the robot has confirmed it. Unlike {@link #stop()} it revokes no permission to
-     * move: for callers that have already revoked the relevant permit.
-     *
-     * @throws LinkLost if the connection was lost: the stop cannot be sent, so the robot must not be reported as
-     *     stopped
-     * @throws BotException if the robot is being reconnected, or reconnecting failed; the stop cannot be sent then
-     *     either
-     */
-    public final void sendStop() {
-        if (writeStop()) {
-            confirmHalt();
-        }
-    }
-
-    /**
-     * The part of {@link #sendStop()} that writes; then wakes the threads that wait in motions.
-     *
-     * @return false for a robot that needs no stop, not connected yet or closed
-     */
-    public final boolean writeStop() {
-        try {
-            refuseLost();
-            Connection now = life.now();
-            if (now == Connection.CONNECTING || now == Connection.LOST) {
-                throw new BotException(name + " is not connected, so no stop can reach it");
-            }
-            boolean open = isConnected();
-            if (open) {
-                gate.writeStop();
-            }
-            return open;
-        } finally {
-            changes.raise();
-        }
-    }
-
-    @Override
     public final Value get(String parameter) {
         return entry(parameter).reader().get();
     }
@@ -236,13 +125,13 @@ public abstract class BotDriver extends MajicBot {
         BiConsumer<List<Value>, Motion> writer = entry.writer();
         List<Value> fitted = Arguments.forSet(entry.parameter(), values);
         if (entry.parameter().moves()) {
-            gate.perform(Guard.NEVER, permit, motion -> {
+            gate().perform(Guard.NEVER, permit, motion -> {
                 writer.accept(fitted, motion);
                 return null;
             });
         } else {
             requireConnected();
-            writer.accept(fitted, gate.beside(permit));
+            writer.accept(fitted, gate().beside(permit));
         }
     }
 
@@ -256,10 +145,10 @@ public abstract class BotDriver extends MajicBot {
         List<Value> fitted = Arguments.forCommand(known.command(), arguments);
         if (!known.command().moves()) {
             requireConnected();
-            return known.action().run(fitted, gate.beside(permit));
+            return known.action().run(fitted, gate().beside(permit));
         }
-        MotionReport report = gate.perform(
-                Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
+        MotionReport report = gate().perform(
+                        Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
         return String.valueOf(report.amount());
     }
 
@@ -287,21 +176,6 @@ public abstract class BotDriver extends MajicBot {
     }
 
     @Override
-    public final void checkMove(double mm) {
-        limits.checkMove(mm);
-    }
-
-    @Override
-    public final void checkTurn(double degrees) {
-        limits.checkTurn(degrees);
-    }
-
-    @Override
-    public final void checkDrive(double mmPerSec, double degPerSec, double seconds) {
-        limits.checkDrive(mmPerSec, degPerSec, seconds);
-    }
-
-    @Override
     public final Parameter parameter(String parameter) {
         return entry(parameter).parameter();
     }
@@ -313,9 +187,9 @@ public abstract class BotDriver extends MajicBot {
             return;
         }
         try {
-            timer.close();
+            timer().close();
             news();
-            gate.end(before == Connection.CONNECTED);
+            gate().end(before == Connection.CONNECTED);
             if (before != Connection.NEW) {
                 shut();
             }
@@ -327,12 +201,6 @@ public abstract class BotDriver extends MajicBot {
                 listeners.close();
             }
         }
-    }
-
-    /** Ends all motions and permits no others; does not block, sends nothing. */
-    final void revokeForGood(String reason) {
-        gate.close(() -> new BotException(reason));
-        changes.raise();
     }
 
     @Override
@@ -366,11 +234,6 @@ public abstract class BotDriver extends MajicBot {
     }
 
     @Override
-    public final BotProfile profile() {
-        return profile;
-    }
-
-    @Override
     public final Connection connection() {
         return life.now();
     }
@@ -382,19 +245,19 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final BotState state() {
-        return readings.state();
+        return readings().state();
     }
 
     @Override
     public final void place(Pose pose) {
         Objects.requireNonNull(pose, "pose");
-        readings.place(pose);
+        readings().place(pose);
         listeners.stateChanged();
     }
 
     @Override
     public final Optional<Pose> placedAt() {
-        return readings.placedAt();
+        return readings().placedAt();
     }
 
     @Override
@@ -424,88 +287,11 @@ public abstract class BotDriver extends MajicBot {
     protected abstract void shut();
 
     /**
-     * Drives straight until done. Every command that moves the robot is sent through the motion; exceptions it throws
-     * must not be caught. Motors are switched on here when they are off, with a {@link #notice}.
-     *
-     * @param mm finite, within {@code maxMove}, ahead positive
-     * @param motion for sending and waiting
-     * @return how far it went, mm
-     */
-    protected abstract Value moveBy(double mm, Motion motion);
-
-    /**
-     * Turns on the spot until done; otherwise as {@link #moveBy}.
-     *
-     * @param degrees finite, counterclockwise positive, perhaps several turns
-     * @param motion for sending and waiting
-     * @return how far it turned, degrees
-     */
-    protected abstract Value turnBy(double degrees, Motion motion);
-
-    /**
-     * Sends the command to drive a curve from now on, and does not wait for anything. Called repeatedly during a
-     * drive, with no stop between; after the last call {@link #halt()} follows.
-     *
-     * @param mmPerSec within the profile's speeds, ahead positive
-     * @param degPerSec within the profile's rates, counterclockwise positive
-     */
-    protected abstract void driveAt(double mmPerSec, double degPerSec);
-
-    /**
-     * Drives a curve for a time until done; otherwise as {@link #moveBy}. Calls {@link #driveAt} again and again, then
-     * {@link #halt()} and {@link #confirmHalt()}, unless overridden for a robot that takes the time with the command.
-     *
-     * @param mmPerSec within the profile's speeds, ahead positive
-     * @param degPerSec within the profile's rates, counterclockwise positive
-     * @param seconds more than 0, at most 60
-     * @param motion for sending and waiting
-     * @return a description of how the speeds were adjusted; null if they were not
-     */
-    protected @Nullable Value driveFor(double mmPerSec, double degPerSec, double seconds, Motion motion) {
-        return gate.driveRenewing(mmPerSec, degPerSec, seconds, motion);
-    }
-
-    /**
-     * Returns how {@link #driveAt} adjusted the speeds requested last. Part of the answer to a drive for a given time.
-     *
-     * @return a description; null if the robot drives exactly as requested, or reports the difference in another way
-     */
-    protected @Nullable Value driven() {
-        return null;
-    }
-
-    /**
-     * Sends the stop command at once and does not wait for an answer. Called on any thread, with no other command
-     * being sent meanwhile.
-     */
-    protected abstract void halt();
-
-    /**
-     * Sends the stop ahead of {@link #halt()}, over a connection that no command uses. For robots whose stop has a
-     * connection of its own: {@code halt()} has to wait for the command that is being sent, up to the deadline of a
-     * stuck link. Called for every stop once all permits are revoked, on the thread that stops, perhaps on several at a
-     * time and while another thread is inside any other hook; must wait for none of them.
-     *
-     * <p>It replaces nothing. A command whose permit was checked before the stop may still go out behind this one;
-     * {@code halt()} follows as soon as that has been sent, and has to stop that too. So the state that
-     * {@code halt()} needs must not be cleared here. Does nothing unless overridden; what it throws is logged and
-     * {@code halt()} follows all the same.
-     */
-    protected void haltAhead() {}
-
-    /**
-     * Waits until the robot has confirmed the stop that {@link #halt()} sent, sending it again where that helps. Called
-     * without any lock, on the thread that stops and at the end of a drive for a time.
-     *
-     * @throws BotException if it is not confirmed within the driver's timeout
-     */
-    public void confirmHalt() {}
-
-    /**
      * Returns the table in which drivers describe the robot's own parameters.
      *
      * @return the table, with the shared ones in it
      */
+    @Override
     protected final ParameterTable table() {
         return parameters;
     }
@@ -529,17 +315,6 @@ public abstract class BotDriver extends MajicBot {
     }
 
     /**
-     * Replaces the size and pace by those read from the robot itself.
-     *
-     * @param better the new profile; default for cruise and near unless they have been set
-     */
-    protected final void profile(BotProfile better) {
-        profile = better;
-        limits = limits.fittedTo(better);
-        limits.describe(parameters);
-    }
-
-    /**
      * Replaces the type by the one that the robot turned out to have. To be called while connecting for the first time.
      *
      * @param found the type that users, roles of acts and scripts see from now on
@@ -558,38 +333,6 @@ public abstract class BotDriver extends MajicBot {
     }
 
     /**
-     * Sets the parameter {@code maxMove}, for a robot that keeps this limit itself.
-     *
-     * @param mm the longest single move that is accepted, positive
-     */
-    protected final void maxMove(double mm) {
-        limits.maxMove(mm);
-    }
-
-    /**
-     * Returns the speed for {@code move}.
-     *
-     * @return mm/s, positive
-     */
-    protected final double cruiseMmPerSec() {
-        return limits.cruiseMmPerSec();
-    }
-
-    /**
-     * Returns the rate for {@code turn}.
-     *
-     * @return deg/s, positive
-     */
-    protected final double cruiseTurnDegPerSec() {
-        return limits.cruiseTurnDegPerSec();
-    }
-
-    @Override
-    public final TimeSource time() {
-        return time;
-    }
-
-    /**
      * Returns the settings kept from one program start to the next.
      *
      * @return the settings
@@ -599,44 +342,12 @@ public abstract class BotDriver extends MajicBot {
     }
 
     /**
-     * Returns the signal that all threads waiting for this robot wait on. Drivers raise it after any change a thread may wait
-     * for.
-     *
-     * @return the signal
-     */
-    protected final Signal changes() {
-        return changes;
-    }
-
-    /**
-     * Runs a task periodically on the robot's own timer thread, from now until the robot is closed.
-     *
-     * @param what the name of the task; a task of the same name is replaced
-     * @param seconds the period
-     * @param task quick; failures are logged
-     */
-    public final void every(String what, double seconds, Runnable task) {
-        timer.every(what, seconds, task);
-    }
-
-    /**
-     * Runs a task once on the robot's own timer thread, unless the robot is closed before.
-     *
-     * @param what the name of the task; a task of the same name is replaced
-     * @param seconds when, from now
-     * @param task quick; failures are logged; may call this method again
-     */
-    protected final void once(String what, double seconds, Runnable task) {
-        timer.once(what, seconds, task);
-    }
-
-    /**
      * Publishes new readings and wakes the threads that wait for readings.
      *
      * @param newState what was read
      */
     protected final void publish(BotState newState) {
-        readings.report(newState);
+        readings().report(newState);
         listeners.stateChanged();
     }
 
@@ -645,7 +356,7 @@ public abstract class BotDriver extends MajicBot {
      * rechecked.
      */
     protected final void news() {
-        readings.news();
+        readings().news();
     }
 
     /**
@@ -653,6 +364,7 @@ public abstract class BotDriver extends MajicBot {
      *
      * @param message one sentence or half of one
      */
+    @Override
     public final void notice(String message) {
         listeners.notice(message);
     }
@@ -672,49 +384,13 @@ public abstract class BotDriver extends MajicBot {
      *
      * @param cause how it was lost
      */
+    @Override
     protected final void lost(LinkLost cause) {
-        if (life.lose(cause, () -> gate.lost(cause))) {
+        if (life.lose(cause, () -> gate().lost(cause))) {
             news();
             membership().ifPresent(there -> there.linkLost(String.valueOf(cause.getMessage())));
             listeners.deliver();
         }
-    }
-
-    /**
-     * Returns whether a {@link #drive(double, double)} is in progress.
-     *
-     * @return true from a drive until it expires or is ended
-     */
-    protected final boolean isDriving() {
-        return gate.isDriving();
-    }
-
-    /**
-     * Returns whether a motion or a drive is under way.
-     *
-     * @return true while the driver may have sent the robot a motion
-     */
-    public final boolean isBusy() {
-        return gate.isBusy();
-    }
-
-    /**
-     * Returns the permission to move that is in force.
-     *
-     * @return revoked by the next stop or the loss of the connection
-     */
-    public final Permit permit() {
-        return gate.permit();
-    }
-
-    /** Refuses all motion until {@link #unlatch()}, and revokes as {@link #revokeMotions()} does. */
-    public final void latch() {
-        gate.latch(() -> new BotException("STOP is latched; \"release\" allows motion again"));
-    }
-
-    /** Allows motion again after {@link #latch()}. */
-    public final void unlatch() {
-        gate.unlatch();
     }
 
     @Override
@@ -722,6 +398,7 @@ public abstract class BotDriver extends MajicBot {
         return Optional.ofNullable(life.lostBecause()).map(LinkLost::getMessage);
     }
 
+    @Override
     final void requireConnected() {
         refuseLost();
         if (!isConnected()) {
@@ -729,7 +406,8 @@ public abstract class BotDriver extends MajicBot {
         }
     }
 
-    private void refuseLost() {
+    @Override
+    final void refuseLost() {
         LinkLost cause = life.lostBecause();
         if (cause != null) {
             throw new LinkLost(cause.getMessage(), cause);
@@ -738,12 +416,12 @@ public abstract class BotDriver extends MajicBot {
 
     @Override
     public final void addWatcher(Runnable watcher) {
-        readings.addWatcher(Objects.requireNonNull(watcher, "watcher"));
+        readings().addWatcher(Objects.requireNonNull(watcher, "watcher"));
     }
 
     @Override
     public final void removeWatcher(Runnable watcher) {
-        readings.removeWatcher(watcher);
+        readings().removeWatcher(watcher);
     }
 
     private ParameterTable.Entry entry(String parameter) {

@@ -152,7 +152,7 @@ public final class Motion {
      * for answers of robots.
      */
     private boolean lookAtGuard() {
-        long readings = bot.readings();
+        long readings = bot.readings().count();
         if (isGuarded() && !guardHandedOver && !guardReached && readings != readingsSeen) {
             boolean first = readingsSeen < 0;
             readingsSeen = readings;
@@ -177,7 +177,9 @@ public final class Motion {
                             () -> done.getAsBoolean()
                                     || permit.isRevoked()
                                     || !bot.isConnected()
-                                    || (isGuarded() && !guardHandedOver && bot.readings() != seen),
+                                    || (isGuarded()
+                                            && !guardHandedOver
+                                            && bot.readings().count() != seen),
                             seconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

@@ -144,7 +144,7 @@ final class MotionGate {
             return motion.get();
         }
         List<? extends Guard.ReadingSource> others = until.alsoWatches();
-        Runnable lookAgain = bot::lookAgain;
+        Runnable lookAgain = bot.readings()::lookAgain;
         others.forEach(other -> other.addWatcher(lookAgain));
         try {
             return motion.get();

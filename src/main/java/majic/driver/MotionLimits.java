@@ -43,6 +43,10 @@ final class MotionLimits {
         return fitted;
     }
 
+    BotProfile profile() {
+        return profile;
+    }
+
     private void setCruise(@Nullable Double mmPerSec) {
         cruiseSet = mmPerSec;
         cruiseMmPerSec = profile.speed().clamp(or(mmPerSec, profile.cruiseMmPerSec()));
