@@ -62,7 +62,7 @@ public final class Cart extends BotDriver {
         }
 
         @Override
-        public int defaultPort() {
+        public int defaultPort(String scheme) {
             return 4000;
         }
 
@@ -85,7 +85,7 @@ public final class Cart extends BotDriver {
 
     private Link newLink() {
         try {
-            return Links.of(address, type().defaultPort(), 0);
+            return Links.of(address, type().defaultPort(type().name()), 0);
         } catch (IllegalArgumentException e) {
             throw new BotException(e.getMessage(), e);
         }

@@ -43,7 +43,7 @@ public final class Turtle extends BotDriver {
         }
 
         @Override
-        public int defaultPort() {
+        public int defaultPort(String scheme) {
             return 4000;
         }
 

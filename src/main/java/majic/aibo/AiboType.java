@@ -37,7 +37,7 @@ public final class AiboType implements BotType {
     }
 
     @Override
-    public int defaultPort() {
+    public int defaultPort(String scheme) {
         return PORT;
     }
 

@@ -134,11 +134,12 @@ public interface BotType {
     List<Reach> reaches();
 
     /**
-     * Returns the usual TCP port, which the Add dialog offers.
+     * Returns the usual TCP port of addresses with a scheme, which the Add dialog offers.
      *
+     * @param scheme one that {@linkplain #isMeantBy means} this type, in lower case
      * @return 1 to 65535; 0 if there is no usual one
      */
-    int defaultPort();
+    int defaultPort(String scheme);
 
     /**
      * Makes the driver for a robot at an address, without touching the robot.

@@ -35,7 +35,7 @@ public final class HemissonType implements BotType {
 
     /** 0, because serial servers have no usual port. */
     @Override
-    public int defaultPort() {
+    public int defaultPort(String scheme) {
         return 0;
     }
 

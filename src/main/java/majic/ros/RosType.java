@@ -44,7 +44,7 @@ public final class RosType implements BotType {
     }
 
     @Override
-    public int defaultPort() {
+    public int defaultPort(String scheme) {
         return BridgeAddress.PORT;
     }
 

@@ -43,8 +43,8 @@ record DescribedType(SharedType shared, Description.Kind kind, String desk) impl
     }
 
     @Override
-    public int defaultPort() {
-        return shared.defaultPort();
+    public int defaultPort(String scheme) {
+        return shared.defaultPort(scheme);
     }
 
     @Override

@@ -108,8 +108,8 @@ public final class SharedType implements BotType {
     }
 
     @Override
-    public int defaultPort() {
-        return BrokerAddress.PORT;
+    public int defaultPort(String scheme) {
+        return BrokerAddress.defaultPort(scheme.equals(BrokerAddress.SECURE_SCHEME));
     }
 
     @Override

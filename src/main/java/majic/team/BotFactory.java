@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.Collections;
 import java.util.Iterator;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -170,12 +171,13 @@ public final class BotFactory {
         if (!server.matches()) {
             return text;
         }
+        String scheme = server.group("type").toLowerCase(Locale.ROOT);
         String port = types.stream()
-                .filter(type -> type.name().equalsIgnoreCase(server.group("type")))
+                .filter(type -> type.isMeantBy(scheme))
                 .findFirst()
-                .map(type -> ":" + type.defaultPort())
+                .map(type -> ":" + type.defaultPort(scheme))
                 .orElse("");
-        return server.group("type") + "://" + server.group("host")
+        return scheme + "://" + server.group("host")
                 + Objects.requireNonNullElse(server.group("port"), port)
                 + server.group("rest");
     }

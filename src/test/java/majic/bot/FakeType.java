@@ -75,7 +75,7 @@ public class FakeType implements BotType {
     }
 
     @Override
-    public int defaultPort() {
+    public int defaultPort(String scheme) {
         return 1234;
     }
 

@@ -55,7 +55,7 @@ public final class ToyType implements BotType {
     }
 
     @Override
-    public int defaultPort() {
+    public int defaultPort(String scheme) {
         return port;
     }
 

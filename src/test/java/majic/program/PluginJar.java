@@ -63,7 +63,7 @@ final class PluginJar {
                     public String label() { return label; }
                     public String make() { return label; }
                     public java.util.List<Reach> reaches() { return java.util.List.of(Reach.TCP); }
-                    public int defaultPort() { return 0; }
+                    public int defaultPort(String scheme) { return 0; }
                     public String advice() { return ""; }
                     public majic.bot.MajicBot create(majic.bot.BotAddress address, majic.environment.BotEnvironment environment) {
                         return Other.make();

@@ -69,7 +69,8 @@ final class NetworkInput extends AddressInput {
     }
 
     private String usualPort() {
-        return type.defaultPort() == 0 ? "" : String.valueOf(type.defaultPort());
+        int usual = type.defaultPort(type.name());
+        return usual == 0 ? "" : String.valueOf(usual);
     }
 
     @Override

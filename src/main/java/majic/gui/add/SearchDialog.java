@@ -111,9 +111,13 @@ final class SearchDialog extends MajicDialog {
         List<InetAddress> hosts = places.hosts().get();
         Set<InetSocketAddress> spared = places.spared().get();
         Map<Integer, BotType> ports = new TreeMap<>();
-        types.stream().filter(type -> type.defaultPort() > 0).forEach(type -> ports.put(type.defaultPort(), type));
+        types.stream().filter(type -> port(type) > 0).forEach(type -> ports.put(port(type), type));
         PortSearch made = new PortSearch(hosts, ports.keySet(), spared, new Results(ports));
         EventThread.later(() -> begin(made, hosts, ports.values()));
+    }
+
+    private static int port(BotType type) {
+        return type.defaultPort(type.name());
     }
 
     private void begin(PortSearch made, Collection<InetAddress> hosts, Collection<BotType> sought) {
@@ -127,7 +131,7 @@ final class SearchDialog extends MajicDialog {
         }
         search = made;
         String ports = sought.stream()
-                .map(type -> type.defaultPort() + " (" + type.label() + ")")
+                .map(type -> port(type) + " (" + type.label() + ")")
                 .collect(Collectors.joining(", "));
         status.show(TEXTS.get("trying", ports, PortSearch.networks(hosts)), false);
         made.start();

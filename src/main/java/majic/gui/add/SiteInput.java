@@ -23,7 +23,6 @@ final class SiteInput extends AddressInput {
 
     private static final Pattern PLACE =
             Pattern.compile("//([^/:\\s]+)(?::(\\d{1,5}))?/(\\S*?)(?:/([^/\\s]+/\\d+))?/?");
-    private static final int SECURE_PORT = 8883;
 
     private final transient BotType type;
     private final transient BotFactory factory;
@@ -62,7 +61,11 @@ final class SiteInput extends AddressInput {
     }
 
     private String usualPort(boolean tls) {
-        return String.valueOf(tls ? SECURE_PORT : type.defaultPort());
+        return String.valueOf(type.defaultPort(scheme(tls)));
+    }
+
+    private String scheme(boolean tls) {
+        return tls ? type.otherSchemes().get(0) : type.name();
     }
 
     /** A port that was typed stays as it is. */
@@ -91,9 +94,8 @@ final class SiteInput extends AddressInput {
         if (broker.isEmpty() || broker.contains("/") || path.isEmpty() || path.matches(".*\\s.*")) {
             throw new BotException(TEXTS.get("site.missing"));
         }
-        String scheme = secure.isSelected() ? type.otherSchemes().get(0) : type.name();
         String behind = port.getText().strip();
-        return scheme + "://" + broker + (behind.isEmpty() ? "" : ":" + behind) + "/" + path + "/";
+        return scheme(secure.isSelected()) + "://" + broker + (behind.isEmpty() ? "" : ":" + behind) + "/" + path + "/";
     }
 
     @Override

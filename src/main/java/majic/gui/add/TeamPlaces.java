@@ -21,8 +21,8 @@ final class TeamPlaces {
             session.address(member)
                     .map(BotAddress::parse)
                     .filter(address -> address.rest().contains("//"))
-                    .ifPresent(address ->
-                            places(address, member.bot().type().defaultPort()).forEach(places::add));
+                    .ifPresent(address -> places(address, member.bot().type().defaultPort(address.type()))
+                            .forEach(places::add));
         }
         return places;
     }

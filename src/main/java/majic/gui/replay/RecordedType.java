@@ -23,7 +23,7 @@ record RecordedType(String name, String label, String make) implements BotType {
     }
 
     @Override
-    public int defaultPort() {
+    public int defaultPort(String scheme) {
         return 0;
     }
 

@@ -61,7 +61,8 @@ final class Explained {
     static List<Completion> addresses(BotType type) {
         List<Completion> words = new ArrayList<>();
         String place = type.canListRobots() ? "/SITE/DESK/NUMBER" : "";
-        String rest = type.defaultPort() > 0 ? "//HOST:" + type.defaultPort() + place : "PORT";
+        int port = type.defaultPort(type.name());
+        String rest = port > 0 ? "//HOST:" + port + place : "PORT";
         words.add(new Completion(type.name() + ":", rest, type.make()));
         for (String library : type.libraries()) {
             words.add(new Completion(type.name() + "+" + library + ":", rest, type.make() + ", by " + library));

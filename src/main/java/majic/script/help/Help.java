@@ -143,7 +143,8 @@ public final class Help {
     }
 
     private static String addresses(BotType type) {
-        String rest = type.defaultPort() > 0 ? "://HOST:" + type.defaultPort() : ":PORT";
+        int port = type.defaultPort(type.name());
+        String rest = port > 0 ? "://HOST:" + port : ":PORT";
         return type.name()
                 + rest
                 + type.libraries().stream()

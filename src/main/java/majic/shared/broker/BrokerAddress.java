@@ -64,7 +64,13 @@ public record BrokerAddress(boolean secure, String host, int port, String site) 
                 + " mqtt://broker:1883/lab or mqtts://broker:8883/school/lab");
     }
 
-    private static int defaultPort(boolean secure) {
+    /**
+     * Returns the usual port of brokers.
+     *
+     * @param secure whether the connection uses TLS
+     * @return {@link #PORT} or {@link #SECURE_PORT}
+     */
+    public static int defaultPort(boolean secure) {
         return secure ? SECURE_PORT : PORT;
     }
 

@@ -1,0 +1,32 @@
+package majic.team;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import majic.bot.FakeType;
+import majic.environment.Settings;
+import majic.shared.SharedType;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Tests which addresses are those of one robot. */
+class SameRobotTest {
+    private final BotFactory factory = new BotFactory(List.of(new FakeType(), new SharedType()), Settings.inMemory());
+
+    @ParameterizedTest
+    @CsvSource({
+        "mqtt://broker/lab/desk/1, mqtt://broker:1883/lab/desk/1",
+        "mqtts://broker/lab/desk/1, mqtts://broker:8883/lab/desk/1",
+        "MQTTS://broker/lab/desk/1, mqtts://BROKER:8883/lab/desk/1",
+    })
+    void theUsualPortOfTheSchemeMakesNoDifference(String without, String with) {
+        assertThat(factory.isSameRobot(without, with)).isTrue();
+    }
+
+    @Test
+    void theUsualPortOfAnotherSchemeMakesADifference() {
+        assertThat(factory.isSameRobot("mqtts://broker/lab/desk/1", "mqtts://broker:1883/lab/desk/1"))
+                .isFalse();
+    }
+}
