@@ -70,8 +70,6 @@ public final class MajicShared extends BotDriver {
     /** Parameters that the desk does not have, or that have other values there. */
     private static final Pattern ONLY_HERE = Pattern.compile("(?i)\\b(desk|holder|delay|age)\\b");
 
-    private static final Pattern PLACE = Pattern.compile("(?i)\\b(x|y|heading|pose)\\b");
-
     private final SharedAddress address;
     private final SharedType shared;
     private final BotEnvironment environment;
@@ -79,6 +77,7 @@ public final class MajicShared extends BotDriver {
     private final RemoteStop stop;
     private final RemoteMotions motions;
     private final DescribedParameters described;
+    private final DeskFrame frame = new DeskFrame(this);
     private final DelayMeter delay = new DelayMeter(this::toDesk);
     private final Set<String> commandNames = new HashSet<>();
     private volatile @Nullable RobotFeed feed;
@@ -87,9 +86,6 @@ public final class MajicShared extends BotDriver {
 
     /** How often the robot was stopped, by the newest state; used by the thread of the connection. */
     private volatile long stopsAtDesk = NO_STOPS_KNOWN;
-
-    /** The pose of the desk that this driver has placed the robot at last; null if the user has placed it. */
-    private volatile @Nullable Pose placedAsAtDesk;
 
     /**
      * Creates the driver of a robot.
@@ -114,7 +110,7 @@ public final class MajicShared extends BotDriver {
 
     private void describe() {
         table().add(Parameter.text("desk", "which desk shares it"), () -> Value.text(address.desk()));
-        table().add(Parameter.text("holder", "who may move it now"), () -> Value.text(holderText()));
+        table().add(Parameter.text("holder", "who may move it now"), () -> Value.text(holder().toString()));
         table().add(Parameter.number("delay", Unit.MS, "from a request to the answer of its desk"), delay::delay);
         add(new DriverCommand(
                 "hold", List.of(), false, "keeps others from moving it until free", (none, motion) -> hold()));
@@ -166,9 +162,7 @@ public final class MajicShared extends BotDriver {
         }
         adopt(found);
         report(first);
-        if (first.state().motion().placed() && isPlacedAsAtDesk()) {
-            placeAsAtDesk(first.state().motion().pose());
-        }
+        frame.connected(first.state().motion());
         shared.brokers().stay(address.broker());
     }
 
@@ -204,7 +198,7 @@ public final class MajicShared extends BotDriver {
     protected void shut() {
         try {
             RobotFeed open = feed;
-            if (open != null && !open.isOver() && isHeldHere()) {
+            if (open != null && !open.isOver() && open.holder().here()) {
                 RobotCommands to = toDesk();
                 to.forget(to.request(new RequestedAction.Free()));
             }
@@ -254,9 +248,9 @@ public final class MajicShared extends BotDriver {
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
-        RobotState.Holder holder = holder();
-        if (holder != null && !toDesk().isSender(holder)) {
-            throw new BotException(name() + " is held by " + holderText());
+        RobotHolder holder = holder();
+        if (holder.isElsewhere()) {
+            throw new BotException(name() + " is held by " + holder.title());
         }
         motions.drive(mmPerSec, degPerSec);
     }
@@ -290,18 +284,7 @@ public final class MajicShared extends BotDriver {
                         Value.of(pose.xMm(), Unit.MM),
                         Value.of(pose.yMm(), Unit.MM),
                         Value.of(pose.headingDeg(), Unit.DEG))));
-        placeAsAtDesk(pose);
-    }
-
-    /** Takes over the frame of the desk, so that the pose is the same at all desks. */
-    private void placeAsAtDesk(Pose there) {
-        placedAsAtDesk = there;
-        place(there);
-    }
-
-    /** Returns whether the pose is that of the desk: the user of this program has not placed the robot elsewhere. */
-    private boolean isPlacedAsAtDesk() {
-        return placedAt().equals(Optional.ofNullable(placedAsAtDesk));
+        frame.adopt(pose);
     }
 
     private RobotCommands toDesk() {
@@ -318,28 +301,9 @@ public final class MajicShared extends BotDriver {
         return last == null ? Map.of() : last.state().values();
     }
 
-    /** Returns the holder that the desk reported last; null if the robot is free. */
-    private RobotState.@Nullable Holder holder() {
+    private RobotHolder holder() {
         RobotFeed open = feed;
-        RobotFeed.Received last = open == null ? null : open.state();
-        return last == null ? null : last.state().holder();
-    }
-
-    private boolean isHeldHere() {
-        RobotState.Holder holder = holder();
-        return holder != null && toDesk().isSender(holder);
-    }
-
-    private String holderText() {
-        RobotState.Holder holder = holder();
-        if (holder == null) {
-            return "nobody";
-        }
-        return isHeldHere() ? "this program" : named(holder);
-    }
-
-    private static String named(RobotState.Holder holder) {
-        return holder.work().isEmpty() ? holder.toString() : holder + " (" + holder.work() + ")";
+        return open == null ? new RobotHolder(null, false) : open.holder();
     }
 
     /** Publishes what the desk has reported. */
@@ -354,9 +318,7 @@ public final class MajicShared extends BotDriver {
                 motion.degPerSec(),
                 motion.moving(),
                 received.nanos() - TimeUnit.MILLISECONDS.toNanos(Math.max(0, motion.ageMs()))));
-        if (motion.placed() && placedAt().isEmpty()) {
-            placeAsAtDesk(motion.pose());
-        }
+        frame.reported(motion);
         noteStops(received.state().stops());
     }
 
@@ -380,7 +342,7 @@ public final class MajicShared extends BotDriver {
             loseBecause("nothing has arrived from " + address.desk() + " for " + Math.round(SILENCE_S) + " s");
             return;
         }
-        if (isHeldHere() || motions.isActive()) {
+        if (open.holder().here() || motions.isActive()) {
             toDesk().heartbeat();
         }
         Description newest = open.description();
@@ -409,8 +371,8 @@ public final class MajicShared extends BotDriver {
 
     @Override
     public Optional<String> remoteHolder() {
-        RobotState.Holder holder = holder();
-        return holder == null || !isConnected() || isHeldHere() ? Optional.empty() : Optional.of(named(holder));
+        RobotHolder holder = holder();
+        return isConnected() && holder.isElsewhere() ? Optional.of(holder.title()) : Optional.empty();
     }
 
     @Override
@@ -435,13 +397,9 @@ public final class MajicShared extends BotDriver {
     }
 
     private SharedScene scene() {
-        RobotState.Holder holder = holder();
+        RobotHolder holder = holder();
         return new SharedScene(
-                address.toString(),
-                holder == null ? "" : named(holder),
-                holder != null && isHeldHere(),
-                delay.delay().toString(),
-                hasCamera());
+                address.toString(), holder.title(), holder.here(), delay.delay().toString(), hasCamera());
     }
 
     /** Asks for a picture of the camera, and publishes it when it arrives. Blocks; not for the event thread. */
@@ -460,8 +418,7 @@ public final class MajicShared extends BotDriver {
 
         @Override
         public boolean canGuard(String until) {
-            return !ONLY_HERE.matcher(until).find()
-                    && (isPlacedAsAtDesk() || !PLACE.matcher(until).find());
+            return !ONLY_HERE.matcher(until).find() && frame.hasMeaningOf(until);
         }
 
         @Override

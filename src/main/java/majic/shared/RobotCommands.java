@@ -8,7 +8,6 @@ import majic.shared.broker.Quality;
 import majic.shared.message.HoldMessage;
 import majic.shared.message.Request;
 import majic.shared.message.RequestedAction;
-import majic.shared.message.RobotState;
 import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
 import majic.shared.message.SpeedMessage;
@@ -118,10 +117,5 @@ final class RobotCommands {
     /** Returns whether the robot cannot be used any more. */
     boolean isOver() {
         return feed.isOver();
-    }
-
-    /** Returns whether a holder is this program. */
-    boolean isSender(RobotState.Holder holder) {
-        return holder.sessionHash().equals(broker.sessionHash());
     }
 }

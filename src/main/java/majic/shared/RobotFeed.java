@@ -220,6 +220,13 @@ final class RobotFeed {
         return state;
     }
 
+    /** Returns the holder by the newest state; before the first one the robot counts as free. */
+    RobotHolder holder() {
+        Received last = state;
+        RobotState.Holder holder = last == null ? null : last.state().holder();
+        return new RobotHolder(holder, holder != null && holder.sessionHash().equals(broker.sessionHash()));
+    }
+
     /** Returns the newest presence of the desk; null before the first one. */
     @Nullable
     Presence presence() {

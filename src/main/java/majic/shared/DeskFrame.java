@@ -1,0 +1,58 @@
+package majic.shared;
+
+import java.util.Optional;
+import java.util.regex.Pattern;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.shared.message.RobotState.Movement;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The frame of the poses of a shared robot. This program uses the frame of the robot's desk, so that the pose is the same at
+ * all desks, until its user places the robot elsewhere. Thread-safe.
+ */
+final class DeskFrame {
+    private static final Pattern POSE = Pattern.compile("(?i)\\b(x|y|heading|pose)\\b");
+
+    private final MajicBot bot;
+
+    /** Where this class has placed the robot last; null before. */
+    private volatile @Nullable Pose adopted;
+
+    DeskFrame(MajicBot bot) {
+        this.bot = bot;
+    }
+
+    /** Takes the frame over from the first state of a connection, unless the user has placed the robot elsewhere. */
+    void connected(Movement reported) {
+        if (reported.placed() && isAdopted()) {
+            adopt(reported.pose());
+        }
+    }
+
+    /** Takes the frame over from a state if the robot was not placed before. */
+    void reported(Movement reported) {
+        if (reported.placed() && bot.placedAt().isEmpty()) {
+            adopt(reported.pose());
+        }
+    }
+
+    /**
+     * Takes over the frame of the desk.
+     *
+     * @param pose the robot's present pose at its desk
+     */
+    void adopt(Pose pose) {
+        adopted = pose;
+        bot.place(pose);
+    }
+
+    /** Returns whether a condition in MAJIC Script means the same at the desk as here. */
+    boolean hasMeaningOf(String condition) {
+        return isAdopted() || !POSE.matcher(condition).find();
+    }
+
+    private boolean isAdopted() {
+        return bot.placedAt().equals(Optional.ofNullable(adopted));
+    }
+}
