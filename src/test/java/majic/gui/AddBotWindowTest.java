@@ -2,12 +2,14 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Path;
 import java.util.List;
 import javax.swing.JComboBox;
 import majic.environment.Settings;
 import majic.gui.add.AddBotDialog;
 import majic.gui.add.RecentRobots;
 import majic.gui.kit.ProgramServices;
+import majic.recorder.RecordingFolder;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
@@ -99,6 +101,7 @@ class AddBotWindowTest {
     }
 
     private static ProgramServices services() {
-        return new ProgramServices(List::of, null, () -> {}, Settings.inMemory());
+        RecordingFolder recordings = new RecordingFolder(Path.of("no recordings"));
+        return new ProgramServices(List::of, null, () -> {}, Settings.inMemory(), recordings, null, null, null);
     }
 }

@@ -6,6 +6,7 @@ import java.awt.Frame;
 import java.awt.Window;
 import java.awt.event.InputEvent;
 import java.awt.event.MouseEvent;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.BooleanSupplier;
@@ -21,6 +22,7 @@ import majic.gui.kit.ProgramServices;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
 import majic.gui.replay.ReplayWindow;
 import majic.program.Program;
+import majic.recorder.RecordingFolder;
 import majic.script.MajicParser;
 import org.jspecify.annotations.Nullable;
 
@@ -48,7 +50,11 @@ public final class PictureWindow {
                     () -> List.of(new SerialPortChoice("/dev/ttyUSB0", "USB serial port")),
                     () -> {},
                     program::quit,
-                    settings);
+                    settings,
+                    new RecordingFolder(Path.of("no recordings")),
+                    null,
+                    null,
+                    null);
             frame[0] = new MajicFrame(program.session(), parser, services);
             frame[0].setVisible(true);
         });

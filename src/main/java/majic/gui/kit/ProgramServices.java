@@ -31,28 +31,6 @@ public record ProgramServices(
         @Nullable Recorder recorder,
         @Nullable Path history,
         @Nullable RobotSharing sharing) {
-
-    /** Creates services that share no robots. */
-    public ProgramServices(
-            Supplier<List<SerialPortChoice>> serialPorts,
-            @Nullable Runnable startLab,
-            Runnable quit,
-            Settings settings,
-            RecordingFolder recordings,
-            @Nullable Recorder recorder,
-            @Nullable Path history) {
-        this(serialPorts, startLab, quit, settings, recordings, recorder, history, null);
-    }
-
-    /** Creates services without a recorder and a history, for tests. */
-    public ProgramServices(
-            Supplier<List<SerialPortChoice>> serialPorts,
-            @Nullable Runnable startLab,
-            Runnable quit,
-            Settings settings) {
-        this(serialPorts, startLab, quit, settings, new RecordingFolder(Path.of("no-recordings")), null, null);
-    }
-
     /** Returns what was recorded in this session; null if it is not recorded. */
     public @Nullable RecordedHistory recorded() {
         return recorder == null ? null : recorder.history();
