@@ -19,11 +19,13 @@ public interface ScaledIcon extends Icon {
     int width();
 
     /**
-     * Returns the height at the normal font size.
+     * Returns the height at the normal font size; that of a square unless it is overridden.
      *
      * @return pixels
      */
-    int height();
+    default int height() {
+        return width();
+    }
 
     /**
      * Draws the icon.

@@ -88,9 +88,4 @@ record StatusLightIcon(StatusLight.Kind kind) implements ScaledIcon {
     public int width() {
         return SIZE;
     }
-
-    @Override
-    public int height() {
-        return SIZE;
-    }
 }

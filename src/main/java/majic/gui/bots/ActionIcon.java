@@ -5,9 +5,9 @@ import java.awt.Color;
 import java.awt.Component;
 import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
-import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
+import majic.gui.kit.LineArt;
 import majic.gui.kit.Palette;
 import majic.panel.DrawingColors;
 import majic.panel.ScaledIcon;
@@ -31,7 +31,7 @@ enum ActionIcon implements ScaledIcon {
             case STOP -> g.fill(new RoundRectangle2D.Double(1.5, 1.5, 9, 9, 2, 2));
             case RECONNECT -> {
                 g.draw(new Arc2D.Double(1.5, 1.5, 9, 9, 60, 290, Arc2D.OPEN));
-                g.fill(head());
+                g.fill(new LineArt().area(7, 0, 11.5, 2.5, 7, 5).shape());
             }
             case WINDOW -> {
                 g.draw(new Rectangle2D.Double(4.5, 1, 6.5, 5.5));
@@ -47,22 +47,8 @@ enum ActionIcon implements ScaledIcon {
         return this == STOP ? Palette.error() : Palette.mixed(0.85);
     }
 
-    private static Path2D head() {
-        Path2D head = new Path2D.Double();
-        head.moveTo(7, 0);
-        head.lineTo(11.5, 2.5);
-        head.lineTo(7, 5);
-        head.closePath();
-        return head;
-    }
-
     @Override
     public int width() {
-        return SIZE;
-    }
-
-    @Override
-    public int height() {
         return SIZE;
     }
 }

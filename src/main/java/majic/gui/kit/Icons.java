@@ -58,11 +58,6 @@ public final class Icons {
     /** The icon of a pictogram. */
     private record LineIcon(Pictogram pictogram, int width) implements ScaledIcon {
         @Override
-        public int height() {
-            return width;
-        }
-
-        @Override
         public void paint(Component on, Graphics2D pen) {
             double scale = (double) width / Pictogram.SIDE;
             Color grey = UIManager.getColor(on.isEnabled() ? "Actions.Grey" : "Button.disabledText");

@@ -5,7 +5,6 @@ import java.awt.Component;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
 import javax.swing.UIManager;
 import majic.bot.MajicBot;
 import majic.panel.DrawingColors;
@@ -28,6 +27,7 @@ public enum StateIcon implements ScaledIcon {
 
     private static final int SIZE = 12;
 
+    /** Returns the symbol of a robot, without the state of its stop. */
     public static StateIcon of(MajicBot bot) {
         return switch (bot.connection()) {
             case CONNECTED -> bot.state().moving() ? MOVING : STANDING;
@@ -55,7 +55,7 @@ public enum StateIcon implements ScaledIcon {
             }
             case MOVING -> {
                 g.setColor(DrawingColors.current().accent());
-                g.fill(triangle());
+                g.fill(new LineArt().area(2, 1, 11, 6, 2, 11).shape());
             }
             case WAITING -> {
                 g.setColor(Palette.shape());
@@ -68,7 +68,7 @@ public enum StateIcon implements ScaledIcon {
             }
             case UNCONFIRMED -> {
                 g.setColor(Palette.error());
-                g.fill(warning());
+                g.fill(new LineArt().area(6, 0, 12, 11, 0, 11).shape());
                 g.setStroke(new BasicStroke(1.4f));
                 g.setColor(UIManager.getColor("Panel.background"));
                 g.draw(new Line2D.Double(6, 4.5, 6, 7));
@@ -77,31 +77,8 @@ public enum StateIcon implements ScaledIcon {
         }
     }
 
-    private static Path2D triangle() {
-        Path2D path = new Path2D.Double();
-        path.moveTo(2, 1);
-        path.lineTo(11, 6);
-        path.lineTo(2, 11);
-        path.closePath();
-        return path;
-    }
-
-    private static Path2D warning() {
-        Path2D path = new Path2D.Double();
-        path.moveTo(6, 0);
-        path.lineTo(12, 11);
-        path.lineTo(0, 11);
-        path.closePath();
-        return path;
-    }
-
     @Override
     public int width() {
-        return SIZE;
-    }
-
-    @Override
-    public int height() {
         return SIZE;
     }
 }

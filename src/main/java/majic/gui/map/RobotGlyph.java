@@ -11,6 +11,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
+import majic.gui.kit.LineArt;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
 import majic.gui.kit.RobotColors;
@@ -102,11 +103,11 @@ final class RobotGlyph {
         for (int corner = 0; corner < 4; corner++) {
             double right = corner % 2 == 0 ? 1 : -1;
             double down = corner < 2 ? 1 : -1;
-            Path2D angle = new Path2D.Double();
-            angle.moveTo(middle.getX() + right * near, middle.getY() + down * far);
-            angle.lineTo(middle.getX() + right * far, middle.getY() + down * far);
-            angle.lineTo(middle.getX() + right * far, middle.getY() + down * near);
-            g.draw(angle);
+            double x = middle.getX() + right * far;
+            double y = middle.getY() + down * far;
+            g.draw(new LineArt()
+                    .line(middle.getX() + right * near, y, x, y, x, middle.getY() + down * near)
+                    .shape());
         }
     }
 

@@ -7,10 +7,10 @@ import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.awt.geom.Path2D;
 import javax.swing.BorderFactory;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.LineArt;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
@@ -83,13 +83,10 @@ final class ReplayBand extends JPanel {
         int stripeWidth = UIScale.scale(STRIPE_PX);
         Graphics2D part = (Graphics2D) pen.create(left, 0, width, getHeight());
         for (int x = -getHeight(); x < width; x += 2 * stripeWidth) {
-            Path2D stripe = new Path2D.Double();
-            stripe.moveTo(x, getHeight());
-            stripe.lineTo(x + getHeight(), 0);
-            stripe.lineTo(x + getHeight() + stripeWidth, 0);
-            stripe.lineTo(x + stripeWidth, getHeight());
-            stripe.closePath();
-            part.fill(stripe);
+            int top = x + getHeight();
+            part.fill(new LineArt()
+                    .area(x, getHeight(), top, 0, top + stripeWidth, 0, x + stripeWidth, getHeight())
+                    .shape());
         }
         part.dispose();
     }

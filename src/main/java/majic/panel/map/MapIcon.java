@@ -83,9 +83,4 @@ record MapIcon(MapAction action, int size) implements ScaledIcon {
     public int width() {
         return size;
     }
-
-    @Override
-    public int height() {
-        return size;
-    }
 }
