@@ -1,38 +1,29 @@
 package majic.gui.bots;
 
 import java.awt.BorderLayout;
-import java.awt.datatransfer.Transferable;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
-import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.SwingConstants;
-import majic.bot.BotListener;
-import majic.bot.BotState;
-import majic.bot.MajicBot;
-import majic.panel.PlotHost;
-import majic.panel.RefreshTicks;
+import majic.gui.plot.PlottedPanel;
 import majic.team.Member;
 import majic.team.Team;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** Shows one robot large: its status strip, and the display that its class provides. */
-final class BotPanel extends JPanel implements PlotHost {
+final class BotPanel extends PlottedPanel {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(BotPanel.class);
     private static final Logger LOG = System.getLogger(BotPanel.class.getName());
 
     private final transient Member member;
-    private final transient RobotActions actions;
     private final StatusStrip strip;
-    private final transient Runnable update;
-    private final transient BotListener listener = new ChangeListener();
+    private final transient MemberRefresh refresh;
     private boolean hasDisplay;
 
     /**
@@ -42,35 +33,18 @@ final class BotPanel extends JPanel implements PlotHost {
      * @param changed runs, at most ten times a second, after the robot's state has changed
      */
     BotPanel(Team team, Member member, RobotActions actions, Consumer<Member> move, Runnable changed) {
-        super(new BorderLayout());
+        super(new BorderLayout(), actions.plots(), member.number(), member.bot()::parameters);
         this.member = member;
-        this.actions = actions;
         setName("bot" + member.number());
         strip = new StatusStrip(team, member, actions, () -> move.accept(member));
-        update = () -> {
+        add(strip, BorderLayout.NORTH);
+        setVisible(false);
+        refresh = new MemberRefresh(member, () -> {
             if (isVisible()) {
                 strip.update();
             }
             changed.run();
-        };
-        add(strip, BorderLayout.NORTH);
-        setVisible(false);
-        member.bot().addListener(listener);
-    }
-
-    @Override
-    public boolean canPlot(String parameter) {
-        return actions.canPlot(member, parameter);
-    }
-
-    @Override
-    public void plot(List<String> parameters, boolean add) {
-        actions.plot(member, parameters, add);
-    }
-
-    @Override
-    public Transferable dragged(List<String> parameters) {
-        return actions.dragged(member, parameters);
+        });
     }
 
     Member member() {
@@ -79,7 +53,7 @@ final class BotPanel extends JPanel implements PlotHost {
 
     /** Schedules an update; callable from any thread. */
     void changed() {
-        RefreshTicks.once(update);
+        refresh.changed();
     }
 
     /** Shows whether the panel is in a window of its own. */
@@ -102,7 +76,7 @@ final class BotPanel extends JPanel implements PlotHost {
 
     /** Removes the listener. */
     void close() {
-        member.bot().removeListener(listener);
+        refresh.close();
     }
 
     private JComponent display() {
@@ -128,19 +102,6 @@ final class BotPanel extends JPanel implements PlotHost {
         } catch (RuntimeException e) {
             LOG.log(Level.ERROR, "the display of robot " + member.number() + " could not be made", e);
             return null;
-        }
-    }
-
-    /** Updates the strip at a limited rate, however fast the robot reports. */
-    private final class ChangeListener implements BotListener {
-        @Override
-        public void stateChanged(MajicBot bot, BotState state) {
-            RefreshTicks.once(update);
-        }
-
-        @Override
-        public void connectionChanged(MajicBot bot, MajicBot.Connection connection) {
-            RefreshTicks.once(update);
         }
     }
 }

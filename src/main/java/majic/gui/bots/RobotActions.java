@@ -1,7 +1,6 @@
 package majic.gui.bots;
 
 import java.awt.Component;
-import java.awt.datatransfer.Transferable;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
@@ -11,7 +10,6 @@ import majic.gui.kit.CommandChannel;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.StopButton;
 import majic.gui.plot.Plots;
-import majic.gui.plot.data.Quantity;
 import majic.team.AutoReconnect;
 import majic.team.Member;
 import majic.team.Team;
@@ -108,20 +106,9 @@ public final class RobotActions {
         new RenameDialog(SwingUtilities.getWindowAncestor(on), member, channel).setVisible(true);
     }
 
-    /** Returns whether the robot has this parameter, and it is a number or a switch. */
-    boolean canPlot(Member member, String parameter) {
-        return member.bot().parameters().stream()
-                .anyMatch(known -> known.name().equalsIgnoreCase(parameter) && Quantity.isPlottable(known));
-    }
-
-    /** Shows curves of parameters in a new plot, or adds them to the one used last. */
-    void plot(Member member, List<String> parameters, boolean add) {
-        plots.plot(member.number(), parameters, add);
-    }
-
-    /** Returns parameters for dragging them onto a plot. */
-    Transferable dragged(Member member, List<String> parameters) {
-        return plots.dragged(member.number(), parameters);
+    /** Returns the plots of what the robots report. */
+    Plots plots() {
+        return plots;
     }
 
     /** Shows a message that does not come from the session. */

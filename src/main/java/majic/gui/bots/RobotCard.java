@@ -7,7 +7,6 @@ import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.Insets;
-import java.awt.datatransfer.Transferable;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
 import java.util.Objects;
@@ -16,20 +15,15 @@ import java.util.stream.Stream;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
-import javax.swing.JPanel;
 import javax.swing.UIManager;
-import majic.bot.BotListener;
-import majic.bot.BotState;
-import majic.bot.MajicBot;
 import majic.gui.acts.RunningAct;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
 import majic.gui.kit.PlainLabel;
+import majic.gui.plot.PlottedPanel;
 import majic.panel.BatteryIcon;
 import majic.panel.DrawingColors;
-import majic.panel.PlotHost;
 import majic.panel.PlotLink;
-import majic.panel.RefreshTicks;
 import majic.team.Member;
 import majic.team.Team;
 import majic.text.Texts;
@@ -40,7 +34,7 @@ import org.jspecify.annotations.Nullable;
  * One robot of the team: number, type, state, act, battery and connection, with the buttons that stop and reconnect it.
  * Listens to the robot until {@link #close()}.
  */
-final class RobotCard extends JPanel implements PlotHost {
+final class RobotCard extends PlottedPanel {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(RobotCard.class);
     private static final int ARC = 10;
@@ -51,8 +45,7 @@ final class RobotCard extends JPanel implements PlotHost {
     private final transient RobotActions actions;
     private final transient RunningAct act;
     private final transient LinkMeter link = new LinkMeter();
-    private final transient Runnable update = this::update;
-    private final transient BotListener listener = new ChangeListener();
+    private final transient MemberRefresh refresh;
     private final JLabel badge = new JLabel();
     private final JLabel name;
     private final JLabel line;
@@ -67,6 +60,7 @@ final class RobotCard extends JPanel implements PlotHost {
     private boolean selected;
 
     RobotCard(Team team, Member member, RobotActions actions, BatteryReader batteries) {
+        super(null, actions.plots(), member.number(), member.bot()::parameters);
         this.team = team;
         this.member = member;
         this.batteries = batteries;
@@ -96,7 +90,7 @@ final class RobotCard extends JPanel implements PlotHost {
                 battery, List.of(), point -> List.of(batteries.level(member).parameter()));
         show(CardSize.FULL);
         update();
-        member.bot().addListener(listener);
+        refresh = new MemberRefresh(member, this::update);
     }
 
     private static JButton button(String name, String text, Icon icon, String tip) {
@@ -109,33 +103,18 @@ final class RobotCard extends JPanel implements PlotHost {
         return button;
     }
 
-    @Override
-    public boolean canPlot(String parameter) {
-        return actions.canPlot(member, parameter);
-    }
-
-    @Override
-    public void plot(List<String> parameters, boolean add) {
-        actions.plot(member, parameters, add);
-    }
-
-    @Override
-    public Transferable dragged(List<String> parameters) {
-        return actions.dragged(member, parameters);
-    }
-
     Member member() {
         return member;
     }
 
     /** Schedules an update; callable from any thread. */
     void changed() {
-        RefreshTicks.once(update);
+        refresh.changed();
     }
 
     /** Removes the listener. */
     void close() {
-        member.bot().removeListener(listener);
+        refresh.close();
     }
 
     /** Shows whether the robot is selected. */
@@ -327,18 +306,5 @@ final class RobotCard extends JPanel implements PlotHost {
             return Palette.error();
         }
         return selected ? Palette.mixed(Palette.text(), accent, 0.5) : UIManager.getColor("Component.borderColor");
-    }
-
-    /** Updates the card at a limited rate, however fast the robot reports. */
-    private final class ChangeListener implements BotListener {
-        @Override
-        public void stateChanged(MajicBot bot, BotState state) {
-            RefreshTicks.once(update);
-        }
-
-        @Override
-        public void connectionChanged(MajicBot bot, MajicBot.Connection now) {
-            RefreshTicks.once(update);
-        }
     }
 }

@@ -24,6 +24,7 @@ import majic.gui.kit.PlainTextUi;
 import majic.gui.map.MapScene;
 import majic.gui.map.TeamMap;
 import majic.gui.plot.Plots;
+import majic.gui.plot.PlottedPanel;
 import majic.panel.map.ZoomableMap;
 import majic.recorder.Recording;
 
@@ -91,7 +92,7 @@ final class ReplayView extends JPanel implements AutoCloseable {
         words.setName("replayStatus" + robot.robot().number());
         words.setBorder(BorderFactory.createEmptyBorder(6, 8, 0, 8));
         status.put(robot, words);
-        JPanel tab = new PlottedPanel(robot, plots);
+        JPanel tab = new PlottedPanel(new BorderLayout(), plots, robot.robot().number(), robot.tracks()::parameters);
         tab.add(words, BorderLayout.NORTH);
         tab.add(robot.display().component(), BorderLayout.CENTER);
         panels.addTab(
