@@ -82,12 +82,30 @@ public final class TestWindow implements AutoCloseable {
         session = new Session(team, factory, SessionLog.none(), acts, quits::incrementAndGet);
         parser = MajicParser.prompt(session);
         robot = robot();
-        frame = GuiActionRunner.execute(this::makeFrame);
+        try {
+            frame = GuiActionRunner.execute(this::makeFrame);
+            show();
+        } catch (RuntimeException | Error e) {
+            closeAfter(e);
+            throw e;
+        }
+    }
+
+    private void show() {
         robot.showWindow(frame);
         await("the keys", frame::isFocused);
         await("the menus to have entries", () -> frame.getJMenuBar().getMenu(0).getItemCount() > 0);
         settle();
         checks.windowIsOpen();
+    }
+
+    /** Leaves nothing behind that could disturb the next test. */
+    private void closeAfter(Throwable failure) {
+        try {
+            release();
+        } catch (RuntimeException | Error e) {
+            failure.addSuppressed(e);
+        }
     }
 
     private static Robot robot() {
@@ -459,12 +477,16 @@ public final class TestWindow implements AutoCloseable {
         List<String> html = GuiActionRunner.execute(() -> Stream.of(Window.getWindows())
                 .flatMap(window -> WindowAudit.interpretingHtml(window).stream())
                 .toList());
+        release();
+        assertThat(html).as("components that interpret HTML").isEmpty();
+    }
+
+    private void release() {
         robot.cleanUp();
         GuiActionRunner.execute(TestWindow::emptyWindows);
         arrived.close();
         team.close();
         checks.close();
-        assertThat(html).as("components that interpret HTML").isEmpty();
     }
 
     /** A later change of the look goes through all windows that have not been collected yet, closed ones included. */

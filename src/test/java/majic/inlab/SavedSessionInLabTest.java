@@ -33,6 +33,14 @@ class SavedSessionInLabTest {
         }
     }
 
+    /** Drives at 200 mm/s, renewing the speeds every 0.15 s. */
+    private static void drive(LabRig lab, ManualControl hand, double degPerSec, int times) throws InterruptedException {
+        for (int time = 0; time < times; time++) {
+            hand.drive(200, degPerSec);
+            lab.lab().time().sleep(0.15);
+        }
+    }
+
     private static double apart(Pose one, Pose other) {
         return Math.hypot(one.xMm() - other.xMm(), one.yMm() - other.yMm());
     }
@@ -55,7 +63,7 @@ class SavedSessionInLabTest {
         }
     }
 
-    /** Sends a stop in one of the ways that a person has. */
+    /** Sends a stop in one of the ways that there are. */
     private enum Stop {
         BUTTON_OR_KEY {
             @Override
@@ -114,10 +122,7 @@ class SavedSessionInLabTest {
             lab.await(member::isIdle);
             lab.team().release();
             ManualControl hand = new ManualControl(member);
-            for (int tick = 0; tick < 8; tick++) {
-                hand.drive(200, 0);
-                lab.lab().time().sleep(0.15);
-            }
+            drive(lab, hand, 0, 8);
             lab.team().stopAll();
             lab.await(() -> hand.isOff() && !member.bot().state().moving());
             Pose end = lab.truePose("pioneer");
@@ -137,10 +142,8 @@ class SavedSessionInLabTest {
             Pose start = lab.truePose("pioneer");
             Member member = lab.team().member(1);
             ManualControl hand = new ManualControl(member);
-            for (int tick = 0; tick < 20; tick++) {
-                hand.drive(200, tick < 10 ? 0 : 20);
-                lab.lab().time().sleep(0.15);
-            }
+            drive(lab, hand, 0, 10);
+            drive(lab, hand, 20, 10);
             hand.close();
             lab.await(() -> hand.isOff() && !member.bot().state().moving());
             Pose end = lab.truePose("pioneer");

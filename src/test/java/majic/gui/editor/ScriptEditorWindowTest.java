@@ -22,22 +22,17 @@ import org.assertj.swing.edt.GuiActionRunner;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.fife.ui.rsyntaxtextarea.parser.ParserNotice;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests what the editor shows of a text, and how it helps to type it. */
 class ScriptEditorWindowTest {
-    @TempDir
-    private Path folder;
-
     @AutoClose
     private final TestWindow window = TestWindow.open();
 
-    private TestEditor editor;
+    private final TestEditor editor;
 
-    @BeforeEach
-    void writeScripts() {
+    ScriptEditorWindowTest(@TempDir Path folder) {
         editor = new TestEditor(window, folder);
     }
 

@@ -14,22 +14,17 @@ import javax.swing.TransferHandler.TransferSupport;
 import majic.gui.TestWindow;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests how scripts get from files into the editor and back. */
 class ScriptFileWindowTest {
-    @TempDir
-    private Path folder;
-
     @AutoClose
     private final TestWindow window = TestWindow.open();
 
-    private TestEditor editor;
+    private final TestEditor editor;
 
-    @BeforeEach
-    void writeScripts() {
+    ScriptFileWindowTest(@TempDir Path folder) {
         editor = new TestEditor(window, folder);
     }
 
@@ -67,9 +62,9 @@ class ScriptFileWindowTest {
         window.focus(area);
         window.run(() -> area.setText("1 stop\n"));
         window.pressWithCtrl(KeyEvent.VK_S);
-        window.chooseFile(folder.resolve("mine"));
+        window.chooseFile(editor.file("mine"));
         window.await("its name", () -> editor.isTitle(0, "mine.majic"));
-        assertThat(folder.resolve("mine.majic")).hasContent("1 stop\n");
+        assertThat(editor.file("mine.majic")).hasContent("1 stop\n");
     }
 
     @Test
@@ -132,7 +127,7 @@ class ScriptFileWindowTest {
     @Test
     void aFileThatCannotBeOpenedIsReported() {
         JRootPane pane = window.frame().getRootPane();
-        TransferSupport files = editor.dragOver(pane, folder.resolve("none.majic"));
+        TransferSupport files = editor.dragOver(pane, editor.file("none.majic"));
         window.run(() -> pane.getTransferHandler().importData(files));
         window.await("the reason", () -> window.isShowing("fileNotice"));
         assertThat(window.text("fileNotice")).endsWith("none.majic: there is no such file");
@@ -145,7 +140,7 @@ class ScriptFileWindowTest {
         window.awaitMessage("done");
         window.click("Save Session");
         window.click("offer");
-        window.chooseFile(folder.resolve("lap.majic"));
+        window.chooseFile(editor.file("lap.majic"));
         window.await("the session in the editor", () -> editor.isTitle(0, "lap.majic"));
         assertThat(window.awaitShowing("script", RSyntaxTextArea.class).getText())
                 .contains("1 move 30");

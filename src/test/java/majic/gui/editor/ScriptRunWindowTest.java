@@ -10,23 +10,18 @@ import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests how the editor runs scripts, on robots that are made up. */
 class ScriptRunWindowTest {
-    @TempDir
-    private Path folder;
-
     @AutoClose
     private final TestWindow window = TestWindow.open();
 
-    private TestEditor editor;
+    private final TestEditor editor;
 
-    @BeforeEach
-    void writeScripts() {
+    ScriptRunWindowTest(@TempDir Path folder) {
         editor = new TestEditor(window, folder);
     }
 

@@ -37,7 +37,11 @@ final class TestEditor {
     }
 
     Path script(String name, String... lines) throws IOException {
-        return Files.writeString(folder.resolve(name), String.join("\n", lines));
+        return Files.writeString(file(name), String.join("\n", lines));
+    }
+
+    Path file(String name) {
+        return folder.resolve(name);
     }
 
     /** Writes a script and opens it, as {@link #drop(Path)} does. */
