@@ -25,12 +25,12 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Records what the robots of a team report, what happens to them, and the lines of the session, from now until it is
- * closed. Uses two threads: one finds what has changed, after each report of a robot and at most 20 times a second, the
+ * closed. Uses two threads: one finds what has changed, after each report of a robot and at most 10 times a second, the
  * other writes. So it delays neither a robot nor a listener, and it sends the robots nothing. Thread-safe.
  */
 public final class Recorder implements SessionListener, AutoCloseable {
     private static final Logger LOG = LateLogger.of(Recorder.class);
-    private static final double LEAST_PERIOD_S = 0.05;
+    private static final double LEAST_PERIOD_S = 0.1;
     private static final double MOST_PERIOD_S = 1;
     private static final double PICTURE_PERIOD_S = 1;
     private static final long CLOSE_BOUND_MS = 1000;
