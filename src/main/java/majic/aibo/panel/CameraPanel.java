@@ -2,11 +2,11 @@ package majic.aibo.panel;
 
 import java.awt.image.BufferedImage;
 import java.util.Locale;
-import javax.swing.SwingUtilities;
 import majic.aibo.urbi.UrbiRefusal;
 import majic.aibo.urbi.UrbiValue;
 import majic.bot.MajicBot;
 import majic.panel.PictureView;
+import majic.panel.RefreshTicks;
 import majic.team.Member;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
@@ -21,6 +21,7 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
     private static final int HEIGHT = 160;
 
     private final PictureView view = new PictureView(WIDTH, HEIGHT);
+    private final Runnable refresh = this::refresh;
     private volatile Seen newest = new Seen(null, TEXTS.get("camera.none"));
     private Seen shown = newest;
     private volatile Caption caption = new Caption(0, "");
@@ -43,8 +44,7 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
     @Override
     public void see(UrbiValue picture, double perSecond) {
         try {
-            BufferedImage image = CameraPicture.of(picture);
-            publish(new Seen(image, captionOf(Math.round(10 * perSecond))));
+            publish(new Seen(CameraPicture.of(picture), captionOf(Math.round(10 * perSecond))));
         } catch (UrbiRefusal e) {
             miss(String.valueOf(e.getMessage()));
         }
@@ -69,7 +69,7 @@ final class CameraPanel implements PanelPoller.PictureReceiver {
 
     private void publish(Seen seen) {
         newest = seen;
-        SwingUtilities.invokeLater(this::refresh);
+        RefreshTicks.once(refresh);
     }
 
     /** Shows what came last. */
