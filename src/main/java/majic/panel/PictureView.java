@@ -238,13 +238,7 @@ public final class PictureView extends JPanel {
         DrawingColors.prepare(pen);
         DrawingColors colors = DrawingColors.current();
         Rectangle frame = frame();
-        pen.setColor(colors.grey(0.12));
-        BufferedImage shown = image;
-        if (shown == null) {
-            pen.fill(frame);
-        } else {
-            paintImage(pen, shown, frame);
-        }
+        paintFrame(pen, colors, frame);
         if (!shownWords().isEmpty()) {
             pen.setColor(DrawingColors.translucent(colors.grey(0.12), 1 - FADED));
             pen.fill(frame);
@@ -253,19 +247,27 @@ public final class PictureView extends JPanel {
         if (!shownCaption().isEmpty()) {
             paintCaption(pen, colors, frame);
         }
-        pen.setColor(isFocusOwner() ? colors.accent() : colors.grey(0.35));
-        paintBorder(pen, frame, isFocusOwner() ? 2 : 1);
         pen.dispose();
     }
 
-    /** Paints the background too, which a picture may let through. */
-    private static void paintImage(Graphics2D pen, BufferedImage shown, Rectangle frame) {
-        pen.fill(frame);
-        pen.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
-        pen.drawImage(shown, frame.x, frame.y, frame.width, frame.height, null);
+    /**
+     * Paints the picture, its background, which it may let through, and its border, all of them without smooth edges: these cost
+     * more work than the picture.
+     */
+    private void paintFrame(Graphics2D pen, DrawingColors colors, Rectangle frame) {
+        Graphics2D sharp = (Graphics2D) pen.create();
+        sharp.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
+        sharp.setRenderingHint(RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BILINEAR);
+        sharp.setColor(colors.grey(0.12));
+        sharp.fill(frame);
+        if (image != null) {
+            sharp.drawImage(image, frame.x, frame.y, frame.width, frame.height, null);
+        }
+        sharp.setColor(isFocusOwner() ? colors.accent() : colors.grey(0.35));
+        paintBorder(sharp, frame, isFocusOwner() ? 2 : 1);
+        sharp.dispose();
     }
 
-    /** Fills the four sides, since a smooth outline costs several times the work of the picture. */
     private static void paintBorder(Graphics2D pen, Rectangle frame, int thick) {
         pen.fillRect(frame.x, frame.y, frame.width, thick);
         pen.fillRect(frame.x, frame.y + frame.height - thick, frame.width, thick);
