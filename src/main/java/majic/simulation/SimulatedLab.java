@@ -1,7 +1,6 @@
 package majic.simulation;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -38,11 +37,17 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     private final Lab lab;
     private final LabClock clock;
     private final Notice tooSlow;
+    private final List<Wall> walls;
+    private final Furnishing furnishing;
 
     private SimulatedLab(Lab lab, Pacing pacing, Notice tooSlow) {
         this.lab = lab;
         this.tooSlow = tooSlow;
         this.clock = new LabClock(Lab.STEP_NANOS, () -> step(lab), pacing);
+        this.walls = lab.walls().stream()
+                .map(wall -> new Wall(wall.x1(), wall.y1(), wall.x2(), wall.y2()))
+                .toList();
+        this.furnishing = furnishing(lab);
     }
 
     private static void step(Lab lab) {
@@ -154,13 +159,15 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
 
     @Override
     public List<Wall> walls() {
-        List<Wall> walls = new ArrayList<>();
-        lab.walls().forEach(wall -> walls.add(new Wall(wall.x1(), wall.y1(), wall.x2(), wall.y2())));
         return walls;
     }
 
     @Override
     public Furnishing furnishing() {
+        return furnishing;
+    }
+
+    private static Furnishing furnishing(Lab lab) {
         List<Tape> tapes =
                 lab.room().tapes().stream().flatMap(SimulatedLab::pieces).toList();
         List<Lamp> lamps = lab.room().lamps().stream()
