@@ -1,5 +1,6 @@
 package majicsim.aibo.body;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -22,6 +23,8 @@ public final class Legs {
     private static final double[][] TURN_MEAN_DEG = {{-19.4, 17.8, 82.2}, {-20.0, 12.8, 89.3}};
 
     private final List<Joint> joints;
+    private double[] shouldersOfDeg = {};
+    private ShoulderPose shoulders = new ShoulderPose(0, 0);
 
     public Legs(List<Joint> joints) {
         this.joints = joints;
@@ -68,6 +71,15 @@ public final class Legs {
 
     /** The height and pitch of the front of the body: a mean of those of the postures, weighted by how near their angles are. */
     ShoulderPose shoulders() {
+        double[] anglesDeg = joints.stream().mapToDouble(Joint::degrees).toArray();
+        if (!Arrays.equals(anglesDeg, shouldersOfDeg)) {
+            shouldersOfDeg = anglesDeg;
+            shoulders = meanShoulders();
+        }
+        return shoulders;
+    }
+
+    private ShoulderPose meanShoulders() {
         double weights = 0;
         double shoulderMm = 0;
         double pitchDeg = 0;
