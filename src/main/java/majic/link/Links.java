@@ -6,11 +6,17 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
 
 /** Creates links from addresses, and lists the open ones. */
 public final class Links {
     static final Logger LOG = System.getLogger(Links.class.getName());
 
+    private static final Pattern HOST_AND_PORT =
+            Pattern.compile("(\\[[0-9a-fA-F:.]+(?:%[\\w.-]+)?]|[^/:?#@\\s\\[\\]]+)(?::(\\d{1,5}))?");
+    private static final int LARGEST_PORT = 65_535;
     private static final Set<Link> OPEN = ConcurrentHashMap.newKeySet();
 
     private Links() {}
@@ -52,26 +58,24 @@ public final class Links {
     /**
      * Reads host and port from a network address.
      *
-     * @param address {@code //host}, {@code //host:port} or {@code tcp://host:port}
+     * @param address {@code //host}, {@code //host:port} or {@code tcp://host:port}; an IPv6 address is in square brackets
      * @param defaultPort the port when the address names none; 0 if it must name one
      * @return both, the host's name not looked up
      * @throws IllegalArgumentException if it is no such address; the message has an example
      */
     public static InetSocketAddress server(String address, int defaultPort) {
         String hostAndPort = address.replaceFirst("^(tcp:)?//", "");
-        int colon = hostAndPort.lastIndexOf(':');
-        boolean ipv6WithoutPort = hostAndPort.endsWith("]");
-        String host = colon < 0 || ipv6WithoutPort ? hostAndPort : hostAndPort.substring(0, colon);
-        int port = colon < 0 || ipv6WithoutPort ? defaultPort : port(hostAndPort.substring(colon + 1));
-        if (host.isEmpty() || port < 1 || port > 65_535 || host.contains("/")) {
+        Matcher form = HOST_AND_PORT.matcher(hostAndPort);
+        int port = form.matches() ? port(form.group(2), defaultPort) : 0;
+        if (port < 1 || port > LARGEST_PORT) {
             throw new IllegalArgumentException("//" + hostAndPort + ": not an address; it looks like //192.168.1.20:"
                     + (defaultPort == 0 ? 4001 : defaultPort) + " with a port from 1 to 65535");
         }
-        return InetSocketAddress.createUnresolved(host, port);
+        return InetSocketAddress.createUnresolved(form.group(1), port);
     }
 
-    private static int port(String text) {
-        return text.matches("\\d{1,5}") ? Integer.parseInt(text) : -1;
+    private static int port(@Nullable String digits, int defaultPort) {
+        return digits == null ? defaultPort : Integer.parseInt(digits);
     }
 
     /**
