@@ -5,6 +5,7 @@ import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
@@ -19,6 +20,7 @@ public record BotAddress(String scheme, String rest) {
     /** The scheme of a robot in the simulated lab. */
     public static final String SIMULATED = "sim";
 
+    private static final Pattern SCHEME = Pattern.compile("[A-Za-z][\\w+-]*");
     private static final Set<String> OF_OTHER_DESKS = Set.of("mqtt", "mqtts");
 
     /**
@@ -26,11 +28,13 @@ public record BotAddress(String scheme, String rest) {
      *
      * @param text as typed
      * @return the address
-     * @throws BotException if there is no scheme in it; the message shows what an address looks like
+     * @throws BotException if it does not begin with a scheme, as {@code 10.0.0.5:8101} does not; the message shows what an address looks like
      */
     public static BotAddress parse(String text) {
         int colon = Objects.requireNonNull(text, "address").indexOf(':');
-        if (colon <= 0 || colon == text.length() - 1) {
+        if (colon <= 0
+                || colon == text.length() - 1
+                || !SCHEME.matcher(text.substring(0, colon)).matches()) {
             throw new BotException(
                     text + ": not a robot's address; it looks like pioneer://10.0.0.5:8101, hemisson:COM3 or sim:aibo");
         }

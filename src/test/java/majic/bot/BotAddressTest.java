@@ -7,6 +7,8 @@ import java.util.List;
 import majic.environment.Settings;
 import majic.team.BotFactory;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class BotAddressTest {
     @Test
@@ -41,6 +43,15 @@ class BotAddressTest {
                 .hasMessage("fake+three://a: there is no library three for it; it looks like fake://a or"
                         + " fake+one://a or fake+two://a");
         assertThat(factory.create("fake+two://a").type()).isEqualTo(type);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"10.0.0.5:8101", "robot.example:8101", "pioneer", ":8101", "pioneer:", "/dev/ttyS0:1"})
+    void anAddressWithoutTheTypeOfTheRobotIsRefusedWithOneThatHasIt(String typed) {
+        assertThatThrownBy(() -> BotAddress.parse(typed))
+                .isInstanceOf(BotException.class)
+                .hasMessage(typed
+                        + ": not a robot's address; it looks like pioneer://10.0.0.5:8101, hemisson:COM3 or sim:aibo");
     }
 
     @Test
