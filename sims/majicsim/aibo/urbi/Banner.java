@@ -11,15 +11,14 @@ final class Banner {
     static List<String> lines() {
         return List.of(
                 RULE,
-                "URBI Language specif 1.0 - as a simulated robot speaks it",
+                "URBI Language specif 1.0 - simulated robot",
                 "URBI Kernel version 1.0 rev. 153 ",
                 "",
                 "  URBI Engine 1.0 for a simulated Aibo ERS7",
-                "  written for the MAJIC lab after the protocol sheet",
+                "  part of the simulated lab of MAJIC",
                 "",
-                "This dog lives in a room of numbers: it cannot bite,",
-                "fall or run out of floor. What it answers is what the",
-                "real one would answer, as far as we know.",
+                "This server is a simulation. It answers as the server of",
+                "an ERS-7 does, as far as that is known.",
                 "",
                 RULE);
     }
