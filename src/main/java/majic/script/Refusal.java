@@ -9,7 +9,7 @@ import majic.script.syntax.Token;
  * @param message one sentence: what is wrong, where, and what would be right
  * @param from index of the first character of the wrong word in the line
  * @param to index behind its last character; equal to {@code from}, at the end of the line, if no word of it is wrong
- *     but something is missing, or the line cannot be done for another reason
+ *     but something is missing; both 0 if the reason is outside of the line, as a latched STOP is
  */
 public record Refusal(String message, int from, int to) {
 
@@ -22,7 +22,16 @@ public record Refusal(String message, int from, int to) {
                 return new Refusal(message, from, to);
             }
         }
-        return new Refusal(message, line.length(), line.length());
+        return new Refusal(message, 0, 0);
+    }
+
+    /**
+     * Returns whether the line itself is right, and may be accepted later without a change.
+     *
+     * @return true if the reason is outside of the line
+     */
+    public boolean isForAnotherReason() {
+        return to == 0;
     }
 
     /** Returns the refusal of the line without its first characters. */

@@ -261,7 +261,11 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private void mark(Refusal why) {
         putClientProperty("JComponent.outline", "error");
         wrongWord.set(why.from(), why.to());
-        select(why.from(), why.to());
+        if (why.isForAnotherReason()) {
+            selectAll();
+        } else {
+            select(why.from(), why.to());
+        }
         hint.accept(why.message());
     }
 

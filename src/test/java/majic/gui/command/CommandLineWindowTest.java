@@ -118,6 +118,17 @@ class CommandLineWindowTest {
     }
 
     @Test
+    void aLineRefusedForAReasonOutsideOfItIsSelectedSoThatEnterRepeatsItAndTypingReplacesIt() {
+        window.command("stop");
+        window.awaitMessage("STOP is latched");
+        window.command("1 move 50");
+        assertThat(window.text("hint")).contains("STOP is latched");
+        assertThat(selected()).isEqualTo("1 move 50");
+        window.type("release");
+        assertThat(window.text("commandLine")).isEqualTo("release");
+    }
+
+    @Test
     void theWordsThatFitAreShownWhileALineIsTyped() {
         window.focus("commandLine");
         window.type("1 set cru");
