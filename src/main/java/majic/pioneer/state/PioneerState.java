@@ -21,7 +21,7 @@ import majic.pioneer.arcos.SipTail;
  * @param speedMmPerSec from the wheels, ahead positive
  * @param turnRateDegPerSec counterclockwise positive
  * @param sonar the last reading of every disc
- * @param gaps from the hull to the nearest obstacle on each known side, mm; infinite if none is in range
+ * @param obstacles the recent echoes of the sonars
  * @param sipsPerSec SIPs per second, 0 before the second SIP
  * @param longestSilenceS between two SIPs of this session, seconds
  * @param atNanos when this came, on the driver's clock
@@ -34,7 +34,7 @@ public record PioneerState(
         double speedMmPerSec,
         double turnRateDegPerSec,
         SonarScan sonar,
-        Map<Side, Double> gaps,
+        ObstacleMemory obstacles,
         double sipsPerSec,
         double longestSilenceS,
         long atNanos) {
@@ -52,11 +52,6 @@ public record PioneerState(
     /** At or below this the byte means that there is no thermometer (ARCOS sheet 17). */
     private static final int NO_TEMPERATURE = -127;
 
-    /** Keeps a copy of the gaps. */
-    public PioneerState {
-        gaps = Map.copyOf(gaps);
-    }
-
     /** This state with newer reports. */
     public PioneerState with(LatestReports newReports) {
         return new PioneerState(
@@ -67,10 +62,15 @@ public record PioneerState(
                 speedMmPerSec,
                 turnRateDegPerSec,
                 sonar,
-                gaps,
+                obstacles,
                 sipsPerSec,
                 longestSilenceS,
                 atNanos);
+    }
+
+    /** From the hull to the nearest obstacle on each known side, mm; infinite if none is in range. Unmodifiable. */
+    public Map<Side, Double> gaps() {
+        return obstacles.gaps();
     }
 
     public boolean isMoving() {

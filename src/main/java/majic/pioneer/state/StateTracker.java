@@ -11,7 +11,7 @@ public final class StateTracker {
 
     private final Model model;
     private final Odometry odometry;
-    private final ObstacleMemory obstacles;
+    private ObstacleMemory obstacles;
     private SonarScan scan = SonarScan.EMPTY;
     private LatestReports reports = LatestReports.NONE;
     private int lastFlags;
@@ -30,7 +30,7 @@ public final class StateTracker {
         Pose pose = odometry.pose();
         forgetSwitchedOff(sip.flags());
         scan = scan.with(sip.sonar(), model.scaling().mmPerRangeCount(), nanos);
-        obstacles.add(scan, sip.sonar(), pose, nanos);
+        obstacles = obstacles.with(scan, sip.sonar(), pose, nanos);
         time(nanos);
         return new PioneerState(
                 sip,
@@ -40,7 +40,7 @@ public final class StateTracker {
                 model.scaling().speedMmPerSec(sip),
                 model.scaling().turnRateDegPerSec(sip),
                 scan,
-                obstacles.gaps(scan, pose, nanos),
+                obstacles,
                 periodS > 0 ? 1 / periodS : 0,
                 longestSilenceS,
                 nanos);
