@@ -1,7 +1,6 @@
 package majic.pioneer.arcos;
 
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 
@@ -67,20 +66,20 @@ final class FieldReader {
 
     /** As many bytes as that, or as there are. */
     List<Integer> ubytes(int count) {
-        List<Integer> values = new ArrayList<>();
-        while (values.size() < count && remaining() >= 1) {
-            values.add(ubyte());
+        Integer[] values = new Integer[Math.min(count, remaining())];
+        for (int index = 0; index < values.length; index++) {
+            values[index] = ubyte();
         }
-        return values;
+        return List.of(values);
     }
 
     /** As many numbers of 16 bits as that, or as there are. */
     List<Integer> uints(int count) {
-        List<Integer> values = new ArrayList<>();
-        while (values.size() < count && remaining() >= 2) {
-            values.add(uint());
+        Integer[] values = new Integer[Math.min(count, remaining() / 2)];
+        for (int index = 0; index < values.length; index++) {
+            values[index] = uint();
         }
-        return values;
+        return List.of(values);
     }
 
     /** A cursor of its own for the next bytes, which are skipped here; they must be there. */

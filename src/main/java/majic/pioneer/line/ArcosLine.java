@@ -87,7 +87,7 @@ final class ArcosLine implements RobotLine {
 
         @Override
         public void received(Packet packet) {
-            LOG.log(Level.TRACE, () -> "< " + packet);
+            trace("< ", packet);
             listener.received(packet);
         }
 
@@ -104,13 +104,20 @@ final class ArcosLine implements RobotLine {
     public void send(Packet... packets) {
         for (Packet packet : packets) {
             refuseAfterSuspend();
-            LOG.log(Level.TRACE, () -> "> " + packet);
+            trace("> ", packet);
             try {
                 link.write(packet.bytes());
             } catch (IOException e) {
                 throw new LinkLost("connection lost: " + e.getMessage(), e);
             }
             sentNanos = time.nanos();
+        }
+    }
+
+    /** Makes no lambda expression for each packet, which costs as much as decoding it. */
+    private static void trace(String direction, Packet packet) {
+        if (LOG.isLoggable(Level.TRACE)) {
+            LOG.log(Level.TRACE, direction + packet);
         }
     }
 

@@ -36,6 +36,9 @@ public final class Subscriptions {
     /** After so many requests without a report the robot is taken not to have the report. */
     private static final int TRIES = 5;
 
+    /** Once: each call of {@code values()} makes a copy. */
+    private static final RequestedReport[] KINDS = RequestedReport.values();
+
     private final RobotLine line;
     private final LastTimes<RequestedReport> read;
     private final LastTimes<RequestedReport> received;
@@ -51,7 +54,7 @@ public final class Subscriptions {
 
     /** Requests the reports that the robot has, on a fast line; to be called once, after CONFIG. */
     void begin(@Nullable Config config) {
-        for (RequestedReport kind : RequestedReport.values()) {
+        for (RequestedReport kind : KINDS) {
             if (line.isFast() && line.delivers(kind) && kind.isRequestedAtStart(config)) {
                 request(kind);
             }
@@ -67,7 +70,7 @@ public final class Subscriptions {
 
     /** Notes that a report came. */
     void received(Report report) {
-        for (RequestedReport kind : RequestedReport.values()) {
+        for (RequestedReport kind : KINDS) {
             if (kind.brings(report)) {
                 received.record(kind);
                 unanswered.remove(kind);
@@ -87,7 +90,7 @@ public final class Subscriptions {
 
     /** Sends the requests that are due; to be called every {@link #PERIOD_S} or more often, by one thread, while the robot reports. */
     void requestDue() {
-        for (RequestedReport kind : RequestedReport.values()) {
+        for (RequestedReport kind : KINDS) {
             if (isRead(kind) && isDue(kind) && !isMissing(kind)) {
                 request(kind);
             }

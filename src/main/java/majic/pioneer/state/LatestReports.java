@@ -1,29 +1,28 @@
 package majic.pioneer.state;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Optional;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Report;
 
 /** The latest report of each kind that came beside the SIPs. Immutable. */
 public final class LatestReports {
-    static final LatestReports NONE = new LatestReports(List.of(), new EncoderTicks(0, 0));
+    static final LatestReports NONE = new LatestReports(new Report[0], new EncoderTicks(0, 0));
 
-    private final List<Report> latest;
+    private final Report[] latest;
     private final EncoderTicks ticks;
 
-    private LatestReports(List<Report> latest, EncoderTicks ticks) {
+    private LatestReports(Report[] latest, EncoderTicks ticks) {
         this.latest = latest;
         this.ticks = ticks;
     }
 
     /** These with a newer report in place of the last of its kind. */
     LatestReports with(Report report) {
-        List<Report> now = new ArrayList<>(latest);
-        now.removeIf(older -> older.getClass() == report.getClass());
-        now.add(report);
-        return new LatestReports(List.copyOf(now), report instanceof Encoders encoders ? counted(encoders) : ticks);
+        int place = place(report.getClass());
+        Report[] now = new Report[Math.max(latest.length, place + 1)];
+        System.arraycopy(latest, 0, now, 0, latest.length);
+        now[place] = report;
+        return new LatestReports(now, report instanceof Encoders encoders ? counted(encoders) : ticks);
     }
 
     private EncoderTicks counted(Encoders now) {
@@ -34,7 +33,17 @@ public final class LatestReports {
 
     /** The last one of a kind; empty before the first. */
     public <R extends Report> Optional<R> latest(Class<R> kind) {
-        return latest.stream().filter(kind::isInstance).map(kind::cast).findFirst();
+        int place = place(kind);
+        return place < latest.length ? Optional.of(kind.cast(latest[place])) : Optional.empty();
+    }
+
+    /** Where the last report of a kind is; behind the others if there is none. */
+    private int place(Class<? extends Report> kind) {
+        int place = 0;
+        while (place < latest.length && latest[place].getClass() != kind) {
+            place++;
+        }
+        return place;
     }
 
     /** What the wheels' encoders have counted, without the roll-over. */

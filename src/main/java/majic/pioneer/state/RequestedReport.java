@@ -37,7 +37,7 @@ public enum RequestedReport {
     }
 
     public boolean brings(Report some) {
-        return report.isInstance(some);
+        return report == some.getClass();
     }
 
     /** The request for a report with every SIP. */
