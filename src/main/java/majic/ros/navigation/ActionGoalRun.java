@@ -1,17 +1,14 @@
 package majic.ros.navigation;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
 import majic.ros.bridge.ActionGoal;
 import majic.ros.readings.RosClient.GoalChannel;
 import majic.time.Signal;
-import org.jspecify.annotations.Nullable;
 
 /** A goal of an action of ROS 2. */
-final class ActionGoalRun implements Goal, ActionGoal.Events {
+final class ActionGoalRun extends Goal implements ActionGoal.Events {
     /** Numbers of action_msgs/GoalStatus. */
     private static final int SUCCEEDED = 4;
 
@@ -20,11 +17,6 @@ final class ActionGoalRun implements Goal, ActionGoal.Events {
 
     private final GoalChannel channel;
     private final ActionGoal goal;
-    private final Signal changes;
-    private final AtomicBoolean cancelled = new AtomicBoolean();
-    private volatile boolean answered;
-    private volatile @Nullable Result result;
-    private volatile String reason = "";
     private volatile OptionalDouble leftMm = OptionalDouble.empty();
 
     /**
@@ -34,40 +26,23 @@ final class ActionGoalRun implements Goal, ActionGoal.Events {
      * @param changes raised after each event
      */
     ActionGoalRun(GoalChannel channel, ActionGoal goal, Signal changes) {
+        super(changes);
         this.channel = channel;
         this.goal = goal;
-        this.changes = changes;
     }
 
     @Override
-    public void send() {
+    void send() {
         channel.send(goal, this);
     }
 
     @Override
-    public void cancel() {
-        if (!cancelled.getAndSet(true)) {
-            channel.cancel();
-        }
+    void sendCancel() {
+        channel.cancel();
     }
 
     @Override
-    public boolean isAnswered() {
-        return answered;
-    }
-
-    @Override
-    public Optional<Result> result() {
-        return Optional.ofNullable(result);
-    }
-
-    @Override
-    public String reason() {
-        return reason;
-    }
-
-    @Override
-    public OptionalDouble leftMm() {
+    OptionalDouble leftMm() {
         return leftMm;
     }
 
@@ -77,28 +52,20 @@ final class ActionGoalRun implements Goal, ActionGoal.Events {
         if (left.isNumber() && Double.isFinite(left.doubleValue())) {
             leftMm = OptionalDouble.of(left.doubleValue() * MM_PER_M);
         }
-        answered = true;
-        changes.raise();
+        reported();
     }
 
     @Override
     public void result(int status, JsonNode values) {
-        reason = values.isTextual()
+        String why = values.isTextual()
                 ? values.asText()
                 : values.path("error_msg").asText(values.path("error_code").asText(""));
-        end(status == SUCCEEDED ? Result.SUCCEEDED : status == CANCELLED ? Result.CANCELLED : Result.FAILED);
+        end(status == SUCCEEDED ? Result.SUCCEEDED : status == CANCELLED ? Result.CANCELLED : Result.FAILED, why);
     }
 
     @Override
     public void failed(BotException cause) {
-        reason = String.valueOf(cause.getMessage());
-        end(Result.FAILED);
-    }
-
-    private void end(Result how) {
-        answered = true;
-        result = how;
-        changes.raise();
+        end(Result.FAILED, String.valueOf(cause.getMessage()));
     }
 
     @Override

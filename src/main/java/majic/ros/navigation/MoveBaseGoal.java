@@ -4,18 +4,14 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.UUID;
-import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import majic.ros.bridge.TopicSubscription;
 import majic.ros.readings.RosClient;
 import majic.time.Signal;
-import org.jspecify.annotations.Nullable;
 
 /** A goal of move_base on ROS 1, where an action is five topics (rosbridge sheet 6). */
-final class MoveBaseGoal implements Goal {
+final class MoveBaseGoal extends Goal {
     /** Numbers of actionlib_msgs/GoalStatus: the goal is preempted, or was recalled before it began. */
     private static final List<Integer> CANCELLED = List.of(2, 8);
 
@@ -24,13 +20,8 @@ final class MoveBaseGoal implements Goal {
     private final RosClient connection;
     private final String server;
     private final ObjectNode targetPose;
-    private final Signal changes;
     private final String id = "majic-" + UUID.randomUUID();
-    private final AtomicBoolean cancelled = new AtomicBoolean();
     private final List<Runnable> subscriptions;
-    private volatile boolean answered;
-    private volatile @Nullable Result result;
-    private volatile String reason = "";
 
     /**
      * A goal that is not sent yet; subscribes to its result.
@@ -40,10 +31,10 @@ final class MoveBaseGoal implements Goal {
      * @param changes raised after each event
      */
     MoveBaseGoal(RosClient connection, String server, ObjectNode targetPose, Signal changes) {
+        super(changes);
         this.connection = connection;
         this.server = server;
         this.targetPose = targetPose;
-        this.changes = changes;
         this.subscriptions = List.of(
                 subscribe("/status", "actionlib_msgs/GoalStatusArray", this::listed),
                 subscribe("/result", "move_base_msgs/MoveBaseActionResult", this::ended));
@@ -54,7 +45,7 @@ final class MoveBaseGoal implements Goal {
     }
 
     @Override
-    public void send() {
+    void send() {
         ObjectNode message = JsonNodeFactory.instance.objectNode();
         message.putObject("header");
         message.putObject("goal_id").put("id", id);
@@ -63,10 +54,8 @@ final class MoveBaseGoal implements Goal {
     }
 
     @Override
-    public void cancel() {
-        if (!cancelled.getAndSet(true)) {
-            cancelAll(connection, server);
-        }
+    void sendCancel() {
+        cancelAll(connection, server);
     }
 
     /**
@@ -84,8 +73,7 @@ final class MoveBaseGoal implements Goal {
     private void listed(JsonNode message) {
         for (JsonNode status : message.path("status_list")) {
             if (isOwn(status)) {
-                answered = true;
-                changes.raise();
+                reported();
             }
         }
     }
@@ -94,37 +82,15 @@ final class MoveBaseGoal implements Goal {
         JsonNode status = message.path("status");
         if (isOwn(status)) {
             int number = status.path("status").asInt();
-            reason = status.path("text").asText("");
-            result = number == SUCCEEDED
+            Result how = number == SUCCEEDED
                     ? Result.SUCCEEDED
                     : CANCELLED.contains(number) ? Result.CANCELLED : Result.FAILED;
-            answered = true;
-            changes.raise();
+            end(how, status.path("text").asText(""));
         }
     }
 
     private boolean isOwn(JsonNode status) {
         return status.path("goal_id").path("id").asText().equals(id);
-    }
-
-    @Override
-    public boolean isAnswered() {
-        return answered;
-    }
-
-    @Override
-    public Optional<Result> result() {
-        return Optional.ofNullable(result);
-    }
-
-    @Override
-    public String reason() {
-        return reason;
-    }
-
-    @Override
-    public OptionalDouble leftMm() {
-        return OptionalDouble.empty();
     }
 
     @Override
