@@ -8,7 +8,7 @@ import java.util.Optional;
  * writing to it does nothing (sheet 4.5).
  */
 public final class I2cBus {
-    private static final int NOBODY = 0xFF;
+    private static final int NO_MODULE = 0xFF;
 
     private final List<? extends I2cModule> modules;
     private double sincePowerUpSeconds = Double.POSITIVE_INFINITY;
@@ -27,7 +27,7 @@ public final class I2cBus {
     }
 
     public int read(int address, int register, int index) {
-        return find(address).map(module -> module.read(register, index)).orElse(NOBODY);
+        return find(address).map(module -> module.read(register, index)).orElse(NO_MODULE);
     }
 
     public void write(int address, int register, int... bytes) {

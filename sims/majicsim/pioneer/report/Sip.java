@@ -14,7 +14,7 @@ import majicsim.pioneer.ranging.SonarReading;
  * @param tail the fields after the sonar readings
  */
 record Sip(SipMotion motion, SipStatus status, List<SonarReading> sonar, SipTail tail) {
-    private static final int STANDING = 0x32;
+    private static final int STATIONARY = 0x32;
     private static final int MOVING = 0x33;
 
     /** The state now. Takes the sonar readings, which are reported only once. */
@@ -23,7 +23,7 @@ record Sip(SipMotion motion, SipStatus status, List<SonarReading> sonar, SipTail
     }
 
     byte[] toBytes() {
-        PacketWriter packet = new PacketWriter(motion.isMoving() ? MOVING : STANDING);
+        PacketWriter packet = new PacketWriter(motion.isMoving() ? MOVING : STATIONARY);
         packet.uint16s(motion.x(), motion.y(), motion.heading(), motion.leftSpeed(), motion.rightSpeed());
         packet.uint8(Math.min(0xFF, status.batteryTenthVolts()))
                 .uint8(status.left())

@@ -15,7 +15,7 @@ import majic.team.StopStatus;
 /** Shows a robot's state as a small symbol that differs in shape as well as in colour. */
 public enum StateIcon implements ScaledIcon {
     /** A filled disc: connected and stationary. */
-    STANDING,
+    STATIONARY,
     /** A triangle: connected and moving. */
     MOVING,
     /** A ring: not connected yet. */
@@ -30,7 +30,7 @@ public enum StateIcon implements ScaledIcon {
     /** Returns the symbol of a robot, without the state of its stop. */
     public static StateIcon of(MajicBot bot) {
         return switch (bot.connection()) {
-            case CONNECTED -> bot.state().moving() ? MOVING : STANDING;
+            case CONNECTED -> bot.state().moving() ? MOVING : STATIONARY;
             case NEW, CONNECTING -> WAITING;
             case LOST, CLOSED -> LOST;
         };
@@ -49,7 +49,7 @@ public enum StateIcon implements ScaledIcon {
 
     private void paint(Graphics2D g) {
         switch (this) {
-            case STANDING -> {
+            case STATIONARY -> {
                 g.setColor(DrawingColors.current().good());
                 g.fill(new Ellipse2D.Double(1, 1, 10, 10));
             }

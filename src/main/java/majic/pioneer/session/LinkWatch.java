@@ -28,7 +28,7 @@ public final class LinkWatch {
     private static final double NOTICED_S = HOLD_S - PULSE_S;
 
     private static final double LOST_MOVING_S = 1;
-    private static final double LOST_STANDING_S = 3;
+    private static final double LOST_STATIONARY_S = 3;
 
     /** What has to be done now. */
     enum Verdict {
@@ -70,7 +70,7 @@ public final class LinkWatch {
             case PULSE -> line.send(ArcosCommand.PULSE.packet());
             case HOLD -> holdOnce();
             case GIVE_UP -> {
-                int seconds = (int) (moving ? LOST_MOVING_S : LOST_STANDING_S);
+                int seconds = (int) (moving ? LOST_MOVING_S : LOST_STATIONARY_S);
                 return new LinkLost("connection lost: the robot has been silent for " + seconds + " s");
             }
         }
@@ -118,7 +118,7 @@ public final class LinkWatch {
      * @param moving whether the robot moves, has a velocity to follow, or had one when its reports stopped
      */
     static Verdict judge(double silenceS, double unsentS, boolean moving) {
-        if (silenceS >= (moving ? LOST_MOVING_S : LOST_STANDING_S)) {
+        if (silenceS >= (moving ? LOST_MOVING_S : LOST_STATIONARY_S)) {
             return Verdict.GIVE_UP;
         }
         if (moving && silenceS >= HOLD_S) {
