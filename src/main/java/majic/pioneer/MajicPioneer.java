@@ -157,7 +157,7 @@ public final class MajicPioneer extends BotDriver {
         Model model = opened.equipment().model();
         if (!model.known()) {
             notice("it calls itself " + model.subclass()
-                    + ", a model that is not known here; it is driven slowly, and its distances cannot be told");
+                    + ", a model that is not known here; it is driven slowly, and its distances cannot be computed");
         }
         adoptProfile(opened);
         describe(opened.equipment());

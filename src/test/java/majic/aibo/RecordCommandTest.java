@@ -31,7 +31,7 @@ class RecordCommandTest {
     @Test
     void theSubscriptionEndsOnTheDogByItselfAndByACommand() {
         assertThatThrownBy(() -> record(folder.resolve("a.wav")))
-                .hasMessage("the dog's microphone has said nothing for 2 s");
+                .hasMessage("the dog's microphone has sent nothing for 2 s");
 
         String order = dog.received("micro.val").get(0);
         String tag = order.substring(0, order.indexOf(':'));

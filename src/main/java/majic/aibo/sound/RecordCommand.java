@@ -90,7 +90,7 @@ public final class RecordCommand {
         try {
             for (int before = 0; !motion.await(recording::isDone, QUIET_S); before = recording.blocks()) {
                 if (recording.blocks() == before) {
-                    throw new BotException("the dog's microphone has said nothing for " + (int) QUIET_S + " s");
+                    throw new BotException("the dog's microphone has sent nothing for " + (int) QUIET_S + " s");
                 }
             }
         } finally {

@@ -21,7 +21,7 @@ final class DockCommands {
                 "dock",
                 List.of(),
                 true,
-                "lowers the contacts onto the charger it stands on",
+                "lowers the contacts onto the charger below it",
                 (none, motion) -> dock(motion));
     }
 
@@ -39,7 +39,7 @@ final class DockCommands {
 
     private String undock(Motion motion) {
         motion.send(() -> access.send(ArcosCommand.CHARGE.packet(0)));
-        return motion.await(() -> !hasPower(), CONTACT_S) ? "undocked" : "told; the charger still has power";
+        return motion.await(() -> !hasPower(), CONTACT_S) ? "undocked" : "sent; the charger still has power";
     }
 
     private boolean hasPower() {

@@ -22,6 +22,7 @@ final class GripperCommands {
     /** The first reports after the command may be older than it, seconds. */
     private static final double LATENCY_S = 0.3;
 
+    private static final String UNREPORTED = "sent; this robot does not report the state of its gripper";
     private static final int CARRY = 17;
     private static final int LONGEST_CARRY_MS = 5100;
 
@@ -60,7 +61,7 @@ final class GripperCommands {
             throw new MotionFailed("not done within " + Value.plain(LONGEST_S) + " s: " + words());
         }
         mayMove = false;
-        return done ? words() : "told; this robot does not say how its gripper stands";
+        return done ? words() : UNREPORTED;
     }
 
     private String carry(double ms, Motion motion) {
@@ -72,7 +73,7 @@ final class GripperCommands {
         });
         motion.pause(Math.abs(ms) / 1000);
         mayMove = false;
-        return "lift " + state().map(GripperParameters::lift).orElse("told");
+        return state().map(now -> "lift " + GripperParameters.lift(now)).orElse(UNREPORTED);
     }
 
     /** Stops gripper and lift if they may be moving; waits for nothing. */
@@ -94,6 +95,6 @@ final class GripperCommands {
 
     private String words() {
         return state().map(now -> "gripper " + GripperParameters.paddles(now) + ", lift " + GripperParameters.lift(now))
-                .orElse("told");
+                .orElse(UNREPORTED);
     }
 }

@@ -43,7 +43,7 @@ final class PowerParameters implements ParameterTheme<Equipment> {
 
     private static Value charge(OptionalInt percent) {
         return percent.isEmpty()
-                ? Value.unknown("this robot tells only its voltage")
+                ? Value.unknown("this robot reports only its voltage")
                 : Value.of(percent.getAsInt(), Unit.PERCENT);
     }
 
