@@ -192,7 +192,7 @@ public final class ParameterTable {
         return found;
     }
 
-    /** Returns all; the same list as long as none changes, so that callers who look at them often find that out at once. */
+    /** Returns all; the same list object as long as none changes, so that frequent callers can compare by identity. */
     List<Parameter> all() {
         List<Entry> entriesNow = merged().entries();
         List<Parameter> known = listed;

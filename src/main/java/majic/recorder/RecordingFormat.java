@@ -31,7 +31,7 @@ final class RecordingFormat {
     private static final double LONGEST_S = 1e7;
 
     private static final int ROBOT_COLUMNS = 12;
-    private static final int PARAMETER_COLUMNS = 9;
+    private static final int PARAMETER_COLUMNS = 10;
 
     /** The kinds of lines. */
     enum Kind {
@@ -130,7 +130,7 @@ final class RecordingFormat {
     }
 
     static Parameter parameter(String[] columns) {
-        require(columns, PARAMETER_COLUMNS + 1);
+        require(columns, PARAMETER_COLUMNS);
         return new Parameter(
                 columns[3],
                 constant(Parameter.Kind.class, columns[4]),
