@@ -10,7 +10,6 @@ import java.awt.Rectangle;
 import java.awt.RenderingHints;
 import java.awt.event.FocusEvent;
 import java.awt.event.FocusListener;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.RoundRectangle2D;
@@ -66,8 +65,8 @@ public final class PictureView extends JPanel {
                 enlarge();
             }
         });
-        registerKeyboardAction(event -> enlarge(), KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), WHEN_FOCUSED);
-        registerKeyboardAction(event -> enlarge(), KeyStroke.getKeyStroke(KeyEvent.VK_SPACE, 0), WHEN_FOCUSED);
+        KeyAction.bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke("ENTER"), event -> enlarge());
+        KeyAction.bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke("SPACE"), event -> enlarge());
         addFocusListener(new RepaintOnFocus());
     }
 

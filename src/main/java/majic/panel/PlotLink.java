@@ -6,16 +6,13 @@ import java.awt.Point;
 import java.awt.dnd.DnDConstants;
 import java.awt.dnd.DragGestureEvent;
 import java.awt.dnd.DragSource;
-import java.awt.event.ActionEvent;
 import java.awt.event.FocusAdapter;
 import java.awt.event.FocusEvent;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
-import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
@@ -67,15 +64,11 @@ public final class PlotLink {
         PlotLink link = new PlotLink(component, parametersAt);
         if (!all.isEmpty()) {
             component.addFocusListener(new Highlight(component));
-            component.getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "plot");
-            component.getActionMap().put("plot", new AbstractAction() {
-                private static final long serialVersionUID = 1;
-
-                @Override
-                public void actionPerformed(ActionEvent event) {
-                    link.plot(all, false);
-                }
-            });
+            KeyAction.bind(
+                    component,
+                    JComponent.WHEN_FOCUSED,
+                    KeyStroke.getKeyStroke("ENTER"),
+                    event -> link.plot(all, false));
         }
     }
 

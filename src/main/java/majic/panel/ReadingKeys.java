@@ -1,10 +1,9 @@
 package majic.panel;
 
-import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
-import javax.swing.AbstractAction;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.KeyStroke;
 import majic.text.Texts;
@@ -28,16 +27,7 @@ final class ReadingKeys {
     }
 
     private void bind(JLabel value, int key, int step) {
-        String name = "reading " + step;
-        value.getInputMap().put(KeyStroke.getKeyStroke(key, 0), name);
-        value.getActionMap().put(name, new AbstractAction() {
-            private static final long serialVersionUID = 1;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                move(value, step);
-            }
-        });
+        KeyAction.bind(value, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke(key, 0), event -> move(value, step));
     }
 
     private void move(JLabel from, int step) {

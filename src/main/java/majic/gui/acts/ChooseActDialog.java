@@ -1,8 +1,6 @@
 package majic.gui.acts;
 
 import java.awt.Window;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -15,6 +13,7 @@ import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import majic.environment.Settings;
 import majic.gui.kit.ChooseFile;
+import majic.gui.kit.DoubleClick;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
@@ -61,14 +60,7 @@ final class ChooseActDialog extends MajicDialog {
         list.setCellRenderer(new ActCell(targets));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.addListSelectionListener(event -> show(list.getSelectedValue()));
-        list.addMouseListener(new MouseAdapter() {
-            @Override
-            public void mouseClicked(MouseEvent event) {
-                if (event.getClickCount() == 2) {
-                    load.doClick();
-                }
-            }
-        });
+        list.addMouseListener(new DoubleClick(load::doClick));
         JPanel panel = new JPanel(new MigLayout(
                 "insets 0, gap 14 8", "[200:250:, fill][320:380:, grow, fill]", "[][400::, grow, fill][]"));
         panel.add(new JLabel(targets.heading()), "spanx 2, wrap");

@@ -1,8 +1,6 @@
 package majic.gui.add;
 
 import java.awt.Window;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.Collection;
@@ -21,6 +19,7 @@ import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
 import majic.bot.BotType;
+import majic.gui.kit.DoubleClick;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
@@ -82,14 +81,7 @@ final class SearchDialog extends MajicDialog {
         list.getAccessibleContext().setAccessibleName(TEXTS.get("places"));
         list.setSelectionMode(ListSelectionModel.SINGLE_SELECTION);
         list.addListSelectionListener(event -> use.setEnabled(!list.isSelectionEmpty()));
-        list.addMouseListener(new MouseAdapter() {
-            @Override
-            public void mouseClicked(MouseEvent event) {
-                if (event.getClickCount() == 2) {
-                    choose();
-                }
-            }
-        });
+        list.addMouseListener(new DoubleClick(this::choose));
         progress.setName("searchProgress");
         progress.setIndeterminate(true);
         progress.getAccessibleContext().setAccessibleName(TEXTS.get("progress"));

@@ -1,16 +1,15 @@
 package majic.gui.bots;
 
 import com.formdev.flatlaf.util.SystemInfo;
-import java.awt.event.ActionEvent;
 import java.awt.event.InputEvent;
 import java.awt.event.KeyEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.IntSupplier;
-import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import majic.panel.KeyAction;
 import majic.team.Member;
 
 /**
@@ -44,7 +43,7 @@ final class StripKeys {
         for (int digit = 0; digit < DIGITS; digit++) {
             String typed = "" + digit;
             KeyStroke key = KeyStroke.getKeyStroke(KeyEvent.VK_0 + digit, NUMBERS);
-            keys.bind(JComponent.WHEN_IN_FOCUSED_WINDOW, key, event -> keys.typed(typed, event.getWhen()));
+            KeyAction.bind(strip, JComponent.WHEN_IN_FOCUSED_WINDOW, key, event -> keys.typed(typed, event.getWhen()));
         }
         keys.bindArrows(() -> -strip.cardsToNextRow(), KeyEvent.VK_UP, KeyEvent.VK_KP_UP);
         keys.bindArrows(() -> -1, KeyEvent.VK_LEFT, KeyEvent.VK_KP_LEFT);
@@ -68,25 +67,14 @@ final class StripKeys {
     }
 
     private void bindOnCard(int code, int modifiers, Consumer<RobotCard> action) {
-        bind(
+        KeyAction.bind(
+                strip,
                 JComponent.WHEN_ANCESTOR_OF_FOCUSED_COMPONENT,
                 KeyStroke.getKeyStroke(code, modifiers),
                 event -> strip.cards().stream()
                         .filter(RobotCard::isFocusOwner)
                         .findFirst()
                         .ifPresent(action));
-    }
-
-    private void bind(int condition, KeyStroke key, Consumer<ActionEvent> action) {
-        strip.getInputMap(condition).put(key, key.toString());
-        strip.getActionMap().put(key.toString(), new AbstractAction() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.accept(event);
-            }
-        });
     }
 
     /** Selects the robot of the number typed so far, or of the digit alone if there is no robot of the longer number. */

@@ -14,8 +14,8 @@ import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.EventThread;
-import majic.gui.kit.KeyAction;
 import majic.gui.kit.TextChange;
+import majic.panel.KeyAction;
 import majic.script.MajicParser;
 import majic.script.Refusal;
 import majic.text.Texts;
@@ -123,7 +123,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     }
 
     private void bind(String key, Runnable action) {
-        KeyAction.bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key), action);
+        KeyAction.bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key), event -> action.run());
     }
 
     private void enter() {

@@ -17,8 +17,8 @@ import javax.swing.JPopupMenu;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import majic.gui.kit.ClosesByEsc;
-import majic.gui.kit.KeyAction;
 import majic.gui.kit.TextChange;
+import majic.panel.KeyAction;
 import majic.text.Texts;
 
 /** The controls above the messages: which robots and kinds are shown, and the search. */
@@ -114,8 +114,8 @@ final class MessageBar extends JPanel implements ClosesByEsc {
 
     /** Adds the keys of the search. */
     void complete() {
-        KeyAction.bind(find, WHEN_FOCUSED, KeyStroke.getKeyStroke("shift ENTER"), () -> move(1));
-        KeyAction.bind(find, WHEN_FOCUSED, KeyStroke.getKeyStroke("ESCAPE"), this::endFind);
+        KeyAction.bind(find, WHEN_FOCUSED, KeyStroke.getKeyStroke("shift ENTER"), event -> move(1));
+        KeyAction.bind(find, WHEN_FOCUSED, KeyStroke.getKeyStroke("ESCAPE"), event -> endFind());
     }
 
     /** Gives the focus to the field for the search. */

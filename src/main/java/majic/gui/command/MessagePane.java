@@ -7,7 +7,7 @@ import javax.swing.JPanel;
 import javax.swing.KeyStroke;
 import majic.environment.Settings;
 import majic.gui.kit.EventThread;
-import majic.gui.kit.KeyAction;
+import majic.panel.KeyAction;
 
 /** The messages with their controls and keys. The size of the text and the times of day are kept in the settings. */
 final class MessagePane extends JPanel {
@@ -65,7 +65,7 @@ final class MessagePane extends JPanel {
     }
 
     private void bind(String key, Runnable action) {
-        KeyAction.bind(this, WHEN_IN_FOCUSED_WINDOW, KeyStroke.getKeyStroke(key), action);
+        KeyAction.bind(this, WHEN_IN_FOCUSED_WINDOW, KeyStroke.getKeyStroke(key), event -> action.run());
     }
 
     private void resize(int step) {

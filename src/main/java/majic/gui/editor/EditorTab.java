@@ -4,8 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.JPanel;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
+import majic.gui.kit.TextChange;
 import majic.script.ScriptRunner;
 import majic.script.ScriptRunner.Checked;
 import majic.script.run.ScriptControl.Progress;
@@ -51,7 +50,7 @@ final class EditorTab extends JPanel {
         add(find, "wmin 0");
         add(mistakes, "wmin 0");
         file.showText();
-        area.text().getDocument().addDocumentListener(new Edits());
+        area.text().getDocument().addDocumentListener(new TextChange(this::edited));
         area.text().addCaretListener(event -> changed());
         check.now();
     }
@@ -99,6 +98,11 @@ final class EditorTab extends JPanel {
     /** Ends what the tab does by itself. */
     void close() {
         run.close();
+    }
+
+    private void edited() {
+        checkSoon();
+        changed();
     }
 
     /** Reports a change to the window. */
@@ -166,23 +170,5 @@ final class EditorTab extends JPanel {
             return count == 0 ? TEXTS.get("status.pausing") : TEXTS.get("status.pausingLines", count, lines);
         }
         return count == 0 ? TEXTS.get("status.running") : TEXTS.get("status.runningLines", count, lines);
-    }
-
-    /** Notices edits of the text. */
-    private final class Edits implements DocumentListener {
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            checkSoon();
-            changed();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            checkSoon();
-            changed();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {}
     }
 }

@@ -1,8 +1,5 @@
 package majic.gui.editor;
 
-import java.awt.event.ActionEvent;
-import java.awt.event.KeyEvent;
-import javax.swing.AbstractAction;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
@@ -11,6 +8,7 @@ import javax.swing.KeyStroke;
 import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.Mnemonics;
 import majic.gui.kit.Palette;
+import majic.panel.KeyAction;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
@@ -34,10 +32,7 @@ final class FindBar extends JPanel implements ClosesByEsc {
         label.setLabelFor(field);
         field.setName("find");
         field.addActionListener(event -> find(true));
-        field.registerKeyboardAction(
-                event -> find(false),
-                KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, KeyEvent.SHIFT_DOWN_MASK),
-                WHEN_FOCUSED);
+        KeyAction.bind(field, WHEN_FOCUSED, KeyStroke.getKeyStroke("shift ENTER"), event -> find(false));
         count.setName("findCount");
         add(label);
         add(field);
@@ -45,15 +40,7 @@ final class FindBar extends JPanel implements ClosesByEsc {
         add(button("findNext", TEXTS.get("findBar.next"), () -> find(true)));
         add(count, "wmin 0");
         add(button("findClose", TEXTS.get("findBar.close"), this::close));
-        getInputMap(WHEN_ANCESTOR_OF_FOCUSED_COMPONENT).put(KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0), "close");
-        getActionMap().put("close", new AbstractAction() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                close();
-            }
-        });
+        KeyAction.bind(this, WHEN_ANCESTOR_OF_FOCUSED_COMPONENT, KeyStroke.getKeyStroke("ESCAPE"), event -> close());
         Mnemonics.assign(this);
         setVisible(false);
     }

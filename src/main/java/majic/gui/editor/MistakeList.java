@@ -1,7 +1,6 @@
 package majic.gui.editor;
 
 import java.awt.Component;
-import java.awt.event.KeyEvent;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.util.Collections;
@@ -10,12 +9,12 @@ import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.DefaultListModel;
-import javax.swing.JComponent;
 import javax.swing.JList;
 import javax.swing.JScrollPane;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
 import majic.gui.kit.Palette;
+import majic.panel.KeyAction;
 import majic.script.syntax.Mistake;
 import majic.text.Texts;
 
@@ -31,7 +30,7 @@ final class MistakeList extends JScrollPane {
     /**
      * Creates an empty list.
      *
-     * @param chosen receives a mistake that was double-clicked, or chosen with the Enter key
+     * @param chosen receives a mistake that was clicked, or chosen with the Enter key
      */
     MistakeList(Consumer<Mistake> chosen) {
         setViewportView(list);
@@ -46,8 +45,7 @@ final class MistakeList extends JScrollPane {
                 choose(chosen);
             }
         });
-        list.registerKeyboardAction(
-                event -> choose(chosen), KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), JComponent.WHEN_FOCUSED);
+        KeyAction.bind(list, WHEN_FOCUSED, KeyStroke.getKeyStroke("ENTER"), event -> choose(chosen));
         setVisible(false);
     }
 

@@ -7,6 +7,7 @@ import java.awt.event.WindowEvent;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
 import javax.swing.RootPaneContainer;
+import majic.panel.KeyAction;
 
 /** The key that closes a window beside the main one, as the button in its title bar does: Ctrl W, Cmd W on a Mac. */
 public final class CloseKey {
@@ -19,6 +20,6 @@ public final class CloseKey {
                 window.getRootPane(),
                 JComponent.WHEN_IN_FOCUSED_WINDOW,
                 KeyStroke.getKeyStroke(KeyEvent.VK_W, menuKey),
-                () -> window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING)));
+                event -> window.dispatchEvent(new WindowEvent(window, WindowEvent.WINDOW_CLOSING)));
     }
 }

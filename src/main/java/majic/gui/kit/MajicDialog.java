@@ -2,7 +2,6 @@ package majic.gui.kit;
 
 import java.awt.Component;
 import java.awt.Window;
-import java.awt.event.KeyEvent;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import javax.swing.JButton;
@@ -11,6 +10,7 @@ import javax.swing.JDialog;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import majic.panel.KeyAction;
 import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
@@ -27,11 +27,8 @@ public class MajicDialog extends JDialog {
         super(owner, title, ModalityType.MODELESS);
         setName(title + " dialog");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
-        getRootPane()
-                .registerKeyboardAction(
-                        event -> dispose(),
-                        KeyStroke.getKeyStroke(KeyEvent.VK_ESCAPE, 0),
-                        JComponent.WHEN_IN_FOCUSED_WINDOW);
+        KeyAction.bind(
+                getRootPane(), JComponent.WHEN_IN_FOCUSED_WINDOW, KeyStroke.getKeyStroke("ESCAPE"), event -> dispose());
         CloseKey.install(this);
         addWindowListener(new WindowAdapter() {
             /**

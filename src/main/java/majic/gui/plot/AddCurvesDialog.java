@@ -7,9 +7,6 @@ import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Window;
-import java.awt.event.KeyEvent;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Locale;
 import javax.swing.BorderFactory;
@@ -23,13 +20,14 @@ import javax.swing.JScrollPane;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListCellRenderer;
-import javax.swing.event.DocumentEvent;
-import javax.swing.event.DocumentListener;
 import majic.bot.Parameter;
 import majic.bot.Unit;
+import majic.gui.kit.DoubleClick;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.StyledLabel;
+import majic.gui.kit.TextChange;
 import majic.gui.plot.data.PlotSource;
+import majic.panel.KeyAction;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
@@ -69,25 +67,16 @@ final class AddCurvesDialog extends MajicDialog {
                 .toList();
         filter.setName("curveFilter");
         filter.putClientProperty("JTextField.placeholderText", TEXTS.get("find.hint"));
-        filter.getDocument().addDocumentListener(new Filtering());
+        filter.getDocument().addDocumentListener(new TextChange(this::filter));
         list.setName("parameters");
         Cell cell = new Cell();
         list.setCellRenderer(cell);
         list.setFixedCellHeight(cell.getPreferredSize().height);
         list.setFixedCellWidth(1);
         list.addListSelectionListener(event -> add.setEnabled(!list.isSelectionEmpty()));
-        list.addMouseListener(new MouseAdapter() {
-            @Override
-            public void mouseClicked(MouseEvent event) {
-                if (event.getClickCount() == 2 && !list.isSelectionEmpty()) {
-                    addSelected();
-                }
-            }
-        });
-        filter.registerKeyboardAction(
-                event -> list.requestFocusInWindow(),
-                KeyStroke.getKeyStroke(KeyEvent.VK_DOWN, 0),
-                JComponent.WHEN_FOCUSED);
+        list.addMouseListener(new DoubleClick(add::doClick));
+        KeyAction.bind(
+                filter, JComponent.WHEN_FOCUSED, KeyStroke.getKeyStroke("DOWN"), event -> list.requestFocusInWindow());
         fill(content(), add, closing(TEXTS.get("close")));
         filter();
     }
@@ -123,23 +112,6 @@ final class AddCurvesDialog extends MajicDialog {
                         .stream())
                 .toList());
         dispose();
-    }
-
-    private final class Filtering implements DocumentListener {
-        @Override
-        public void insertUpdate(DocumentEvent event) {
-            filter();
-        }
-
-        @Override
-        public void removeUpdate(DocumentEvent event) {
-            filter();
-        }
-
-        @Override
-        public void changedUpdate(DocumentEvent event) {
-            filter();
-        }
     }
 
     /** Shows the explanation behind the name. All rows have one height, so that the list asks for the visible ones only. */

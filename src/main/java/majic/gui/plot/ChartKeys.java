@@ -1,10 +1,9 @@
 package majic.gui.plot;
 
-import java.awt.event.ActionEvent;
 import java.awt.event.KeyEvent;
-import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import majic.panel.KeyAction;
 
 /** The keys of a chart that has the focus: they zoom, pause, and move the cursor. */
 final class ChartKeys {
@@ -32,15 +31,6 @@ final class ChartKeys {
     }
 
     private void bind(KeyStroke stroke, Runnable action) {
-        String key = "chart " + stroke;
-        view.getInputMap().put(stroke, key);
-        view.getActionMap().put(key, new AbstractAction(key) {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                action.run();
-            }
-        });
+        KeyAction.bind(view, JComponent.WHEN_FOCUSED, stroke, event -> action.run());
     }
 }

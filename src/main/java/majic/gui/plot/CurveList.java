@@ -4,10 +4,8 @@ import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.event.ActionEvent;
 import java.util.ArrayList;
 import java.util.List;
-import javax.swing.AbstractAction;
 import javax.swing.Icon;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -15,6 +13,7 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingConstants;
 import majic.gui.kit.ScrolledPanel;
 import majic.panel.DrawingColors;
+import majic.panel.KeyAction;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
@@ -87,15 +86,7 @@ final class CurveList extends ScrolledPanel {
         button.getAccessibleContext().setAccessibleName(TEXTS.get("remove.curve", curve.label()));
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.addActionListener(event -> model.remove(curve));
-        button.getInputMap().put(KeyStroke.getKeyStroke("DELETE"), "remove");
-        button.getActionMap().put("remove", new AbstractAction() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                model.remove(curve);
-            }
-        });
+        KeyAction.bind(button, WHEN_FOCUSED, KeyStroke.getKeyStroke("DELETE"), event -> model.remove(curve));
         return button;
     }
 

@@ -1,8 +1,6 @@
 package majic.gui.replay;
 
 import java.awt.Window;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -15,6 +13,7 @@ import javax.swing.JScrollPane;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import majic.bot.BotException;
 import majic.gui.kit.ChooseFile;
+import majic.gui.kit.DoubleClick;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
@@ -59,14 +58,7 @@ public final class RecordingsDialog extends MajicDialog {
         list.setVisibleRowCount(10);
         list.getAccessibleContext().setAccessibleName(TEXTS.get("recordings"));
         list.addListSelectionListener(event -> open.setEnabled(list.getSelectedValue() != null));
-        list.addMouseListener(new MouseAdapter() {
-            @Override
-            public void mouseClicked(MouseEvent event) {
-                if (event.getClickCount() == 2) {
-                    openSelected();
-                }
-            }
-        });
+        list.addMouseListener(new DoubleClick(this::openSelected));
         JPanel content = new JPanel(new MigLayout("insets 0, wrap 1", "[grow, fill]", "[][grow, fill][]"));
         content.add(label(TEXTS.get("recordings"), list));
         content.add(new JScrollPane(list), "w 420, h 220");

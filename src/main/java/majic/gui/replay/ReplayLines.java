@@ -1,19 +1,16 @@
 package majic.gui.replay;
 
 import java.awt.Component;
-import java.awt.event.ActionEvent;
-import java.awt.event.KeyEvent;
-import java.awt.event.MouseAdapter;
-import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.function.DoubleConsumer;
-import javax.swing.AbstractAction;
 import javax.swing.DefaultListCellRenderer;
 import javax.swing.JList;
 import javax.swing.KeyStroke;
 import javax.swing.ListSelectionModel;
+import majic.gui.kit.DoubleClick;
 import majic.gui.kit.Palette;
 import majic.log.Line;
+import majic.panel.KeyAction;
 import majic.recorder.RecordedLine;
 import majic.text.Texts;
 
@@ -42,23 +39,8 @@ final class ReplayLines extends JList<RecordedLine> {
         setVisibleRowCount(5);
         setCellRenderer(new LineRenderer());
         setPrototypeCellValue(new RecordedLine(0, Line.Kind.ANSWER, "1 move 500: done (498 mm, 2.1 s)"));
-        getInputMap().put(KeyStroke.getKeyStroke(KeyEvent.VK_ENTER, 0), "continue");
-        getActionMap().put("continue", new AbstractAction() {
-            private static final long serialVersionUID = 1L;
-
-            @Override
-            public void actionPerformed(ActionEvent event) {
-                choose(chosen);
-            }
-        });
-        addMouseListener(new MouseAdapter() {
-            @Override
-            public void mouseClicked(MouseEvent event) {
-                if (event.getClickCount() == 2) {
-                    choose(chosen);
-                }
-            }
-        });
+        KeyAction.bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke("ENTER"), event -> choose(chosen));
+        addMouseListener(new DoubleClick(() -> choose(chosen)));
     }
 
     private void choose(DoubleConsumer chosen) {

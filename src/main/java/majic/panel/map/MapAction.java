@@ -1,9 +1,9 @@
 package majic.panel.map;
 
-import java.awt.event.ActionEvent;
 import java.util.List;
-import javax.swing.AbstractAction;
+import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import majic.panel.KeyAction;
 import majic.text.Texts;
 
 /** The actions on a map: each has a key that works while the map has the focus; most have a button too. */
@@ -85,29 +85,14 @@ enum MapAction {
             if (!action.suits(map)) {
                 continue;
             }
-            action.keys.forEach(key -> map.getInputMap().put(keyStroke(key), action));
-            map.getActionMap().put(action, new Performing(map, action));
+            for (String key : action.keys) {
+                KeyAction.bind(map, JComponent.WHEN_FOCUSED, keyStroke(key), event -> action.perform(map));
+            }
         }
     }
 
     /** Returns the typed character, or a key by its name. */
     private static KeyStroke keyStroke(String key) {
         return key.length() == 1 ? KeyStroke.getKeyStroke(key.charAt(0)) : KeyStroke.getKeyStroke(key);
-    }
-
-    private static final class Performing extends AbstractAction {
-        private static final long serialVersionUID = 1;
-        private final transient ZoomableMap map;
-        private final MapAction action;
-
-        Performing(ZoomableMap map, MapAction action) {
-            this.map = map;
-            this.action = action;
-        }
-
-        @Override
-        public void actionPerformed(ActionEvent event) {
-            action.perform(map);
-        }
     }
 }

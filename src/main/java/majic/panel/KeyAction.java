@@ -1,6 +1,7 @@
-package majic.gui.kit;
+package majic.panel;
 
 import java.awt.event.ActionEvent;
+import java.awt.event.ActionListener;
 import javax.swing.AbstractAction;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
@@ -9,25 +10,28 @@ import javax.swing.KeyStroke;
 public final class KeyAction extends AbstractAction {
     private static final long serialVersionUID = 1L;
 
-    private final transient Runnable action;
+    private final transient ActionListener action;
 
-    private KeyAction(Runnable action) {
+    private KeyAction(ActionListener action) {
         this.action = action;
     }
 
     /**
-     * Binds a key; replaces an earlier binding of it.
+     * Binds a key; replaces an earlier binding of it. Must be called on the event dispatch thread.
      *
+     * @param component the component whose key it is
      * @param condition where the focus must be, one of the constants of {@link JComponent} such as
      *     {@link JComponent#WHEN_FOCUSED}
+     * @param key the key
+     * @param action runs on the event dispatch thread
      */
-    public static void bind(JComponent component, int condition, KeyStroke key, Runnable action) {
+    public static void bind(JComponent component, int condition, KeyStroke key, ActionListener action) {
         component.getInputMap(condition).put(key, key);
         component.getActionMap().put(key, new KeyAction(action));
     }
 
     @Override
     public void actionPerformed(ActionEvent event) {
-        action.run();
+        action.actionPerformed(event);
     }
 }
