@@ -286,16 +286,9 @@ public final class Program implements AutoCloseable {
         quit.await();
     }
 
+    /** Closes everything; a second caller waits until the first has finished, because the program must not end before. */
     @Override
     public void close() {
-        closeRobots();
-    }
-
-    /**
-     * Closes the robots; a second caller waits until the first has finished, because the program must not end before
-     * that.
-     */
-    private void closeRobots() {
         if (closing.compareAndSet(false, true)) {
             closeAll();
             closed.countDown();
