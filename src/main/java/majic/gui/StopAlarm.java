@@ -13,7 +13,7 @@ import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.gui.kit.PlainLabel;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.StyledLabel;
 import majic.team.StopStatus;
 import majic.team.Team;
@@ -35,7 +35,7 @@ final class StopAlarm extends JPanel implements TeamListener {
 
     private final transient Team team;
     private final JLabel title = white(new StyledLabel("stopAlarm", "", Font.BOLD, 2));
-    private final JLabel reasons = white(new PlainLabel("stopReasons", ""));
+    private final JLabel reasons = white(new NamedLabel("stopReasons", ""));
     private final JButton again = new JButton(TEXTS.get("stopAgain"));
 
     StopAlarm(Team team) {
@@ -47,7 +47,7 @@ final class StopAlarm extends JPanel implements TeamListener {
         again.setFocusable(false);
         again.setToolTipText(TEXTS.get("stopAgain.tip"));
         again.addActionListener(event -> stopAgain());
-        JLabel remedy = white(new PlainLabel("stopRemedy", TEXTS.get("remedy")));
+        JLabel remedy = white(new NamedLabel("stopRemedy", TEXTS.get("remedy")));
         remedy.setToolTipText(remedy.getText());
         Box texts = Box.createVerticalBox();
         texts.add(title);

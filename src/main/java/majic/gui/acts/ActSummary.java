@@ -3,17 +3,17 @@ package majic.gui.acts;
 import java.util.Optional;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
 import majic.gui.kit.Paragraph;
-import majic.gui.kit.PlainLabel;
 import net.miginfocom.swing.MigLayout;
 
 /** Describes the selected act, beside the list of acts. */
 final class ActSummary extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private final JLabel title = new PlainLabel("actTitle", "");
-    private final JLabel origin = new PlainLabel("actOrigin", "");
+    private final JLabel title = new NamedLabel("actTitle", "");
+    private final JLabel origin = new NamedLabel("actOrigin", "");
     private final Paragraph description = new Paragraph("actDescription", 1, 34);
     private final Paragraph note = new Paragraph("actNote", 1, 34);
 

@@ -13,8 +13,8 @@ import majic.act.Role;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Paragraph;
-import majic.gui.kit.PlainLabel;
 import majic.script.ActOffer;
 import majic.team.Member;
 import majic.text.Texts;
@@ -41,7 +41,7 @@ final class RolesDialog extends MajicDialog {
         this.assigned = assigned;
         JPanel content = new JPanel(new MigLayout("insets 0, gap 12 6", "[right, ::160][360:400:, grow, fill]", ""));
         content.add(
-                new PlainLabel(
+                new NamedLabel(
                         "rolesOf", TEXTS.get("needsRobots", offer.details().name())),
                 "spanx 2, growx, wmin 0, gapbottom 4, wrap");
         row(content, "me", new JLabel(new MemberChoice.Entry(target.member()).toString()));
@@ -60,7 +60,7 @@ final class RolesDialog extends MajicDialog {
     }
 
     private static void row(JPanel content, String role, JComponent value) {
-        JLabel name = new PlainLabel("roleOf" + role, role);
+        JLabel name = new NamedLabel("roleOf" + role, role);
         name.putClientProperty("FlatLaf.style", "font: bold");
         content.add(name, "aligny top, gaptop 4, wmin 0");
         content.add(value, "wmin 0, wrap");

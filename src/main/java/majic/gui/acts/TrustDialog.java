@@ -16,9 +16,9 @@ import majic.act.file.ActFile;
 import majic.act.file.Signer;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
 import majic.gui.kit.Paragraph;
-import majic.gui.kit.PlainLabel;
 import majic.text.Texts;
 import majic.text.VisibleText;
 import net.miginfocom.swing.MigLayout;
@@ -96,7 +96,7 @@ final class TrustDialog extends MajicDialog {
     }
 
     private static JLabel row(JPanel facts, String name, String text, String as) {
-        JLabel value = new PlainLabel(as, text);
+        JLabel value = new NamedLabel(as, text);
         facts.add(new JLabel(name));
         facts.add(value, "wmin 0, wrap");
         return value;

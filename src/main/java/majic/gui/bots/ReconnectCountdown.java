@@ -3,7 +3,7 @@ package majic.gui.bots;
 import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JPanel;
-import majic.gui.kit.PlainLabel;
+import majic.gui.kit.NamedLabel;
 import majic.team.AutoReconnect;
 import majic.team.Member;
 import majic.text.Texts;
@@ -16,14 +16,14 @@ final class ReconnectCountdown extends JPanel {
 
     private final transient Member member;
     private final transient RobotActions actions;
-    private final PlainLabel text;
+    private final NamedLabel text;
     private final JButton cancel = new JButton(TEXTS.get("retry.cancel"));
 
     ReconnectCountdown(Member member, RobotActions actions) {
         super(new MigLayout("insets 0, gap 8 0", "[][]push"));
         this.member = member;
         this.actions = actions;
-        text = new PlainLabel("reconnecting" + member.number(), "");
+        text = new NamedLabel("reconnecting" + member.number(), "");
         cancel.setName("cancelReconnect" + member.number());
         cancel.setToolTipText(TEXTS.get("retry.cancel.tip"));
         cancel.getAccessibleContext().setAccessibleName(TEXTS.get("retry.cancel.name", member.number()));

@@ -14,7 +14,7 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import majic.gui.drive.DrivePad;
-import majic.gui.kit.PlainLabel;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.RobotSelection;
 import majic.team.Member;
 import majic.team.StopStatus;
@@ -47,7 +47,7 @@ public final class RobotPanels extends JPanel implements TeamListener {
     private final transient RobotActions actions;
     private final CardLayout cards = new CardLayout();
     private final JPanel row = new JPanel();
-    private final JLabel notice = new PlainLabel("panelNotice", "");
+    private final JLabel notice = new NamedLabel("panelNotice", "");
     private @Nullable DrivePad pad;
     private final transient Map<Member, BotPanel> panels = new HashMap<>();
     private final transient Map<Member, PanelWindow> windows = new HashMap<>();

@@ -21,7 +21,7 @@ import javax.swing.JSlider;
 import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import majic.gui.kit.HelpTopic;
-import majic.gui.kit.PlainLabel;
+import majic.gui.kit.NamedLabel;
 import majic.team.Member;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -43,7 +43,7 @@ public final class DrivePad extends JPanel {
 
     private final transient ManualDriver driver;
     private final transient Map<JButton, String> arrows = new LinkedHashMap<>();
-    private final JLabel hint = new PlainLabel("", "");
+    private final JLabel hint = new NamedLabel("", "");
     private final JSlider speed = new JSlider(LEAST_SPEED_PERCENT, FULL_SPEED_PERCENT, FULL_SPEED_PERCENT);
     private transient List<Member> members = List.of();
     private transient DriveObstacles obstacles = DriveObstacles.of(List.of());

@@ -8,8 +8,8 @@ import javax.swing.JPanel;
 import javax.swing.JSeparator;
 import javax.swing.SwingConstants;
 import majic.gui.kit.IconAction;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
-import majic.gui.kit.PlainLabel;
 import majic.gui.kit.StopButton;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -23,7 +23,7 @@ final class EditorToolbar extends JPanel {
 
     private final transient List<JButton> buttons = new ArrayList<>();
     private final JLabel caption = new JLabel(TEXTS.get("commands"));
-    private final JLabel robots = new PlainLabel("scriptRobots", "");
+    private final JLabel robots = new NamedLabel("scriptRobots", "");
 
     private int wordsWidth;
 

@@ -4,15 +4,15 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
-import majic.gui.kit.PlainLabel;
 import net.miginfocom.swing.MigLayout;
 
 /** A bar above a script with a notice about its file, and with buttons to act on it. Hidden while there is none. */
 final class FileNotice extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private final JLabel words = new PlainLabel("fileNotice", "");
+    private final JLabel words = new NamedLabel("fileNotice", "");
     private final JPanel buttons = new JPanel(new MigLayout("insets 0, gap 6"));
 
     /**

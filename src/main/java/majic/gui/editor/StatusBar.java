@@ -2,16 +2,16 @@ package majic.gui.editor;
 
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
-import majic.gui.kit.PlainLabel;
 import net.miginfocom.swing.MigLayout;
 
 /** The line below a script: its mistakes or its run, what the word at the caret means, and where the caret is. */
 final class StatusBar extends JPanel {
     private static final long serialVersionUID = 1L;
 
-    private final JLabel status = new PlainLabel("scriptStatus", " ");
-    private final JLabel hint = new PlainLabel("wordHint", "");
+    private final JLabel status = new NamedLabel("scriptStatus", " ");
+    private final JLabel hint = new NamedLabel("wordHint", "");
     private final JLabel place = new JLabel();
 
     StatusBar() {

@@ -4,7 +4,7 @@ import java.awt.Window;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import majic.gui.kit.MajicDialog;
-import majic.gui.kit.PlainLabel;
+import majic.gui.kit.NamedLabel;
 import majic.text.Texts;
 
 /** Asks what to do with unsaved changes before a script is closed. */
@@ -14,7 +14,7 @@ final class UnsavedDialog extends MajicDialog {
 
     private UnsavedDialog(Window owner, String name, Runnable save, Runnable discard) {
         super(owner, TEXTS.get("unsaved"));
-        JLabel question = new PlainLabel("unsaved", TEXTS.get("unsaved.question", name));
+        JLabel question = new NamedLabel("unsaved", TEXTS.get("unsaved.question", name));
         fill(
                 question,
                 answer(TEXTS.get("unsaved.save"), save),

@@ -9,7 +9,7 @@ import javax.swing.UIManager;
  * client property, but reads annotations for it and installs the look of the component twice, which delays the first
  * window.
  */
-public final class StyledLabel extends PlainLabel {
+public final class StyledLabel extends NamedLabel {
     private static final long serialVersionUID = 1L;
 
     private final int style;

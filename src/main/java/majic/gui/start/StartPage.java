@@ -15,9 +15,9 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.SwingUtilities;
 import majic.gui.kit.HelpTopic;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
 import majic.gui.kit.Pictogram;
-import majic.gui.kit.PlainLabel;
 import majic.gui.kit.StyledLabel;
 import majic.text.Texts;
 
@@ -31,7 +31,7 @@ public final class StartPage extends JPanel {
     private final StartButton lab;
     private final StartButton team;
     private final JLabel welcome = new StyledLabel("welcome", TEXTS.get("welcome"), Font.BOLD, 6);
-    private final JLabel hint = new PlainLabel("startHint", TEXTS.get("hint"));
+    private final JLabel hint = new NamedLabel("startHint", TEXTS.get("hint"));
 
     /**
      * Creates the page.

@@ -12,8 +12,8 @@ import javax.swing.Timer;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.MajicDialog;
+import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Paragraph;
-import majic.gui.kit.PlainLabel;
 import majic.script.Session;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -33,10 +33,10 @@ public final class Tour extends MajicDialog {
     private static final int COMMAND_LINE_PX = 90;
 
     private final transient TourEvents events;
-    private final JLabel count = new PlainLabel("tourCount", "");
-    private final JLabel title = new PlainLabel("tourTitle", "");
+    private final JLabel count = new NamedLabel("tourCount", "");
+    private final JLabel title = new NamedLabel("tourTitle", "");
     private final Paragraph text = new Paragraph("tourText", 9, 30);
-    private final JLabel state = new PlainLabel("tourState", "");
+    private final JLabel state = new NamedLabel("tourState", "");
     private final JProgressBar progress = new JProgressBar(0, TourStep.ALL.size());
     private final JButton next = button(TEXTS.get("next"), this::next);
     private final JButton skip = button(TEXTS.get("skip"), this::next);
