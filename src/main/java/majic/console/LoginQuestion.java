@@ -40,7 +40,7 @@ final class LoginQuestion {
      *
      * @param refusing an address at the broker
      * @param again the line to run with others
-     * @return what to tell the user; empty if that was told before
+     * @return a sentence for the user; empty if it was shown before
      */
     synchronized Optional<String> note(String refusing, String again) {
         boolean first = lines.isEmpty();

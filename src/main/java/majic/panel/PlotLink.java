@@ -119,7 +119,7 @@ public final class PlotLink {
         return item;
     }
 
-    /** Returns a tool tip that tells what a click does; an empty one is made by the component itself. */
+    /** Returns a tool tip with what a click does; an empty one is made by the component itself. */
     private static String tip(@Nullable String text) {
         String click = TEXTS.get("plot");
         if (text == null) {

@@ -42,7 +42,7 @@ final class Admission {
      *
      * @param line the line
      * @param from the client's address
-     * @param parser knows MAJIC Script
+     * @param parser reads the line as MAJIC Script
      * @return why the client is refused; empty if it is admitted
      */
     Optional<String> refusal(String line, InetAddress from, MajicParser parser) {

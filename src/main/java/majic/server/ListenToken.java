@@ -20,7 +20,7 @@ public record ListenToken(String word, @Nullable Path file) {
     /** The environment variable with a token of the user's choice. */
     public static final String VARIABLE = "MAJIC_TOKEN";
 
-    /** What a client with a wrong token is told if it is on another computer. */
+    /** The answer to a wrong token from another computer. */
     static final String HINT = "the first line must be the token of this MAJIC";
 
     private static final int RANDOM_BYTES = 24;

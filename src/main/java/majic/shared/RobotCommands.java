@@ -33,7 +33,7 @@ final class RobotCommands {
     /**
      * Publishes to one robot.
      *
-     * @param feed tells the clock of the desk
+     * @param feed provides the clock of the desk
      * @param waiting is woken by each answer
      */
     RobotCommands(PooledBroker broker, SharedAddress address, RobotFeed feed, RobotWait waiting) {

@@ -25,7 +25,7 @@ public final class ToyType implements BotType {
         return this;
     }
 
-    /** Sets what tells whether the password of toys is known whose addresses contain "strict". */
+    /** Sets when the password is known of toys whose addresses contain "strict". */
     void unlockedIf(BooleanSupplier known) {
         unlocked = known;
     }

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
 final class PlotModel {
     static final int MOST_CURVES = 24;
 
-    /** Shorter spans cannot be told apart: robots report at most some hundred times a second. */
+    /** Shorter spans cannot be distinguished: robots report at most some hundred times a second. */
     private static final double SHORTEST_S = 0.05;
 
     private final PlotSource source;

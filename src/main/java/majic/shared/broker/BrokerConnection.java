@@ -83,7 +83,7 @@ public interface BrokerConnection extends AutoCloseable {
     void subscribeUrgently(String filter, Quality quality, Handler handler);
 
     /**
-     * Ends a subscription, if it exists; the broker is told without waiting for its acknowledgement. No message is passed
+     * Ends a subscription, if it exists; does not wait for the acknowledgement of the broker. No message is passed
      * to its handler any more, except for one that is being handled.
      *
      * @param filter as it was subscribed to
@@ -100,7 +100,7 @@ public interface BrokerConnection extends AutoCloseable {
     void publish(BrokerMessage message);
 
     /**
-     * Publishes a message as {@link #publish(BrokerMessage)}, and tells what became of it.
+     * Publishes a message as {@link #publish(BrokerMessage)}, and reports its outcome.
      *
      * @param message what to publish
      * @param acknowledged called once: with null when the broker has acknowledged it (quality of service 1) or it has

@@ -17,8 +17,8 @@ import org.jspecify.annotations.Nullable;
  * @param latched whether motion is refused from now on
  * @param id of the STOP; empty for a release
  * @param releases the ids of the STOPs that end; empty for a STOP
- * @param desk where it was pressed
- * @param person by whom
+ * @param desk the desk at which it was pressed
+ * @param person the user of that desk; may be empty
  * @param time when, by the clock of that desk, for display only; null if it is not known
  */
 public record LatchMessage(

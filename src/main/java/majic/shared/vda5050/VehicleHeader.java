@@ -75,7 +75,7 @@ final class VehicleHeader {
         return topic == Topic.STATE ? message : message.retain();
     }
 
-    /** The message that tells whether the vehicle is there, in the words of the specification. */
+    /** The message that reports whether the vehicle is there, in the words of the specification. */
     BrokerMessage connection(String state) {
         return message(Topic.CONNECTION, begin(Topic.CONNECTION).put("connectionState", state));
     }

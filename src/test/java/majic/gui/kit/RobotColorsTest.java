@@ -14,7 +14,7 @@ import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Tests that the robots of a full team are told apart by their colours, and that these are visible in both looks. */
+/** Tests that the robots of a full team differ visibly in their colours, and that these are visible in both looks. */
 class RobotColorsTest {
     private static final int ROBOTS = 20;
 
