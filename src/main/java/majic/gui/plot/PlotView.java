@@ -111,7 +111,7 @@ final class PlotView extends JComponent {
         try {
             PaintedChart painted = ChartPainter.paint(job, image);
             EventThread.later(() -> show(painted));
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             LOG.log(Level.WARNING, "a plot could not be painted", e);
             EventThread.later(() -> painting = false);
         }
