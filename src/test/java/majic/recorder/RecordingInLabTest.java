@@ -178,15 +178,32 @@ class RecordingInLabTest {
             assertThat(x.values()[0]).isZero();
             assertThat(x.values()[x.size() - 1]).isBetween(185.0, 215.0);
             assertThat(x.seconds()).isSorted();
-            assertThat(small.files()).hasSize(2);
         }
-        Recording last = Recording.read(small.files().get(1));
-        assertThat(last.head().part()).isEqualTo(2);
-        assertThat(last.robots()).hasSize(3);
-        assertThat(last.room().walls()).isNotEmpty();
-        assertThat(last.series(2, "x", 0).values()[0]).isBetween(85.0, 115.0);
-        assertThat(last.series(3, "x", 0).values()).isNotEmpty();
+        List<Recording> parts = parts(small);
+        assertThat(parts).hasSizeGreaterThanOrEqualTo(2);
+        for (int number = 1; number <= parts.size(); number++) {
+            assertThat(parts.get(number - 1).head().part()).isEqualTo(number);
+            canBeReadAlone(parts.get(number - 1));
+        }
+        assertThat(parts)
+                .anySatisfy(
+                        part -> assertThat(part.series(2, "x", 0).values()[0]).isBetween(85.0, 115.0));
         recorder.close();
+    }
+
+    private static List<Recording> parts(RecordingFolder from) throws IOException {
+        List<Recording> parts = new ArrayList<>();
+        for (Path file : from.files()) {
+            parts.add(Recording.read(file));
+        }
+        return parts;
+    }
+
+    private static void canBeReadAlone(Recording part) {
+        assertThat(part.robots()).hasSize(3);
+        assertThat(part.room().walls()).isNotEmpty();
+        assertThat(part.series(2, "x", 0).values()).isNotEmpty();
+        assertThat(part.series(3, "x", 0).values()).isNotEmpty();
     }
 
     @Test
