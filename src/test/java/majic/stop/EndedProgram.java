@@ -6,6 +6,7 @@ import majic.aibo.MajicAibo;
 import majic.bot.BotAddress;
 import majic.bot.BotListener;
 import majic.bot.BotState;
+import majic.bot.ConnectFailed;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
@@ -17,6 +18,8 @@ import majic.pioneer.MajicPioneer;
  * line once the robot moves; ends when it reads a line.
  */
 final class EndedProgram {
+    private static final int MOST_ATTEMPTS = 5;
+
     private EndedProgram() {}
 
     @SuppressWarnings("resource")
@@ -31,7 +34,7 @@ final class EndedProgram {
                 }
             }
         });
-        bot.connect();
+        connect(bot);
         Thread driving = new Thread(() -> {
             if (args.length == 1) {
                 bot.move(1000);
@@ -44,6 +47,19 @@ final class EndedProgram {
         moving.await();
         System.out.println("moving");
         exitWhenTold();
+    }
+
+    /** On a busy computer the simulated robot may answer too late. */
+    private static void connect(MajicBot bot) {
+        for (int attempt = 1; !bot.isConnected(); attempt++) {
+            try {
+                bot.connect();
+            } catch (ConnectFailed e) {
+                if (attempt == MOST_ATTEMPTS) {
+                    throw e;
+                }
+            }
+        }
     }
 
     private static void drive(MajicBot bot, double mmPerSec) {
