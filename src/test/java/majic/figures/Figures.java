@@ -10,6 +10,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import majic.link.Loopback;
 import majic.shared.broker.Mosquitto;
 
 /**
@@ -224,7 +225,7 @@ public final class Figures {
             List<ChildProgram.Lab> labs = new ArrayList<>();
             try (Mosquitto broker = Mosquitto.start(
                     folder,
-                    Mosquitto.freePort(),
+                    Loopback.freePort(),
                     "allow_anonymous true",
                     "sys_interval 1",
                     "log_dest none",

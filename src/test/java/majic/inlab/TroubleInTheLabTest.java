@@ -12,6 +12,7 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
+import majic.link.Loopback;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -21,8 +22,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class TroubleInTheLabTest {
     @ParameterizedTest
     @ValueSource(strings = {"aibo", "pioneer", "hemisson"})
-    void aMissingRobotIsReported(String type) throws IOException {
-        int port = freePort();
+    void aMissingRobotIsReported(String type) {
+        int port = Loopback.freePort();
         try (LabRig rig = LabRig.exact()) {
             MajicBot bot = rig.session().factory().create(type + ":tcp://127.0.0.1:" + port);
 
@@ -83,12 +84,6 @@ class TroubleInTheLabTest {
 
             assertThat(rig.run("2 get motors")).containsExactly("2 motors = no");
             assertThat(rig.run("1 get motors")).containsExactly("1 motors = no");
-        }
-    }
-
-    private static int freePort() throws IOException {
-        try (ServerSocket socket = new ServerSocket(0)) {
-            return socket.getLocalPort();
         }
     }
 }

@@ -11,7 +11,6 @@ import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class PortSearchTest {
@@ -22,19 +21,11 @@ class PortSearchTest {
 
     private final List<InetSocketAddress> found = new CopyOnWriteArrayList<>();
     private final CountDownLatch ended = new CountDownLatch(1);
-    private int closedPort;
 
     PortSearchTest() throws IOException {}
 
-    @BeforeEach
-    void findAClosedPort() throws IOException {
-        try (ServerSocket other = new ServerSocket(0, 5, HERE)) {
-            closedPort = other.getLocalPort();
-        }
-    }
-
     private PortSearch search(Set<InetSocketAddress> spared) {
-        List<Integer> ports = List.of(closedPort, robot.getLocalPort());
+        List<Integer> ports = List.of(Loopback.freePort(), robot.getLocalPort());
         return new PortSearch(List.of(HERE), ports, spared, new PortSearch.Listener() {
             @Override
             public void found(InetSocketAddress place) {

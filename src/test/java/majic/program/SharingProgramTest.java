@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import majic.link.Loopback;
 import majic.shared.broker.Mosquitto;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -77,7 +78,7 @@ class SharingProgramTest {
     @SuppressWarnings("try")
     @EnabledIf("hasMosquitto")
     void aDeskGoesOnByItselfWhileItsBrokerIsGoneAndSharesAgainAfterwards() throws Exception {
-        int port = Mosquitto.freePort();
+        int port = Loopback.freePort();
         String site = "mqtt://127.0.0.1:" + port + "/lab";
         Mosquitto broker = Mosquitto.start(folder, port, "allow_anonymous true");
         Process sharing =
@@ -112,7 +113,7 @@ class SharingProgramTest {
 
     @Test
     void aBrokerThatIsNotThereEndsTheStartWithOneSentence() throws Exception {
-        String site = "mqtt://127.0.0.1:" + Mosquitto.freePort() + "/lab";
+        String site = "mqtt://127.0.0.1:" + Loopback.freePort() + "/lab";
         Process majic = start("one", List.of(), "--console", "--share", site, "--desk", "desk2");
 
         String said = talk(majic, "");

@@ -3,9 +3,6 @@ package majic.ros;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import java.io.IOException;
-import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -22,6 +19,7 @@ import majic.drivertest.ScriptedPeer;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.link.Links;
+import majic.link.Loopback;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,11 +70,8 @@ class RosConnectingTest {
     }
 
     @Test
-    void aPortWithoutAServerIsRefused() throws IOException {
-        int port;
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            port = free.getLocalPort();
-        }
+    void aPortWithoutAServerIsRefused() {
+        int port = Loopback.freePort();
         try (MajicRos bot = new MajicRos("ros://127.0.0.1:" + port)) {
             assertFails(bot::connect, Reason.REFUSED, "nothing listens at 127.0.0.1 port " + port);
         }

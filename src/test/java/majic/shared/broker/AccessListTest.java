@@ -10,6 +10,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
 import majic.environment.BotEnvironment;
+import majic.link.Loopback;
 import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -43,7 +44,7 @@ class AccessListTest {
                 .isZero();
         broker = Mosquitto.start(
                 folder,
-                Mosquitto.freePort(),
+                Loopback.freePort(),
                 "allow_anonymous false",
                 "password_file " + users,
                 "acl_file " + Path.of("examples", "mosquitto", "majic.acl").toAbsolutePath());

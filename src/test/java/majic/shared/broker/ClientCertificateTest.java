@@ -15,6 +15,7 @@ import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.environment.BotEnvironment;
+import majic.link.Loopback;
 import majic.server.ListenKey;
 import majic.time.WaitLimit;
 import majic.tool.KeyTool;
@@ -56,7 +57,7 @@ class ClientCertificateTest {
                 KeyTool.make(expired, ListenKey.PASSWORD, "old", "CN=old", "-startdate", "-20d", "-validity", "10");
         broker = Mosquitto.start(
                 folder,
-                Mosquitto.freePort(),
+                Loopback.freePort(),
                 "allow_anonymous true",
                 "certfile " + ofBroker.resolve(ListenKey.CERTIFICATE),
                 "keyfile " + PemKey.write(ofBroker),

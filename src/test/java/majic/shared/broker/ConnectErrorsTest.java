@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.environment.BotEnvironment;
+import majic.link.Loopback;
 import majic.time.WaitLimit;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
@@ -49,7 +50,7 @@ class ConnectErrorsTest {
 
     @Test
     void aPortAtWhichNothingListensIsNamed() {
-        ConnectFailed failure = failure("mqtt://127.0.0.1:" + Mosquitto.freePort() + "/lab");
+        ConnectFailed failure = failure("mqtt://127.0.0.1:" + Loopback.freePort() + "/lab");
 
         assertThat(failure.reason()).isEqualTo(Reason.REFUSED);
     }

@@ -1,5 +1,6 @@
 package majic.shared.broker;
 
+import majic.link.Loopback;
 import majic.shared.embedded.EmbeddedBroker;
 import majic.shared.embedded.EmbeddedOptions;
 import org.junit.jupiter.api.AfterAll;
@@ -18,7 +19,7 @@ class EmbeddedContractTest extends RelayedContract {
 
     @BeforeAll
     static void start() {
-        port = Mosquitto.freePort();
+        port = Loopback.freePort();
         broker = EmbeddedBroker.start(EmbeddedOptions.loopback(port));
     }
 

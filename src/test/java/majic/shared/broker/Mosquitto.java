@@ -4,7 +4,6 @@ import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -12,6 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import majic.link.Loopback;
 
 /** A Mosquitto on a free port of this computer, with a configuration of its own; killed by {@link #close}. */
 public final class Mosquitto implements AutoCloseable {
@@ -35,7 +35,7 @@ public final class Mosquitto implements AutoCloseable {
 
     /** Starts it on a free port, open to all programs of this computer. */
     public static Mosquitto start(Path folder) {
-        return start(folder, freePort(), "allow_anonymous true");
+        return start(folder, Loopback.freePort(), "allow_anonymous true");
     }
 
     /** Starts it on a port with further lines of configuration, and waits until it accepts connections. */
@@ -67,15 +67,6 @@ public final class Mosquitto implements AutoCloseable {
             }
         }
         throw new IllegalStateException("mosquitto ended with " + process.exitValue());
-    }
-
-    /** A port that is free at the moment. */
-    public static int freePort() {
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
-            return free.getLocalPort();
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
     }
 
     public int port() {

@@ -2,6 +2,7 @@ package majic.shared.broker;
 
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
+import majic.link.Loopback;
 import majic.server.ListenKey;
 import majic.shared.embedded.EmbeddedBroker;
 import majic.shared.embedded.EmbeddedOptions;
@@ -26,7 +27,7 @@ class SecureEmbeddedTest extends SecureBrokerContract {
     @BeforeAll
     static void start() throws Exception {
         ListenKey.create(folder);
-        port = Mosquitto.freePort();
+        port = Loopback.freePort();
         broker = EmbeddedBroker.start(new EmbeddedOptions(
                 new InetSocketAddress("127.0.0.1", port),
                 folder.resolve(ListenKey.FILE),

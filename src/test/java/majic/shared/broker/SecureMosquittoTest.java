@@ -3,6 +3,7 @@ package majic.shared.broker;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import majic.link.Loopback;
 import majic.server.ListenKey;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -28,7 +29,7 @@ class SecureMosquittoTest extends SecureBrokerContract {
         run("mosquitto_passwd", "-U", users.toString());
         broker = Mosquitto.start(
                 folder,
-                Mosquitto.freePort(),
+                Loopback.freePort(),
                 "certfile " + folder.resolve(ListenKey.CERTIFICATE),
                 "keyfile " + PemKey.write(folder),
                 "allow_anonymous false",

@@ -9,6 +9,7 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.nio.file.Path;
 import majic.bot.BotException;
+import majic.link.Loopback;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -41,13 +42,10 @@ class EmbeddedOptionsTest {
     }
 
     @Test
-    void withoutItsLibrariesTheMessageSaysHowToGetThemOrAnotherBroker() throws IOException {
-        int port;
-        try (ServerSocket free = new ServerSocket(0, 1, InetAddress.getByName("127.0.0.1"))) {
-            port = free.getLocalPort();
-        }
+    void withoutItsLibrariesTheMessageSaysHowToGetThemOrAnotherBroker() {
+        EmbeddedOptions options = EmbeddedOptions.loopback(Loopback.freePort());
 
-        assertThatThrownBy(() -> EmbeddedBroker.start(folder.resolve("broker"), EmbeddedOptions.loopback(port)))
+        assertThatThrownBy(() -> EmbeddedBroker.start(folder.resolve("broker"), options))
                 .isInstanceOf(BotException.class)
                 .hasMessageContaining("./majic --broker")
                 .hasMessageContaining("Mosquitto");
