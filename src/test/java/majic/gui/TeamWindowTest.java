@@ -55,6 +55,12 @@ class TeamWindowTest {
     }
 
     @Test
+    void aRobotWhoseDisplayLacksAClassHasAPanelThatStatesIt() {
+        window.add("incomplete");
+        window.await("the words", () -> window.isShowing("noDisplay"));
+    }
+
+    @Test
     void aLostRobotCanBeConnectedAgain() {
         ToyBot bot = window.add("one");
         bot.loseLink();

@@ -167,6 +167,9 @@ public final class ToyBot extends BotDriver {
 
     @Override
     public @Nullable JComponent display() {
+        if (address.contains("incomplete")) {
+            throw new NoClassDefFoundError("a class of the panel");
+        }
         return address.contains("plain") ? null : new JLabel("the display of " + address);
     }
 }

@@ -51,7 +51,7 @@ final class BatteryReader implements AutoCloseable {
     private void read(Member member) {
         try {
             levels.put(member, BatteryLevel.read(member.bot()));
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             LOG.log(Level.DEBUG, "the battery of robot " + member.number() + " could not be read", e);
         }
     }

@@ -99,7 +99,7 @@ final class BotPanel extends PlottedPanel {
     private @Nullable JComponent ownDisplay() {
         try {
             return member.bot().display();
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, "the display of robot " + member.number() + " could not be made", e);
             return null;
         }

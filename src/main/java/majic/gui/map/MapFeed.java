@@ -113,7 +113,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 last = scene;
                 EventThread.later(() -> show.accept(scene));
             }
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             LOG.log(Level.WARNING, "the team map could not be brought up to date", e);
         }
     }

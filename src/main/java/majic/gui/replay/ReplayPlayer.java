@@ -65,7 +65,7 @@ final class ReplayPlayer implements AutoCloseable {
         long now = System.nanoTime();
         try {
             tick((now - lastNanos) / 1e9);
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             LOG.log(Level.WARNING, "the replay could not be continued", e);
         }
         lastNanos = now;

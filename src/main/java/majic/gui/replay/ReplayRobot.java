@@ -46,7 +46,7 @@ final class ReplayRobot implements AutoCloseable {
         try {
             ReplayDisplay own = type.replay(bot);
             return own == null ? new ReadingsTable(bot) : own;
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, "the panel of a recorded " + type.name() + " could not be made", e);
             return new ReadingsTable(bot);
         }
@@ -102,7 +102,7 @@ final class ReplayRobot implements AutoCloseable {
         bot.show(atS);
         try {
             display.show(tracks.reports(atS), (long) (atS * NANOS_PER_S));
-        } catch (RuntimeException e) {
+        } catch (RuntimeException | Error e) {
             LOG.log(Level.DEBUG, "a recorded state cannot be shown", e);
         }
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
@@ -68,6 +69,40 @@ class ReplayPlayerTest implements ReplayPlayer.Screen {
         player.jump(15);
         player.tick(0.5);
         assertThat(shown).endsWith("jump 15.0", "playing 15.0");
+    }
+
+    @Test
+    void itGoesOnAfterAnErrorOfAPanel() throws InterruptedException {
+        CountDownLatch failed = new CountDownLatch(1);
+        CountDownLatch shownAgain = new CountDownLatch(1);
+        try (ReplayPlayer running = new ReplayPlayer(10, 20, new FailingAtFirst(failed, shownAgain))) {
+            running.start();
+            failed.await();
+            running.jump(15);
+            shownAgain.await();
+            assertThat(running.position()).isEqualTo(15);
+        }
+    }
+
+    /** Lacks a class at its first jump. */
+    private record FailingAtFirst(CountDownLatch failed, CountDownLatch shownAgain) implements ReplayPlayer.Screen {
+        @Override
+        public void jump(double toS) {
+            if (failed.getCount() > 0) {
+                failed.countDown();
+                throw new NoClassDefFoundError("a class of the panel");
+            }
+            shownAgain.countDown();
+        }
+
+        @Override
+        public void advance(double fromS, double toS) {}
+
+        @Override
+        public void moved(double positionS, boolean playing) {}
+
+        @Override
+        public void ended() {}
     }
 
     @Test
