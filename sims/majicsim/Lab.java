@@ -22,7 +22,6 @@ import majicsim.pioneer.PioneerHandling;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.ros.RosHandling;
 import majicsim.ros.RosRobot;
-import majicsim.world.Point;
 import majicsim.world.Pose;
 import majicsim.world.Room;
 import majicsim.world.Segment;
@@ -119,15 +118,6 @@ public final class Lab implements AutoCloseable {
      */
     public Map<String, Integer> bumps() {
         return ofEach(robot -> robot.body().bumps());
-    }
-
-    /**
-     * The present outlines of the robots, for a drawing.
-     *
-     * @return corners in room coordinates by robot
-     */
-    public Map<String, List<Point>> outlines() {
-        return ofEach(robot -> robot.body().outline());
     }
 
     /**

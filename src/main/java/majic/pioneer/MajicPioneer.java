@@ -247,10 +247,7 @@ public final class MajicPioneer extends BotDriver {
                 profile().turn());
     }
 
-    /** The session.
-     *
-     * @throws BotException before the first connect
-     */
+    /** Returns the session; throws a {@link BotException} before the first connect. */
     private PioneerSession current() {
         PioneerSession open = session.get();
         if (open == null) {

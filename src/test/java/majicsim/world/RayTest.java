@@ -18,9 +18,9 @@ class RayTest {
 
     @ParameterizedTest
     @ValueSource(doubles = {-60, -30, 15, 45})
-    void incidenceIsTheAngleToTheWallsNormal(double direction) {
+    void squarenessIsTheCosineOfTheAngleToTheWallsNormal(double direction) {
         Hit hit = world.ray(viewer, 1900, 0, direction, 5000);
-        assertThat(hit.incidenceDeg()).isCloseTo(Math.abs(direction), within(1e-6));
+        assertThat(hit.squareness()).isCloseTo(Math.cos(Math.toRadians(direction)), within(1e-9));
         assertThat(hit.distanceMm()).isCloseTo(100 / Math.cos(Math.toRadians(direction)), within(1e-6));
     }
 

@@ -70,10 +70,6 @@ public final class Skeleton {
         return head(hinge.plus(own.raised(senses.number(Sensor.MOUTH).orElse(-3.0))));
     }
 
-    BodyPoint tailFoot() {
-        return body(TAIL_FOOT);
-    }
-
     /** A point along the tail, 0 at the body, 1 at the tip; it is a little bent. */
     public BodyPoint tail(double share) {
         double raised = TAIL_MOUNT_DEG + senses.number(Sensor.TAIL_TILT).orElse(2.0) + 15 * share;

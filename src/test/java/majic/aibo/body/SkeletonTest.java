@@ -75,7 +75,7 @@ class SkeletonTest {
 
         assertThat(skeleton().tail(1).z()).isGreaterThan(low.z() + 15);
         assertThat(skeleton().tail(1).y()).isGreaterThan(low.y() + 5);
-        assertThat(low.x()).isLessThan(skeleton().tailFoot().x() - 20);
+        assertThat(low.x()).isLessThan(skeleton().tail(0).x() - 20);
     }
 
     @Test
