@@ -20,7 +20,6 @@ import majic.driver.BotDriver;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
 import majic.driver.Motion;
-import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.link.Link;
 import majic.link.Links;
@@ -107,7 +106,7 @@ public final class Cart extends BotDriver {
     }
 
     private void awaitFirstReport(Link opening) {
-        if (!new RobotWait(time(), changes()).awaitConnecting(() -> reporting, FIRST_REPORT_S)) {
+        if (!waiting().awaitConnecting(() -> reporting, FIRST_REPORT_S)) {
             opening.close();
             throw new ConnectFailed(
                     ConnectFailed.Reason.NO_ANSWER, "there is no report within " + FIRST_REPORT_S + " s");

@@ -37,7 +37,6 @@ import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.CalibrateCommand;
 import majic.driver.Motion;
-import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import org.jspecify.annotations.Nullable;
 
@@ -82,7 +81,7 @@ public final class MajicAibo extends BotDriver {
         super(new AiboType(), new Paces(calibration(address, environment)).profile(), environment);
         this.dog = new DogState(calibration(address, environment));
         this.transports = AiboTransports.of(address, environment);
-        AiboAccess access = new AiboAccess(dog.senses(), new RobotWait(time(), changes()), this::session);
+        AiboAccess access = new AiboAccess(dog.senses(), waiting(), this::session);
         Volume volume = new Volume();
         this.parameters = new AiboParameters(table(), dog, access, volume);
         parameters.describe(UrbiVersion.V1_0);
@@ -117,7 +116,7 @@ public final class MajicAibo extends BotDriver {
     @Override
     protected void open() {
         lostBecause = null;
-        AiboSession opening = new AiboSession(transports, new RobotWait(time(), changes()), dog, new SessionEvents());
+        AiboSession opening = new AiboSession(transports, waiting(), dog, new SessionEvents());
         session = opening;
         try {
             opening.open();
@@ -128,7 +127,7 @@ public final class MajicAibo extends BotDriver {
         parameters.describe(opening.connections().sensors().version());
         every("aibo tick", TICK_S, this::tick);
         long openedNanos = time().nanos();
-        new RobotWait(time(), changes()).awaitConnecting(() -> state().atNanos() > openedNanos, FIRST_READINGS_S);
+        waiting().awaitConnecting(() -> state().atNanos() > openedNanos, FIRST_READINGS_S);
     }
 
     @Override
@@ -204,7 +203,7 @@ public final class MajicAibo extends BotDriver {
 
     @Override
     public byte[] takePicture() {
-        return CameraPicture.take(session().connections().sensors(), new RobotWait(time(), changes()));
+        return CameraPicture.take(session().connections().sensors(), waiting());
     }
 
     /** The readings and the estimated state of the dog. */
@@ -214,7 +213,7 @@ public final class MajicAibo extends BotDriver {
 
     /** Makes the poller of pictures and LEDs, which does not poll yet. */
     PanelPoller poller(PanelPoller.PictureReceiver receiver) {
-        return new PanelPoller(new RobotWait(time(), changes()), this::openSensors, receiver);
+        return new PanelPoller(waiting(), this::openSensors, receiver);
     }
 
     private @Nullable UrbiConnection openSensors() {

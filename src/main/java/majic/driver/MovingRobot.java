@@ -18,8 +18,7 @@ import org.jspecify.annotations.Nullable;
  * the stop, which overtakes them. The hooks that {@link MotionGate} calls for them are implemented for each robot.
  */
 abstract class MovingRobot extends MajicBot {
-    private final TimeSource time;
-    private final Signal changes;
+    private final RobotWait waiting;
     private final Readings readings;
     private final RobotTimer timer;
     private final MotionGate gate;
@@ -33,9 +32,8 @@ abstract class MovingRobot extends MajicBot {
      */
     MovingRobot(BotProfile profile, TimeSource time) {
         this.limits = new MotionLimits(Objects.requireNonNull(profile, "profile"));
-        this.time = time;
-        this.changes = time.signal();
-        this.readings = new Readings(changes);
+        this.waiting = new RobotWait(time, time.signal());
+        this.readings = new Readings(changes());
         this.timer = new RobotTimer(time);
         this.gate = new MotionGate(this, timer);
     }
@@ -86,7 +84,7 @@ abstract class MovingRobot extends MajicBot {
         if (isConnected()) {
             sendStop();
         } else {
-            changes.raise();
+            changes().raise();
         }
     }
 
@@ -131,7 +129,7 @@ abstract class MovingRobot extends MajicBot {
             }
             return open;
         } finally {
-            changes.raise();
+            changes().raise();
         }
     }
 
@@ -153,7 +151,7 @@ abstract class MovingRobot extends MajicBot {
     /** Ends all motions and permits no others; does not block, sends nothing. */
     final void revokeForGood(String reason) {
         gate.close(() -> new BotException(reason));
-        changes.raise();
+        changes().raise();
     }
 
     @Override
@@ -200,7 +198,7 @@ abstract class MovingRobot extends MajicBot {
 
     @Override
     public final TimeSource time() {
-        return time;
+        return waiting.time();
     }
 
     /**
@@ -210,7 +208,16 @@ abstract class MovingRobot extends MajicBot {
      * @return the signal
      */
     protected final Signal changes() {
-        return changes;
+        return waiting.changes();
+    }
+
+    /**
+     * Returns how the driver waits for what its reader or its timer brings about.
+     *
+     * @return waits on this robot's clock for {@link #changes()}
+     */
+    protected final RobotWait waiting() {
+        return waiting;
     }
 
     /**

@@ -12,7 +12,6 @@ import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.CalibrateCommand;
 import majic.driver.Motion;
-import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.hemisson.line.BlockingConversation;
 import majic.hemisson.line.CurrentSession;
@@ -84,9 +83,8 @@ public final class MajicHemisson extends BotDriver {
         this.sessions = new CurrentSession(address, time());
         this.calibration = new SpeedCalibration(settings(), address, this::use);
         this.monitor = new RobotMonitor(new Owner(), time(), changes(), calibration.table());
-        RobotWait waiting = new RobotWait(time(), changes());
-        BlockingConversation answers = new BlockingConversation(sessions, waiting, this::isConnected);
-        this.stopConfirmation = new StopConfirmation(sessions, waiting, this::isLost, monitor.wheels()::found);
+        BlockingConversation answers = new BlockingConversation(sessions, waiting(), this::isConnected);
+        this.stopConfirmation = new StopConfirmation(sessions, waiting(), this::isLost, monitor.wheels()::found);
         this.motions = new MotionRunner(sessions, answers, stopConfirmation, monitor, time());
         this.readings = new RobotReadings(monitor.polled(), answers, time());
         this.leds = new LedsAndBuzzer(answers);
@@ -120,7 +118,7 @@ public final class MajicHemisson extends BotDriver {
         opened.start();
         every("hemisson line", TICK_S, monitor::tick);
         try {
-            Handshake handshake = new Handshake(opened, new RobotWait(time(), changes()));
+            Handshake handshake = new Handshake(opened, waiting());
             monitor.identified(handshake.run());
             Reply scan = handshake.scan();
             equip(scan == null ? Modules.NONE : Modules.of(scan));

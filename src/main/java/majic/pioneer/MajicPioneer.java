@@ -16,7 +16,6 @@ import majic.bot.Pose;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
-import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.PacketCounts;
@@ -141,7 +140,7 @@ public final class MajicPioneer extends BotDriver {
     }
 
     private void openOnce() {
-        ConnectWait wait = new ConnectWait(new RobotWait(time(), changes()), () -> connection() == Connection.CLOSED);
+        ConnectWait wait = new ConnectWait(waiting(), () -> connection() == Connection.CLOSED);
         PioneerSession opening = new PioneerSession(connections.apply(wait), wait, lastPose, new SessionEvents());
         session.set(opening);
         opening.open(requestedRamps);

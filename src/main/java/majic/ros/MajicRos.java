@@ -74,8 +74,7 @@ public final class MajicRos extends BotDriver {
         super(new RosType(), RosProfiles.profile(KnownRobots.UNKNOWN, false), environment);
         this.address = RosAddress.parse(address);
         JsonLibrary.require();
-        this.sensing =
-                new RosSensing(table(), owner.waiting(), () -> profile().bodyMm(), this::state, new SensorEvents());
+        this.sensing = new RosSensing(table(), waiting(), () -> profile().bodyMm(), this::state, new SensorEvents());
         describe();
         every("ros subscriptions", RENEWAL_S, this::renew);
     }
@@ -94,7 +93,7 @@ public final class MajicRos extends BotDriver {
 
     @Override
     protected void open() {
-        RosSession opening = new RosSession(address, new RobotWait(time(), changes()), new SessionEvents());
+        RosSession opening = new RosSession(address, waiting(), new SessionEvents());
         motions = null;
         session.set(opening);
         try {
@@ -345,7 +344,7 @@ public final class MajicRos extends BotDriver {
 
         @Override
         public RobotWait waiting() {
-            return new RobotWait(time(), changes());
+            return MajicRos.this.waiting();
         }
 
         @Override

@@ -100,7 +100,7 @@ public final class MajicShared extends BotDriver {
         this.address = SharedAddress.parse(address);
         this.shared = shared;
         this.environment = environment;
-        this.waiting = new RobotWait(time(), changes());
+        this.waiting = waiting();
         this.stop = new RemoteStop(this::toDesk, waiting, this.address.title());
         this.motions = new RemoteMotions(this::toDesk, waiting, stop, new AtDesk());
         this.described = new DescribedParameters(motions, this::values);

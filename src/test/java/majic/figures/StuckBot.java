@@ -15,7 +15,6 @@ import majic.bot.Range;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
-import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.link.Link;
 import majic.link.Links;
@@ -115,7 +114,7 @@ final class StuckBot extends BotDriver {
 
     @Override
     public void confirmHalt() {
-        new RobotWait(time(), changes()).await(() -> !isConnected(), CONFIRM_S);
+        waiting().await(() -> !isConnected(), CONFIRM_S);
         throw new BotException("the robot has not answered the stop within " + (int) CONFIRM_S + " s");
     }
 }

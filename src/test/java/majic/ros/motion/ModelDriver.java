@@ -133,7 +133,7 @@ final class ModelDriver extends BotDriver {
 
         @Override
         public RobotWait waiting() {
-            return new RobotWait(time(), changes());
+            return ModelDriver.this.waiting();
         }
 
         @Override
