@@ -15,6 +15,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JFrame;
+import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.JTextField;
@@ -43,9 +44,7 @@ final class EventDelays extends EventQueue {
         Thread.sleep(SETTLING_S * 1000);
         EventDelays queue = installed();
         List<String> lines = new ArrayList<>(queue.reports(frame, 20));
-        lines.add(queue.during("4 plots begin", DIALOG_S, () -> openPlots(frame)));
-        lines.add(queue.during("20 robots, 4 plots", MEASURED_S, () -> command(frame, "all move -600")));
-        SwingUtilities.invokeAndWait(() -> closeWindows(frame));
+        lines.addAll(queue.plots(frame));
         for (String dialog : List.of("Add Bot", "Load Act", "Help")) {
             for (String time : List.of("first", "second")) {
                 lines.add(queue.during(dialog + ", " + time + " time", DIALOG_S, () -> press(frame, dialog)));
@@ -82,6 +81,18 @@ final class EventDelays extends EventQueue {
         return List.of(
                 during(robots + " robots at rest", MEASURED_S, () -> {}),
                 during(robots + " robots driving", MEASURED_S, () -> command(frame, "all move 600")));
+    }
+
+    /** Measures while plots show moving robots, then while a dialog adds curves to one of them. */
+    private List<String> plots(JFrame frame) throws Exception {
+        List<String> lines = List.of(
+                during("4 plots begin", DIALOG_S, () -> openPlots(frame)),
+                during("20 robots, 4 plots", MEASURED_S, () -> command(frame, "all move -600")),
+                during("Add Curves", DIALOG_S, () -> ((AbstractButton) shown("addCurves")).doClick(0)),
+                during("finding curves", DIALOG_S, () -> ((JTextField) shown("curveFilter")).setText("sonar")),
+                during("adding curves", DIALOG_S, EventDelays::addCurves));
+        SwingUtilities.invokeAndWait(() -> closeWindows(frame));
+        return lines;
     }
 
     @Override
@@ -127,6 +138,20 @@ final class EventDelays extends EventQueue {
         for (int robot = 1; robot <= PLOTS; robot++) {
             ((PlotHost) find(frame, "card" + (robot + 1))).plot(CURVES, false);
         }
+    }
+
+    /** Adds the first curves of those that the dialog has found. */
+    private static void addCurves() {
+        ((JList<?>) shown("parameters")).setSelectionInterval(0, CURVES.size() - 1);
+        ((AbstractButton) shown("Add")).doClick(0);
+    }
+
+    private static Component shown(String name) {
+        return Stream.of(Window.getWindows())
+                .filter(Window::isShowing)
+                .flatMap(window -> search(window, name))
+                .findFirst()
+                .orElseThrow();
     }
 
     private static void closeWindows(JFrame frame) {
