@@ -42,10 +42,16 @@ import org.junit.jupiter.api.io.TempDir;
  * machine with a display. {@code -Dmajic.language=de} sets the language, {@code -Dmajic.scale=2} the scale of the
  * system, a whole number where Java takes no other from it (X11), {@code -Dflatlaf.uiScale=1.5} that of the texts. Both
  * need a display as much larger than 1280 × 800. If Mosquitto is installed, one of the robots is that of another desk.
+ * {@code -Dstates="2-act plot"} makes only the pictures with one of these words in their names, and {@code -Dmajic.states}
+ * names the folder in {@code target}.
  */
 class StatePictures {
     private static final Path FOLDER =
             Path.of(System.getProperty("majic.target", "target"), System.getProperty("majic.states", "states"));
+    /** Parts of the names of the pictures to make; the empty one is part of all. */
+    private static final List<String> WANTED =
+            List.of(System.getProperty("states", "").split("[ ,]+"));
+
     private static final double SCALE = Double.parseDouble(System.getProperty("majic.scale", "1"));
     private static final LabOptions OPTIONS =
             LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7).withRos(RosOptions.parse("2+camera"));
@@ -74,9 +80,33 @@ class StatePictures {
             new DialogPictures(program, frame, StatePictures::paint).paint();
             paintRobots(frame, "connected");
             paintShared(program, parser, frame, home);
+            paintTools(program, parser, frame, home);
+            paintMotion(program, parser, frame);
+            paintTrouble(lab, frame);
+            paintLoss(program, lab, frame);
+            replay(program, frame);
+            SwingUtilities.invokeAndWait(frame::dispose);
+        }
+    }
+
+    private static void paintTools(Program program, MajicParser parser, MajicFrame frame, Path home) throws Exception {
+        ToolPictures tools = new ToolPictures(program, frame, StatePictures::paint);
+        if (isWanted("plot")) {
+            tools.paintPlot(parser, 2);
+        }
+        if (isWanted("editor")) {
+            tools.paintEditor(home.resolve("lap.majic"));
+        }
+    }
+
+    /** Paints the robots while they move, while acts run, and after STOP. */
+    private static void paintMotion(Program program, MajicParser parser, MajicFrame frame) throws Exception {
+        if (isWanted("moving")) {
             move(program, parser);
             paintRobots(frame, "moving");
             awaitIdle(program);
+        }
+        if (isWanted("act") || isWanted("stopped")) {
             List.of("1 act HeadScan", "2 act PioneerWander", "3 act LightSeek", "4 act WallFollow")
                     .forEach(parser::parseText);
             awaitWindow(() -> program.team().members().stream().noneMatch(Member::isIdle));
@@ -85,23 +115,30 @@ class StatePictures {
             awaitWindow(() -> find(frame, "release").isVisible());
             paintRobots(frame, "stopped");
             parser.parseText("release");
-            lab.simulators().besideAibo(aibo -> aibo.changeBattery(LOW_CHARGE));
-            lab.simulators().besidePioneer(pioneer -> pioneer.pressStop(true));
-            lab.simulators().besideHemisson(hemisson -> hemisson.moveSwitches("1110"));
-            paintRobots(frame, "trouble");
+        }
+    }
+
+    private static void paintTrouble(SimulatedLab lab, MajicFrame frame) throws Exception {
+        lab.simulators().besideAibo(aibo -> aibo.changeBattery(LOW_CHARGE));
+        lab.simulators().besidePioneer(pioneer -> pioneer.pressStop(true));
+        lab.simulators().besideHemisson(hemisson -> hemisson.moveSwitches("1110"));
+        paintRobots(frame, "trouble");
+    }
+
+    private static void paintLoss(Program program, SimulatedLab lab, MajicFrame frame) throws Exception {
+        if (isWanted("lost") || isWanted("reconnecting")) {
             lose(program, lab);
             paintRobots(frame, "lost");
             awaitWindow(() -> program.team().members().stream()
                     .anyMatch(member -> member.bot().connection() == MajicBot.Connection.CONNECTING));
             paintRobots(frame, "reconnecting");
-            replay(program, frame);
-            SwingUtilities.invokeAndWait(frame::dispose);
         }
     }
 
     /** Adds a robot that another desk shares, in the states that no other robot has, and removes it. */
     private static void paintShared(Program program, MajicParser parser, MajicFrame frame, Path home) throws Exception {
-        if (Mosquitto.installed().isEmpty()) {
+        boolean wanted = isWanted(SHARED + "-shared-moving") || isWanted(SHARED + "-shared-lost");
+        if (Mosquitto.installed().isEmpty() || !wanted) {
             return;
         }
         try (Mosquitto broker = Mosquitto.start(home);
@@ -147,6 +184,9 @@ class StatePictures {
     }
 
     private static void replay(Program program, MajicFrame frame) throws Exception {
+        if (!isWanted("replay")) {
+            return;
+        }
         Path file = program.recordings().files().get(0);
         ReplayServices services = new ReplayServices(
                 program.settings(), program.session().factory().types(), JButton::new);
@@ -165,13 +205,28 @@ class StatePictures {
 
     private static void paintRobots(MajicFrame frame, String state) throws Exception {
         for (int robot = 1; robot <= ROBOTS.size(); robot++) {
-            select(frame, robot);
-            paint(frame, robot + "-" + state);
+            if (isPainted(robot + "-" + state)) {
+                select(frame, robot);
+                paint(frame, robot + "-" + state);
+            }
         }
+    }
+
+    /** Returns whether a picture with this name is to be made. */
+    private static boolean isPainted(String name) {
+        return WANTED.stream().anyMatch(name::contains);
+    }
+
+    /** Returns whether a picture is to be made whose name contains a word, or is a part of it. */
+    private static boolean isWanted(String part) {
+        return WANTED.stream().anyMatch(word -> word.contains(part) || part.contains(word));
     }
 
     /** Paints a window in the light and in the dark look. */
     private static void paint(JFrame window, String name) throws Exception {
+        if (!isPainted(name)) {
+            return;
+        }
         awaitWindow(new Settled());
         WindowPicture.save(window, FOLDER.resolve(name + "-light.png"), SCALE);
         look(new FlatDarkLaf());
