@@ -29,6 +29,7 @@ import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.Advice;
 
 /**
  * What all parts of one running MAJIC share: the team, the factory of robots, and the output. Window,
@@ -280,11 +281,11 @@ public final class Session {
 
         @Override
         public void lost(Member member, String reason) {
-            String hint = connector
+            String told = connector
                     .address(member)
-                    .map(address -> "; \"add " + address + "\" connects it again")
-                    .orElse("");
-            output.send(Line.Kind.ALARM, member.number() + ": " + reason + hint);
+                    .map(address -> Advice.joined(reason, "\"add " + address + "\" connects it again"))
+                    .orElse(reason);
+            output.send(Line.Kind.ALARM, member.number() + ": " + told);
         }
 
         @Override

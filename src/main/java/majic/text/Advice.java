@@ -18,4 +18,19 @@ public final class Advice {
         }
         return problem + (problem.endsWith(".") ? " " : ". ") + advice;
     }
+
+    /**
+     * Both as one sentence, with a semicolon between them. Behind a question, which asks what to look at already, a second
+     * question is left out, and other advice is a sentence of its own.
+     *
+     * @param problem what went wrong, without a full stop
+     * @param advice begins in lower case or with a quotation mark
+     * @return both in one line
+     */
+    public static String joined(String problem, String advice) {
+        if (!problem.endsWith("?")) {
+            return problem + "; " + advice;
+        }
+        return advice.endsWith("?") ? problem : problem + " " + advice;
+    }
 }

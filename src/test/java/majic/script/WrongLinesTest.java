@@ -51,7 +51,7 @@ class WrongLinesTest {
                 "1 bark sadly 100ms 300ms 2s | time 2000 ms: outside 0 … 1000 ms",
                 "1 bark sadly -5ms | time -5 ms: outside 0 … 1000 ms",
                 "1 set headPan 0 -5ms | time -0.005 s: outside 0 … 10 s",
-                "1 act WandrDog | there is no act WandrDog; did you mean WanderDog?; \"acts\" lists those there are, and a file's name ends in .act or .majic",
+                "1 act WandrDog | there is no act WandrDog; did you mean WanderDog? \"acts\" lists those there are, and a file's name ends in .act or .majic",
                 "1 log x | behind \"x\" \"every\" and a time is missing",
                 "1 log x every 1ms | 1ms: the log takes from 10 ms to one day between readings",
                 "1.move 500 | 500: \"(\" is expected here",

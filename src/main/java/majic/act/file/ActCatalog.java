@@ -13,6 +13,7 @@ import java.util.Optional;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import majic.bot.BotException;
+import majic.text.Advice;
 import majic.text.IoReason;
 import majic.text.Suggestion;
 
@@ -144,9 +145,9 @@ public record ActCatalog(Path folder, ActTrust trust) {
     }
 
     private BotException unknown(String name) {
-        return new BotException("there is no act " + name + Suggestion.didYouMean(name, names())
-                + "; \"acts\" lists those there are, and a file's name ends in " + ENDING
-                + " or " + SCRIPT_ENDING);
+        return new BotException(Advice.joined(
+                "there is no act " + name + Suggestion.didYouMean(name, names()),
+                "\"acts\" lists those there are, and a file's name ends in " + ENDING + " or " + SCRIPT_ENDING));
     }
 
     /**

@@ -13,6 +13,7 @@ import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import majic.driver.RobotWait;
+import majic.text.Advice;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -80,7 +81,11 @@ public final class AiboConnections implements UrbiConnection.Owner {
         } catch (IOException e) {
             throw granted() > 0
                     ? tooFew(e)
-                    : ConnectFailed.of(e, e.getMessage() + "; is the dog on, in the network, and URBI on its stick?");
+                    : ConnectFailed.of(
+                            e,
+                            Advice.joined(
+                                    String.valueOf(e.getMessage()),
+                                    "is the dog on, in the network, and URBI on its stick?"));
         }
         if (connection.isEnded() || !connection.isIdentified()) {
             throw granted() > 0 ? tooFew(null) : refusal(connection);

@@ -7,6 +7,7 @@ import javax.net.ssl.SSLException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.ros.websocket.NotWebSocket;
+import majic.text.Advice;
 import org.jspecify.annotations.Nullable;
 
 /** Explains why there is no connection to a rosbridge server. */
@@ -34,7 +35,7 @@ final class BridgeErrors {
                     failure);
         }
         if (address.secure() && failure instanceof SocketTimeoutException) {
-            return ConnectFailed.of(failure, failure.getMessage() + "; " + withoutTls(address));
+            return ConnectFailed.of(failure, Advice.joined(failure.getMessage(), withoutTls(address)));
         }
         return ConnectFailed.of(failure);
     }
