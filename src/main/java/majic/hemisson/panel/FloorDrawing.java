@@ -10,8 +10,8 @@ import majic.bot.Pose;
 import majic.hemisson.readings.Clearance;
 import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
+import majic.panel.map.StartMark;
 import majic.panel.map.TrailContent;
-import majic.panel.map.TrailDrawing;
 import majic.text.Texts;
 
 /**
@@ -50,7 +50,7 @@ final class FloorDrawing extends TrailContent {
     public void paint(Graphics2D pen, MapView view) {
         DrawingColors colors =
                 connected ? DrawingColors.current() : DrawingColors.current().faded();
-        TrailDrawing.paintStart(pen, view, colors);
+        new StartMark(view, pose, radiusPx(view)).paint(pen, colors);
         paintTrail(pen, view, colors);
         paintRobot(pen, view, colors);
         paintMark(pen, view);
@@ -67,10 +67,14 @@ final class FloorDrawing extends TrailContent {
                 view.height() - foot - INSET - metrics.getDescent());
     }
 
+    private static double radiusPx(MapView view) {
+        return Math.max(LEAST_RADIUS_PX, Clearance.HULL_MM * view.pxPerMm());
+    }
+
     /** A disc to scale, or as small as can be found, with an arrow ahead. */
     private void paintRobot(Graphics2D pen, MapView view, DrawingColors colors) {
         Point2D middle = view.pixel(pose.xMm(), pose.yMm());
-        double radius = Math.max(LEAST_RADIUS_PX, Clearance.HULL_MM * view.pxPerMm());
+        double radius = radiusPx(view);
         Graphics2D robot = (Graphics2D) pen.create();
         robot.translate(middle.getX(), middle.getY());
         robot.rotate(-Math.toRadians(pose.headingDeg() + MapView.Y_UP - view.upDeg()));

@@ -75,7 +75,7 @@ public abstract class EchoContent<S> extends TrailContent {
         DrawingColors colors = isConnected(scene)
                 ? DrawingColors.current()
                 : DrawingColors.current().faded();
-        TrailDrawing.paintStart(pen, view, colors);
+        new StartMark(view, pose(scene), radiusMm(scene) * view.pxPerMm()).paint(pen, colors);
         Graphics2D robot = inRobotFrame(pen, view, pose(scene));
         paintSensing(robot, scene, colors, view.pxPerMm());
         paintTrail(pen, view, colors);
@@ -88,6 +88,9 @@ public abstract class EchoContent<S> extends TrailContent {
 
     /** Returns where the robot is on the floor. */
     protected abstract Pose pose(S scene);
+
+    /** Returns the radius of a circle that the robot fits into, mm. */
+    protected abstract double radiusMm(S scene);
 
     /** Returns whether the robot is connected; otherwise all is painted faded. */
     protected abstract boolean isConnected(S scene);

@@ -1,19 +1,13 @@
 package majic.panel.map;
 
 import java.awt.BasicStroke;
-import java.awt.FontMetrics;
 import java.awt.Graphics2D;
 import java.awt.Stroke;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
-import java.awt.geom.Point2D;
 import majic.panel.DrawingColors;
-import majic.text.Texts;
 
 /** Draws the trail of a robot, from its start. Must be used on the event dispatch thread. */
 public final class TrailDrawing {
-    private static final Texts TEXTS = Texts.of(TrailDrawing.class);
-    private static final double START_PX = 5;
     private static final double STEP_PX = 2;
 
     /** A bevelled join: thousands of round joins would take longer to paint than everything else. */
@@ -63,24 +57,5 @@ public final class TrailDrawing {
         pen.setColor(colors.grey(0.6));
         pen.setStroke(stroke);
         pen.draw(view.transform().createTransformedShape(path));
-    }
-
-    /**
-     * Paints a mark at the start of the trail.
-     *
-     * @param pen in pixels
-     * @param view from the floor to the pixels
-     * @param colors the colours to use
-     */
-    public static void paintStart(Graphics2D pen, MapView view, DrawingColors colors) {
-        Point2D start = view.pixel(0, 0);
-        pen.setColor(colors.faint());
-        pen.setStroke(DrawingColors.stroke(1.5));
-        pen.draw(new Ellipse2D.Double(start.getX() - START_PX, start.getY() - START_PX, 2 * START_PX, 2 * START_PX));
-        pen.fill(new Ellipse2D.Double(start.getX() - 1.5, start.getY() - 1.5, 3, 3));
-        String text = TEXTS.get("start");
-        FontMetrics metrics = pen.getFontMetrics();
-        float left = (float) (start.getX() - metrics.stringWidth(text) / 2.0);
-        pen.drawString(text, left, (float) (start.getY() + START_PX + metrics.getAscent()));
     }
 }

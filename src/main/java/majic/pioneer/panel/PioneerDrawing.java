@@ -46,6 +46,11 @@ final class PioneerDrawing extends EchoContent<PioneerScene> {
     }
 
     @Override
+    protected double radiusMm(PioneerScene scene) {
+        return scene.model().hull().swingMm();
+    }
+
+    @Override
     protected boolean isConnected(PioneerScene scene) {
         return scene.isConnected();
     }

@@ -23,7 +23,7 @@ public record Hull(double frontMm, double rearMm, double halfWidthMm) {
     }
 
     /** Radius of the circle that the robot needs to turn on the spot, mm. */
-    double swingMm() {
+    public double swingMm() {
         // Not Math.hypot, which takes many times as long: this is used for each echo at each SIP.
         double end = Math.max(frontMm, rearMm);
         return Math.sqrt(end * end + halfWidthMm * halfWidthMm);

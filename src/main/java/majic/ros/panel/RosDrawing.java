@@ -59,6 +59,11 @@ final class RosDrawing extends EchoContent<RosDrawing.PlacedScene> {
     }
 
     @Override
+    protected double radiusMm(PlacedScene placed) {
+        return placed.scene().robot().radiusMm();
+    }
+
+    @Override
     protected boolean isConnected(PlacedScene placed) {
         return placed.scene().isConnected();
     }

@@ -5,8 +5,8 @@ import majic.bot.Pose;
 import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 import majic.panel.map.RobotDisc;
+import majic.panel.map.StartMark;
 import majic.panel.map.TrailContent;
-import majic.panel.map.TrailDrawing;
 
 /**
  * A robot of any kind on its floor, to scale: a disc of its size with an arrow ahead, its start and its path.
@@ -43,7 +43,7 @@ final class SharedDrawing extends TrailContent {
         }
         DrawingColors colors =
                 current ? DrawingColors.current() : DrawingColors.current().faded();
-        TrailDrawing.paintStart(pen, view, colors);
+        new StartMark(view, pose, bodyMm * view.pxPerMm()).paint(pen, colors);
         paintTrail(pen, view, colors);
         Graphics2D robot = inRobotFrame(pen, view, pose);
         new RobotDisc(bodyMm, false).paint(robot, colors, view.pxPerMm());
