@@ -7,6 +7,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Optional;
 import majic.aibo.body.DogState;
@@ -28,6 +29,12 @@ final class BeamsDrawing {
 
     /** How much the background of a label covers the dog. */
     private static final double LABEL_COVER = 0.8;
+
+    private static final int MARGIN = 2;
+    private static final double HIT_PX = 6;
+
+    /** How far the paws of a lying dog are ahead of where the head turns, as a multiple of the nose's distance. */
+    private static final double PAWS_AHEAD = 1.3;
 
     /** In drawings that are smaller than this many lines of text the rings' numbers would cover the dog. */
     private static final double LEAST_REACH_LINES = 5;
@@ -61,14 +68,24 @@ final class BeamsDrawing {
         seen.ifPresent(mm -> paintHit(pen, pan, mm));
     }
 
-    /** Writes the distance that the head measures; over the dog, which hides the hit when it looks to the side. */
-    void paintLabel(Graphics2D pen) {
+    /**
+     * Writes the distance that the head measures, beside the dog.
+     *
+     * @param roomPx how far the room extends to each side
+     */
+    void paintLabel(Graphics2D pen, double roomPx) {
         double pan = dog.senses().number(Sensor.HEAD_PAN).orElse(0.0);
+        FontMetrics metrics = pen.getFontMetrics();
         dog.infraRed().headMm().ifPresent(mm -> {
-            double x = -radius(mm) * Math.sin(Math.toRadians(pan));
-            double y = -radius(mm) * Math.cos(Math.toRadians(pan));
-            label(pen, Math.round(mm) + " mm", x, y);
+            String text = Math.round(mm) + " mm";
+            double width = metrics.stringWidth(text) + 2.0 * MARGIN;
+            label(pen, text, labelAt(hit(pan, mm), width, metrics.getHeight(), roomPx));
         });
+    }
+
+    private Point2D hit(double panDeg, double mm) {
+        double angle = Math.toRadians(panDeg);
+        return new Point2D.Double(-radius(mm) * Math.sin(angle), -radius(mm) * Math.cos(angle));
     }
 
     private double radius(double mm) {
@@ -107,11 +124,10 @@ final class BeamsDrawing {
     }
 
     private void paintHit(Graphics2D pen, double panDeg, double mm) {
-        double x = -radius(mm) * Math.sin(Math.toRadians(panDeg));
-        double y = -radius(mm) * Math.cos(Math.toRadians(panDeg));
+        Point2D hit = hit(panDeg, mm);
         double half = 4;
         pen.setColor(colors.accent());
-        pen.fill(new Ellipse2D.Double(x - half, y - half, 2 * half, 2 * half));
+        pen.fill(new Ellipse2D.Double(hit.getX() - half, hit.getY() - half, 2 * half, 2 * half));
     }
 
     private void paintChest(Graphics2D pen, double mm) {
@@ -131,17 +147,39 @@ final class BeamsDrawing {
         pen.draw(arc(radius(mm), 0, HALF_BAR_DEG, Arc2D.OPEN));
     }
 
-    /** Writes beside a hit, away from the head as long as the rings have room there. */
-    private void label(Graphics2D pen, String text, double x, double y) {
-        FontMetrics metrics = pen.getFontMetrics();
-        double width = metrics.stringWidth(text) + 8.0;
-        boolean toTheRight = x >= 0 ? x + width <= reachPx : x - width < -reachPx;
-        double base = Math.max(y + metrics.getAscent() / 2.0, metrics.getAscent() - reachPx);
-        double left = toTheRight ? x + 8 : x - width;
+    /** Writes on a margin of the paper's colour. */
+    private void label(Graphics2D pen, String text, Rectangle2D place) {
         pen.setColor(DrawingColors.translucent(colors.paper(), LABEL_COVER));
-        pen.fill(new Rectangle2D.Double(left - 2, base - metrics.getAscent(), width - 4, metrics.getHeight()));
+        pen.fill(place);
         pen.setColor(colors.line());
-        pen.drawString(text, (float) left, (float) base);
+        pen.drawString(
+                text,
+                (float) place.getX() + MARGIN,
+                (float) place.getY() + pen.getFontMetrics().getAscent());
+    }
+
+    /**
+     * Returns the place of a label: beside a hit, away from the head; above the hit at the edge of the room where there is no
+     * room beside it; above the dog where it would cover the dog.
+     *
+     * @param hit from where the head turns, y down
+     * @param roomPx how far the room extends to each side
+     */
+    Rectangle2D labelAt(Point2D hit, double width, double height, double roomPx) {
+        double beside = hit.getX() >= 0 ? hit.getX() + HIT_PX : hit.getX() - HIT_PX - width;
+        double left = Math.max(-roomPx, Math.min(beside, roomPx - width));
+        double top = left == beside ? hit.getY() - height / 2 : hit.getY() - HIT_PX - height;
+        Rectangle2D place = new Rectangle2D.Double(left, Math.max(top, -reachPx), width, height);
+        if (place.intersects(dogPlace())) {
+            place.setRect(left, Math.max(dogPlace().getY() - height, -reachPx), width, height);
+        }
+        return place;
+    }
+
+    /** Returns what the dog covers at most, as far as the beams reach. */
+    private Rectangle2D dogPlace() {
+        double ahead = PAWS_AHEAD * nosePx;
+        return new Rectangle2D.Double(-nosePx, -ahead, 2 * nosePx, ahead + reachPx);
     }
 
     /** Around the origin; the middle counts from ahead, counterclockwise. */

@@ -245,7 +245,7 @@ final class DogDrawing extends JPanel {
         beams.paint(pen);
         new FigureDrawing(dog, Projection.ABOVE, colors(), isEnabled()).paint(figure);
         figure.dispose();
-        beams.paintLabel(pen);
+        beams.paintLabel(pen, width / 2);
     }
 
     private void paintFace(Graphics2D pen, Dimension room) {
