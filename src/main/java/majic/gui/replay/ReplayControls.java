@@ -1,5 +1,9 @@
 package majic.gui.replay;
 
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.Insets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -20,7 +24,7 @@ final class ReplayControls extends JPanel {
     private static final Texts TEXTS = Texts.of(ReplayControls.class);
     private static final List<Double> SPEEDS = List.of(0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 64.0);
 
-    private final JButton play = new JButton(TEXTS.get("play"));
+    private final JButton play = new PlayButton();
     private final JButton previous = new JButton(TEXTS.get("previous"));
     private final JButton next = new JButton(TEXTS.get("next"));
     private final JLabel time = new JLabel();
@@ -62,7 +66,7 @@ final class ReplayControls extends JPanel {
         JLabel speedLabel = new JLabel(TEXTS.get("speed"));
         speedLabel.setLabelFor(speed);
         JPanel row = new JPanel(new MigLayout("insets 0, gap 10, hidemode 3"));
-        row.add(play, "w " + widthOfPlay() + "!");
+        row.add(play);
         row.add(previous);
         row.add(next);
         row.add(time, "pushx, growx");
@@ -71,11 +75,6 @@ final class ReplayControls extends JPanel {
         add(timeline);
         add(row);
         Mnemonics.assign(this);
-    }
-
-    /** Returns a width for both texts of the button, so that it stays the same while playing. */
-    private int widthOfPlay() {
-        return Math.max(play.getPreferredSize().width, new JButton(TEXTS.get("pause")).getPreferredSize().width);
     }
 
     private void prepare(JButton button, String name, Optional<Path> file, PartTurner turner) {
@@ -109,5 +108,23 @@ final class ReplayControls extends JPanel {
                 ReplayTimes.clock(part.recording().endS()),
                 ReplayTimes.timeOfDay(part.recording().head().timeOfDay(seconds))));
         timeline.follow(seconds);
+    }
+
+    /** Has room for both of its texts, also in the bold type of a default button, so that it stays the same while playing. */
+    private static final class PlayButton extends JButton {
+        private static final long serialVersionUID = 1L;
+
+        PlayButton() {
+            super(TEXTS.get("play"));
+        }
+
+        @Override
+        public Dimension getPreferredSize() {
+            Dimension size = super.getPreferredSize();
+            FontMetrics metrics = getFontMetrics(getFont().deriveFont(Font.BOLD));
+            int text = Math.max(metrics.stringWidth(TEXTS.get("play")), metrics.stringWidth(TEXTS.get("pause")));
+            Insets insets = getInsets();
+            return new Dimension(Math.max(size.width, text + insets.left + insets.right), size.height);
+        }
     }
 }
