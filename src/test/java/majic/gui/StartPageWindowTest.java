@@ -2,13 +2,53 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Container;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Locale;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
+import javax.swing.JComponent;
+import javax.swing.SwingUtilities;
 import majic.bot.Pose;
+import org.assertj.swing.edt.GuiActionRunner;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 class StartPageWindowTest {
+    private final Locale language = Locale.getDefault();
+
+    @AfterEach
+    void setLanguageBack() {
+        Language.use(language);
+    }
+
+    @Test
+    void allButtonsAreInASmallWindowWithLargeGermanTexts() {
+        try (TestWindow window = TestWindow.openWith("window.language", "de")) {
+            window.run(() -> {
+                window.frame.setSize(1280, 800);
+                LookAndFeels.changeTextSize(150, window.settings);
+            });
+            try {
+                window.await("five whole buttons", () -> wholeButtons(window) == 5);
+            } finally {
+                window.run(() -> LookAndFeels.changeTextSize(100, window.settings));
+            }
+        }
+    }
+
+    private static long wholeButtons(TestWindow window) {
+        JComponent page = window.find("startPage", JComponent.class);
+        Container column = (Container) page.getComponent(0);
+        return GuiActionRunner.execute(() -> Stream.of(column.getComponents())
+                .filter(AbstractButton.class::isInstance)
+                .filter(button -> page.getVisibleRect()
+                        .contains(SwingUtilities.convertRectangle(column, button.getBounds(), page)))
+                .count());
+    }
+
     @Test
     void isShownUntilThereIsARobotAndAgainWhenTheLastIsGone() {
         try (TestWindow window = TestWindow.open()) {

@@ -20,6 +20,7 @@ final class StartButton extends JButton {
     private final String title;
     private final JLabel detail;
     private final JLabel heading;
+    private final JLabel picture;
 
     StartButton(String title, String detail, Pictogram icon, Runnable action) {
         super.setLayout(new BorderLayout(10, 0));
@@ -27,7 +28,7 @@ final class StartButton extends JButton {
         setName(title);
         heading = new StyledLabel(title + " heading", title, Font.BOLD, 0);
         this.detail = new StyledLabel(title + " detail", "", Font.PLAIN, -2);
-        JLabel picture = new JLabel(Icons.of(icon, ICON), SwingConstants.CENTER);
+        picture = new JLabel(Icons.of(icon, ICON), SwingConstants.CENTER);
         picture.setBorder(BorderFactory.createEmptyBorder(0, 6, 0, 2));
         Box texts = Box.createVerticalBox();
         texts.setBorder(BorderFactory.createEmptyBorder(5, 0, 5, 8));
@@ -48,9 +49,20 @@ final class StartButton extends JButton {
         getAccessibleContext().setAccessibleDescription(text);
     }
 
+    /** Shows or hides the line of explanation. */
+    void showDetail(boolean shown) {
+        detail.setVisible(shown);
+    }
+
+    /** Returns by how much the button grows when its explanation is shown, pixels; 0 while it is shown. */
+    int hiddenHeight() {
+        return detail.isVisible() ? 0 : detail.getPreferredSize().height;
+    }
+
     @Override
     public void setEnabled(boolean enabled) {
         super.setEnabled(enabled);
+        picture.setEnabled(enabled);
         heading.setEnabled(enabled);
         detail.setEnabled(enabled);
     }

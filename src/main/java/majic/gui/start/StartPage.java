@@ -30,6 +30,8 @@ public final class StartPage extends JPanel {
     private final transient StartActions actions;
     private final StartButton lab;
     private final StartButton team;
+    private final List<StartButton> buttons;
+    private final JPanel column = new Column();
     private final JLabel welcome = new StyledLabel("welcome", TEXTS.get("welcome"), Font.BOLD, 6);
     private final JLabel hint = new NamedLabel("startHint", TEXTS.get("hint"));
 
@@ -47,27 +49,38 @@ public final class StartPage extends JPanel {
         setName("startPage");
         lab = new StartButton(TEXTS.get("lab"), "", Pictogram.LAB, actions.startLab());
         team = new StartButton(TEXTS.get("team"), TEXTS.get("team.none"), Pictogram.TEAM, actions.openLastTeam());
-        JPanel column = new Column();
-        for (JComponent part : List.of(
-                welcome,
-                hint,
+        buttons = List.of(
                 lab,
                 new StartButton(TEXTS.get("robot"), TEXTS.get("robot.detail"), Pictogram.ADD, actions.addBot()),
                 team,
                 new StartButton(
                         TEXTS.get("session"), TEXTS.get("session.detail"), Pictogram.SESSION, actions.openSession()),
-                new StartButton(TEXTS.get("tour"), TEXTS.get("tour.detail"), Pictogram.TOUR, actions.startTour()))) {
-            GridBagConstraints row = new GridBagConstraints();
-            row.gridx = 0;
-            row.weightx = 1;
-            row.fill = GridBagConstraints.HORIZONTAL;
-            row.insets = new Insets(0, 0, part == hint ? 16 : 8, 0);
-            column.add(part, row);
-        }
+                new StartButton(TEXTS.get("tour"), TEXTS.get("tour.detail"), Pictogram.TOUR, actions.startTour()));
+        addBelow(welcome, 8);
+        addBelow(hint, 16);
+        buttons.forEach(button -> addBelow(button, 8));
         add(column);
         showTeam(List.of());
         lastTeam.onChange(this::showTeam);
         updateUI();
+    }
+
+    private void addBelow(JComponent part, int gap) {
+        GridBagConstraints row = new GridBagConstraints();
+        row.gridx = 0;
+        row.weightx = 1;
+        row.fill = GridBagConstraints.HORIZONTAL;
+        row.insets = new Insets(0, 0, gap, 0);
+        column.add(part, row);
+    }
+
+    /** Shows the explanations of the buttons as long as there is room for all buttons; otherwise their tool tips have them. */
+    @Override
+    public void doLayout() {
+        int details = buttons.stream().mapToInt(StartButton::hiddenHeight).sum();
+        boolean room = column.getPreferredSize().height + details <= getHeight();
+        buttons.forEach(button -> button.showDetail(room));
+        super.doLayout();
     }
 
     private void showTeam(List<String> names) {
