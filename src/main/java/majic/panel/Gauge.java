@@ -9,10 +9,10 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.awt.geom.RoundRectangle2D;
 import java.util.List;
-import java.util.Locale;
 import javax.swing.JPanel;
 import javax.swing.UIManager;
 import majic.bot.Range;
+import majic.text.NumberText;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -81,13 +81,7 @@ public final class Gauge extends JPanel {
      */
     public String figure() {
         Double now = value;
-        return now == null ? "\u2013" : signed(now) + " " + unit;
-    }
-
-    /** Formats an amount with its sign; zero has none, even if it results from rounding. */
-    private static String signed(double amount) {
-        long rounded = Math.round(amount);
-        return rounded == 0 ? "0" : String.format(Locale.ROOT, "%+d", rounded).replace('-', '\u2212');
+        return now == null ? "\u2013" : NumberText.signed(now) + " " + unit;
     }
 
     @Override
@@ -130,8 +124,8 @@ public final class Gauge extends JPanel {
 
     private void paintScale(Graphics2D pen, DrawingColors colors) {
         FontMetrics metrics = pen.getFontMetrics();
-        String left = signed(positiveLeft ? limits.max() : limits.min());
-        String right = signed(positiveLeft ? limits.min() : limits.max());
+        String left = NumberText.signed(positiveLeft ? limits.max() : limits.min());
+        String right = NumberText.signed(positiveLeft ? limits.min() : limits.max());
         double middle = textHeight() + (textHeight() - 2) / 2.0;
         float base = (float) (middle + metrics.getAscent() / 2.0 - 1);
         pen.setColor(DrawingColors.current().faint());

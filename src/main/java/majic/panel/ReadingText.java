@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.bot.Value;
+import majic.text.NumberText;
 import majic.text.Texts;
 
 /** Formats readings for display: parameter names as plain words, and angles with {@code °}. Thread-safe. */
@@ -44,10 +45,13 @@ public final class ReadingText {
      */
     public static String of(Value value) {
         if (value instanceof Value.Number number) {
-            return degrees(Value.of(number.amount(), number.unit()).toString());
+            return degrees(NumberText.of(Value.of(number.amount(), number.unit())));
         }
         if (value instanceof Value.Flag flag) {
             return word(flag);
+        }
+        if (value instanceof Value.Many many) {
+            return many.values().stream().map(ReadingText::of).collect(Collectors.joining(", "));
         }
         if (value instanceof Value.Clear) {
             return TEXTS.get("value.clear");

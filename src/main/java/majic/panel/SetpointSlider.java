@@ -11,6 +11,7 @@ import javax.swing.JSlider;
 import javax.swing.SwingConstants;
 import majic.bot.Parameter;
 import majic.bot.Range;
+import majic.text.NumberText;
 import majic.text.Texts;
 import net.miginfocom.layout.AC;
 import net.miginfocom.swing.MigLayout;
@@ -129,7 +130,7 @@ public final class SetpointSlider extends JPanel {
     }
 
     private String inUnit(int value) {
-        return ReadingText.degrees(value + " " + unit);
+        return ReadingText.degrees(NumberText.of(value) + " " + unit);
     }
 
     /** Moves the knob by one unit for each notch of the wheel, which is finer than a pixel of a short slider. */

@@ -50,8 +50,8 @@ public final class Texts {
      * Returns a text.
      *
      * @param key its key in the bundle
-     * @param values put in place of {@code {0}}, {@code {1}}, as {@link String#valueOf(Object)} writes them; the patterns are
-     *     those of {@link MessageFormat}, so an apostrophe is doubled in the file
+     * @param values put in place of {@code {0}}, {@code {1}}, as {@link String#valueOf(Object)} writes them, but numbers as
+     *     {@link NumberText#of}; the patterns are those of {@link MessageFormat}, so an apostrophe is doubled in the file
      * @throws MissingResourceException if the bundle has no such text
      */
     public String get(String key, Object... values) {
@@ -65,9 +65,13 @@ public final class Texts {
         Format[] formats = pattern.getFormatsByArgumentIndex();
         Object[] words = new Object[values.length];
         for (int index = 0; index < words.length; index++) {
-            words[index] = isPlain(formats, index) ? String.valueOf(values[index]) : values[index];
+            words[index] = isPlain(formats, index) ? plain(values[index]) : values[index];
         }
         return pattern.format(words);
+    }
+
+    private static String plain(Object value) {
+        return value instanceof Number ? NumberText.of(value) : String.valueOf(value);
     }
 
     /** Returns whether a value has no format of its own; a number is then written without separators, like a port. */

@@ -37,7 +37,7 @@ class TeamWindowTest {
     @Test
     void aRobotsPanelShowsItsPoseAndItsState() {
         window.add("one").at(new Pose(120, -30, 45), true);
-        window.await("its place", () -> window.text("pose1").equals("x 120 mm   y -30 mm   heading 45°"));
+        window.await("its place", () -> window.text("pose1").equals("x 120 mm   y −30 mm   heading 45°"));
         assertThat(window.text("condition1")).isEqualTo("connected, moving");
     }
 

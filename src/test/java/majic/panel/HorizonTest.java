@@ -47,7 +47,7 @@ class HorizonTest {
     @Test
     void withoutAReadingThereIsNoGround() {
         horizon.show(new Tilt(12.6, -3));
-        assertThat(horizon.getToolTipText()).endsWith("13° nose up, -3° to the right");
+        assertThat(horizon.getToolTipText()).endsWith("13° nose up, −3° to the right");
         BufferedImage unknown = painted(null);
 
         assertThat(horizon.getToolTipText()).endsWith("no reading");

@@ -33,7 +33,7 @@ class ReadingTextTest {
     @Test
     void anglesHaveTheDegreeSign() {
         assertThat(ReadingText.of(Value.about(40, Unit.DEG))).isEqualTo("40°");
-        assertThat(ReadingText.of(Value.of(-30, Unit.DEG_PER_S))).isEqualTo("-30 °/s");
+        assertThat(ReadingText.of(Value.of(-30, Unit.DEG_PER_S))).isEqualTo("−30 °/s");
     }
 
     @Test

@@ -9,6 +9,7 @@ import majic.aibo.body.SensorReadings;
 import majic.bot.MajicBot;
 import majic.panel.SetpointSlider;
 import majic.team.Member;
+import majic.text.NumberText;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
@@ -44,7 +45,8 @@ final class HeadPanel extends JPanel {
     }
 
     private static String words(Optional<Double> degrees) {
-        return degrees.map(measured -> Math.round(measured) + "°").orElse("–");
+        return degrees.map(measured -> NumberText.of(Math.round(measured)) + "°")
+                .orElse("–");
     }
 
     void refresh() {

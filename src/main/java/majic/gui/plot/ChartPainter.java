@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import majic.gui.plot.data.Points;
 import majic.gui.plot.data.Span;
+import majic.text.NumberText;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.Styler;
@@ -102,7 +103,7 @@ final class ChartPainter {
         String text = rounded == Math.rint(rounded) && Math.abs(rounded) < 1e9
                 ? Long.toString((long) rounded)
                 : Double.toString(rounded);
-        return text.replace('-', '−');
+        return NumberText.of(text);
     }
 
     private static void addAxes(XYChart chart, List<ValueAxis> axes) {

@@ -1,6 +1,7 @@
 package majic.gui.plot;
 
 import java.util.Locale;
+import majic.text.NumberText;
 
 /** Formats times of plots. */
 final class ClockText {
@@ -20,7 +21,7 @@ final class ClockText {
         long tenths = Math.round(Math.abs(seconds) * 10);
         boolean precise = shown < TENTHS_BELOW_S;
         long whole = precise ? tenths / 10 : Math.round(Math.abs(seconds));
-        String minus = seconds < 0 && (whole > 0 || precise && tenths > 0) ? "−" : "";
+        String minus = seconds < 0 && (whole > 0 || precise && tenths > 0) ? NumberText.of("-") : "";
         String hours = whole >= 3600 ? whole / 3600 + ":" : "";
         String format = hours.isEmpty() ? "%s%s%d:%02d%s" : "%s%s%02d:%02d%s";
         String fraction = precise ? "." + tenths % 10 : "";

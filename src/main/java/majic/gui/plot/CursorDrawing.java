@@ -51,7 +51,7 @@ final class CursorDrawing {
         for (Curve curve : chart.job().curves()) {
             Quantity quantity = curve.quantity();
             lines.add(quantity.robot() + " " + quantity.name() + "   "
-                    + quantity.text(curve.samples().at(time)));
+                    + Curve.text(quantity, curve.samples().at(time)));
         }
         double near = NEAR_PX / chart.plot().getWidth() * chart.job().time().length();
         chart.job().marks().stream()

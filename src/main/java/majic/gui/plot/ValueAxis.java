@@ -11,6 +11,7 @@ import majic.bot.Unit;
 import majic.gui.plot.data.Points;
 import majic.gui.plot.data.Quantity;
 import majic.gui.plot.data.Span;
+import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -29,7 +30,7 @@ record ValueAxis(Unit unit, boolean switched, Span range) {
     }
 
     String title() {
-        return switched ? "off 0, on 1" : unit.symbol();
+        return switched ? Texts.of(ValueAxis.class).get("axis.switches") : unit.symbol();
     }
 
     /** Returns the axes of curves, in the order of the curves. */

@@ -9,12 +9,12 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalDouble;
 import javax.swing.JPanel;
 import majic.hemisson.readings.Proximity;
 import majic.panel.DrawingColors;
 import majic.panel.PlotLink;
+import majic.text.NumberText;
 import majic.text.Texts;
 
 /**
@@ -120,8 +120,7 @@ final class HemissonDrawing extends JPanel {
 
     /** The value of the motor, behind its wheel. */
     private void paintSpeed(Graphics2D screen, DrawingColors colors, double y, int value) {
-        String text =
-                String.format(Locale.ROOT, "%+d", value).replace('-', '\u2212').replace("+0", "0");
+        String text = NumberText.signed(value);
         FontMetrics metrics = screen.getFontMetrics();
         double x = -y * pxPerMm() - metrics.stringWidth(text) / 2.0;
         screen.setColor(colors.line());

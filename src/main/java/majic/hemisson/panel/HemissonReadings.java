@@ -10,6 +10,7 @@ import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
 import majic.panel.ReadingText;
 import majic.panel.ReadingsPanel;
+import majic.text.NumberText;
 import majic.text.Texts;
 
 /** A Hemisson's readings as text; motion and pose are estimates ("≈"), because the robot does not measure them. */
@@ -25,7 +26,8 @@ final class HemissonReadings {
                 .with(
                         "wheels",
                         HemissonDrawing.WHEELS,
-                        view -> view.wheels().left() + ", " + view.wheels().right())
+                        view -> NumberText.of(
+                                view.wheels().left() + ", " + view.wheels().right()))
                 .with("speed", view -> about("mm/s", view.state().speedMmPerSec()))
                 .with("turnRate", view -> about("deg/s", view.state().turnRateDegPerSec()))
                 .with("distanceFront", view -> distance(view, Clearance::front))
@@ -63,7 +65,7 @@ final class HemissonReadings {
     }
 
     private static String about(String unit, double amount) {
-        return ReadingText.degrees(text("≈ %.0f %s", amount, unit));
+        return ReadingText.degrees(NumberText.of(text("≈ %.0f %s", amount, unit)));
     }
 
     /** The mean round trip, with a decimal place below 10 ms. */

@@ -80,12 +80,4 @@ public record Quantity(int robot, String parameter, int index, Unit unit, boolea
     public String unitText() {
         return unit == Unit.NONE ? "" : " (" + unit.symbol() + ")";
     }
-
-    /** Formats a number of this quantity with its unit; a dash for NaN. */
-    public String text(double number) {
-        if (Double.isNaN(number)) {
-            return "–";
-        }
-        return switched ? (number > 0 ? "on" : "off") : Value.of(number, unit).toString();
-    }
 }
