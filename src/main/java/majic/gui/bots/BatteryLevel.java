@@ -30,7 +30,8 @@ record BatteryLevel(String parameter, OptionalInt percent, String text) {
                 : UNKNOWN;
     }
 
-    private static Value read(MajicBot bot, String parameter) {
+    /** Reads a parameter; may wait for the robot. A robot that does not have it gives an unknown value. */
+    static Value read(MajicBot bot, String parameter) {
         boolean known =
                 bot.parameters().stream().anyMatch(offered -> offered.name().equals(parameter) && offered.readable());
         try {

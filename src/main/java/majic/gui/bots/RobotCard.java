@@ -41,7 +41,7 @@ final class RobotCard extends PlottedPanel {
 
     private final transient Team team;
     private final transient Member member;
-    private final transient BatteryReader batteries;
+    private final transient CardReader reader;
     private final transient RobotActions actions;
     private final transient RunningAct act;
     private final transient LinkMeter link = new LinkMeter();
@@ -59,11 +59,11 @@ final class RobotCard extends PlottedPanel {
     private transient @Nullable RobotSummary shown;
     private boolean selected;
 
-    RobotCard(Team team, Member member, RobotActions actions, BatteryReader batteries) {
+    RobotCard(Team team, Member member, RobotActions actions, CardReader reader) {
         super(null, actions.plots(), member.number(), member.bot()::parameters);
         this.team = team;
         this.member = member;
-        this.batteries = batteries;
+        this.reader = reader;
         this.actions = actions;
         act = new RunningAct(member);
         int number = member.number();
@@ -87,7 +87,9 @@ final class RobotCard extends PlottedPanel {
             actions.reconnect(member, () -> reconnect.setEnabled(true));
         });
         PlotLink.install(
-                battery, List.of(), point -> List.of(batteries.level(member).parameter()));
+                battery,
+                List.of(),
+                point -> List.of(reader.readings(member).battery().parameter()));
         show(CardSize.FULL);
         update();
         refresh = new MemberRefresh(member, this::update);
@@ -203,7 +205,7 @@ final class RobotCard extends PlottedPanel {
 
     /** Shows the state of the robot. */
     void update() {
-        RobotSummary now = RobotSummary.of(member, team.stopStatus(), act, link, batteries.level(member), countdown());
+        RobotSummary now = RobotSummary.of(member, team.stopStatus(), act, link, reader.readings(member), countdown());
         if (now.equals(shown)) {
             return;
         }

@@ -45,7 +45,7 @@ record RobotSummary(
      * @param countdown when a lost robot is reconnected, in a few words; empty if nothing is tried
      */
     static RobotSummary of(
-            Member member, StopStatus stops, RunningAct act, LinkMeter link, BatteryLevel battery, String countdown) {
+            Member member, StopStatus stops, RunningAct act, LinkMeter link, CardReadings readings, String countdown) {
         MajicBot bot = member.bot();
         boolean unconfirmed = stops.problem(member.number()).isPresent();
         boolean connected = bot.isConnected();
@@ -60,10 +60,12 @@ record RobotSummary(
                 StateIcon.of(member, stops),
                 member.label(),
                 connected ? motion(bot) : BotStatus.condition(member),
-                problem(unconfirmed, lost, countdown, link, now),
+                problem(unconfirmed, lost, countdown, connected && readings.stopPressed())
+                        .or(() -> overdue(link, now))
+                        .orElse(""),
                 act.now().map(Owner::name).orElseGet(() -> BotStatus.user(member)),
                 act.now().map(owner -> act.time()).orElse(""),
-                connected ? battery : BatteryLevel.UNKNOWN,
+                connected ? readings.battery() : BatteryLevel.UNKNOWN,
                 connected ? link.bars(now) : 0,
                 lost,
                 unconfirmed);
@@ -73,17 +75,22 @@ record RobotSummary(
         return TEXTS.get(bot.state().moving() ? "summary.moving" : "summary.stationary");
     }
 
-    private static String problem(boolean unconfirmed, boolean lost, String countdown, LinkMeter link, long nowNanos) {
+    /** Returns the gravest problem, apart from reports that are overdue. */
+    static Optional<String> problem(boolean unconfirmed, boolean lost, String countdown, boolean stopPressed) {
         if (unconfirmed) {
-            return TEXTS.get("summary.unconfirmed");
+            return Optional.of(TEXTS.get("summary.unconfirmed"));
         }
         if (lost) {
-            return countdown.isEmpty() ? TEXTS.get("summary.lost") : TEXTS.get("summary.lost.retry", countdown);
+            return Optional.of(
+                    countdown.isEmpty() ? TEXTS.get("summary.lost") : TEXTS.get("summary.lost.retry", countdown));
         }
+        return stopPressed ? Optional.of(TEXTS.get("summary.pressed")) : Optional.empty();
+    }
+
+    private static Optional<String> overdue(LinkMeter link, long nowNanos) {
         return link.overdueS(nowNanos).stream()
                 .mapToObj(age -> TEXTS.get("summary.overdue", Math.round(Math.max(1, age))))
-                .findFirst()
-                .orElse("");
+                .findFirst();
     }
 
     /** Returns the activity, followed by its running time if it has one. */

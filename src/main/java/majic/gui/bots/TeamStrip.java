@@ -38,7 +38,7 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
     private final transient RobotSelection selection;
     private final transient RobotActions actions;
     private final transient Consumer<Member> openWindow;
-    private final transient BatteryReader batteries;
+    private final transient CardReader reader;
     private final Timer tick = new Timer(TICK_MS, event -> cards().forEach(RobotCard::update));
 
     /**
@@ -54,7 +54,7 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
         this.selection = selection;
         this.actions = actions;
         this.openWindow = openWindow;
-        batteries = new BatteryReader(team);
+        reader = new CardReader(team);
         setName("teamStrip");
         getAccessibleContext().setAccessibleName(TEXTS.get("team"));
         selection.addListener(this::showSelection);
@@ -65,14 +65,14 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
     @Override
     public void addNotify() {
         super.addNotify();
-        batteries.start();
+        reader.start();
         tick.start();
     }
 
     @Override
     public void removeNotify() {
         tick.stop();
-        batteries.close();
+        reader.close();
         super.removeNotify();
     }
 
@@ -94,7 +94,7 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
         if (!team.members().contains(member) || card(member).isPresent()) {
             return;
         }
-        RobotCard card = new RobotCard(team, member, actions, batteries);
+        RobotCard card = new RobotCard(team, member, actions, reader);
         card.setSelected(selection.contains(member));
         Clicks clicks = new Clicks(card);
         card.addMouseListener(clicks);

@@ -12,21 +12,21 @@ import majic.team.Team;
 import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
-/** Reads the robots' batteries from time to time, on a thread of its own, because a robot may have to be waited for. */
-final class BatteryReader implements AutoCloseable {
-    private static final Logger LOG = LateLogger.of(BatteryReader.class);
-    private static final int PERIOD_S = 5;
+/** Reads what the cards show of the robots' parameters, on a thread of its own, because a robot may have to be waited for. */
+final class CardReader implements AutoCloseable {
+    private static final Logger LOG = LateLogger.of(CardReader.class);
+    private static final int PERIOD_S = 1;
 
     private final Team team;
-    private final Map<Member, BatteryLevel> levels = new ConcurrentHashMap<>();
+    private final Map<Member, CardReadings> readings = new ConcurrentHashMap<>();
     private @Nullable ScheduledExecutorService clock;
 
-    BatteryReader(Team team) {
+    CardReader(Team team) {
         this.team = team;
     }
 
     private static Thread thread(Runnable body) {
-        Thread thread = new Thread(body, "batteries");
+        Thread thread = new Thread(body, "card readings");
         thread.setDaemon(true);
         return thread;
     }
@@ -34,25 +34,25 @@ final class BatteryReader implements AutoCloseable {
     /** Begins to read; can be started again after {@link #close()}. */
     void start() {
         close();
-        clock = Executors.newSingleThreadScheduledExecutor(BatteryReader::thread);
+        clock = Executors.newSingleThreadScheduledExecutor(CardReader::thread);
         clock.scheduleWithFixedDelay(this::readAll, 1, PERIOD_S, TimeUnit.SECONDS);
     }
 
     /** Returns what was read last. */
-    BatteryLevel level(Member member) {
-        return levels.getOrDefault(member, BatteryLevel.UNKNOWN);
+    CardReadings readings(Member member) {
+        return readings.getOrDefault(member, CardReadings.NONE);
     }
 
     private void readAll() {
-        levels.keySet().retainAll(team.members());
+        readings.keySet().retainAll(team.members());
         team.members().stream().filter(member -> member.bot().isConnected()).forEach(this::read);
     }
 
     private void read(Member member) {
         try {
-            levels.put(member, BatteryLevel.read(member.bot()));
+            readings.put(member, CardReadings.of(member.bot()));
         } catch (RuntimeException | Error e) {
-            LOG.log(Level.DEBUG, "the battery of robot " + member.number() + " could not be read", e);
+            LOG.log(Level.DEBUG, "the parameters of robot " + member.number() + " could not be read", e);
         }
     }
 
