@@ -190,7 +190,7 @@ final class ConversationState {
                 recovery.begin(answeredNanos);
                 queue.stopBehindFirst(stops.stop());
             }
-            case NOTHING -> LOG.log(Level.TRACE, "nothing follows");
+            case NOTHING -> {}
         }
         return Outcome.answered(answered);
     }
