@@ -40,6 +40,7 @@ public final class AssumedSetting {
      *
      * @param session the one that is open
      * @param initial gives the value from the start of a session
+     * @return the value sent in this session; otherwise the initial one
      */
     public Value in(Object session, Supplier<Value> initial) {
         Sent known = last;

@@ -142,7 +142,6 @@ public final class QueuedCommand {
      * Accepts the command.
      *
      * @param robot how it will use the robot
-     *
      * @throws IllegalStateException if it was accepted before
      */
     synchronized void accept(BotControl robot) {

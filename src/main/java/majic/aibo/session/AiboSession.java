@@ -53,6 +53,14 @@ public final class AiboSession {
     private final AiboDrive drive;
     private volatile @Nullable ConnectionMonitor monitor;
 
+    /**
+     * Creates a session; connects nothing and starts no thread.
+     *
+     * @param transport makes each of the connections to the dog
+     * @param waiting of the driver
+     * @param dog receives the readings
+     * @param robot receives the events
+     */
     public AiboSession(Supplier<UrbiTransport> transport, RobotWait waiting, DogState dog, Robot robot) {
         this.waiting = waiting;
         this.dog = dog;
@@ -102,7 +110,7 @@ public final class AiboSession {
         if (!all && router.answered() == 0) {
             throw new ConnectFailed(
                     Reason.NO_ANSWER,
-                    "the dog lets itself be connected but tells no reading within " + (int) FIRST_READINGS_S
+                    "the dog accepts the connection but sends no reading within " + (int) FIRST_READINGS_S
                             + " s; restart the dog");
         }
         router.restartSilence();
