@@ -18,6 +18,9 @@ import org.junit.jupiter.api.Test;
 abstract class BrokerContract {
     private static final String ONLINE = "connected";
 
+    /** On a computer that stalls, a broker would take a client with a short one for lost. */
+    private static final int KEEP_ALIVE_SECONDS = 60;
+
     final BlockingQueue<BrokerMessage> arrived = new LinkedBlockingQueue<>();
 
     /** Creates a connection with a name of its own. */
@@ -31,7 +34,8 @@ abstract class BrokerContract {
     BrokerConnection connected(String name, @Nullable BrokerMessage will) {
         ConnectOptions options = ConnectOptions.of(name + "-" + topic("id").hashCode(), BotEnvironment.plain())
                 .withTimeoutMs(WaitLimit.MS);
-        BrokerConnection connection = open(will == null ? options : options.withWill(will));
+        BrokerConnection connection =
+                open((will == null ? options : options.withWill(will)).withKeepAlive(KEEP_ALIVE_SECONDS));
         connection.connect();
         return connection;
     }
