@@ -57,12 +57,25 @@ final class DelayedBytes {
             return;
         }
         while (!pending.isEmpty() && !faults.isOutage() && pending.peek().dueNanos() <= time.lineNanos()) {
-            exit.accept(pending.remove().bytes());
+            exit.accept(next());
         }
         empty = pending.isEmpty();
         if (!empty) {
             robotDue.atLatest(pending.getFirst().dueNanos());
         }
+    }
+
+    /** Removes the next bytes, all that are due at one moment together: one write for the packets of a report cycle. */
+    private byte[] next() {
+        Piece first = pending.remove();
+        byte[] bytes = first.bytes();
+        while (!pending.isEmpty() && pending.peek().dueNanos() == first.dueNanos()) {
+            byte[] more = pending.remove().bytes();
+            int length = bytes.length;
+            bytes = Arrays.copyOf(bytes, length + more.length);
+            System.arraycopy(more, 0, bytes, length, more.length);
+        }
+        return bytes;
     }
 
     /** Delivers everything, due or not. */
