@@ -28,7 +28,8 @@ final class Absence {
 
     private static String ofRobot(SharedAddress address, Presence presence, RobotFeed feed) {
         if (!presence.robots().contains(address.robot())) {
-            return address.desk() + " shares no robot " + address.robot() + " (" + shared(presence) + ")";
+            return address.desk() + " shares no robot " + address.robot() + " (" + shared(presence)
+                    + "); is the number right?";
         }
         RobotFeed.Received first = feed.state();
         if (feed.description() == null || first == null) {
@@ -37,7 +38,7 @@ final class Absence {
                     + " it; may this user read all topics of the broker?";
         }
         return address.desk() + " is not connected to its robot " + address.robot() + " at the moment"
-                + first.state().link().because() + "; did it lose it? It must be connected there first";
+                + first.state().link().because() + "; is it switched on, and connected there?";
     }
 
     private static String shared(Presence presence) {

@@ -104,7 +104,7 @@ class AbsenceTest {
 
         publishPresence(2, 3);
 
-        assertThat(absence()).isEqualTo("desk2 shares no robot 1 (it shares 2, 3)");
+        assertThat(absence()).isEqualTo("desk2 shares no robot 1 (it shares 2, 3); is the number right?");
     }
 
     @Test
@@ -124,7 +124,9 @@ class AbsenceTest {
         publishState(Connection.LOST, "cable pulled");
 
         assertThat(absence())
-                .startsWith("desk2 is not connected to its robot 1 at the moment: cable pulled; did it lose it?");
+                .isEqualTo(
+                        "desk2 is not connected to its robot 1 at the moment: cable pulled; is it switched on, and connected"
+                                + " there?");
     }
 
     @Test
