@@ -85,7 +85,7 @@ class RobotCommandsTest {
     void anUnknownReadingEndsAGuardedMotionWithTheReason() throws InterruptedException {
         fixture.bot(1).tell("distanceFront", Value.unknown("no reading yet"));
         assertThat(fixture.runPipe("1 move 1m until distanceFront < 300"))
-                .containsExactly("1 move 1m until distanceFront < 300: failed: until cannot be told: "
+                .containsExactly("1 move 1m until distanceFront < 300: failed: until is undecided: "
                         + "distanceFront is unknown (no reading yet)");
     }
 

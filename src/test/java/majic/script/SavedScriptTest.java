@@ -40,7 +40,7 @@ class SavedScriptTest {
         "text, , odd.act is damaged: its script is missing",
         "title, , odd.act is damaged: its script is missing",
         "text, me move, odd.act is damaged: there:1:",
-        "text, '', odd.act is damaged: there:1:1: no robot is told anything"
+        "text, '', odd.act is damaged: there:1:1: no robot is commanded"
     })
     void whatIsNoScriptIsRefused(String field, @Nullable String value, String why) throws Exception {
         ScriptAct act = with(field, value);

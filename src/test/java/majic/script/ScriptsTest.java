@@ -164,7 +164,7 @@ class ScriptsTest {
         fixture.bot(2).cut();
         fixture.runPipe("if 2 distanceFront < 30", "1 move 30", "end");
         assertThat(fixture.answers())
-                .endsWith("if 2 distanceFront < 30: failed: if 2 distanceFront < 30 cannot be told: "
+                .endsWith("if 2 distanceFront < 30: failed: if 2 distanceFront < 30 is undecided: "
                         + "2 distanceFront is unknown (connection lost)");
     }
 

@@ -52,7 +52,7 @@ public final class ScriptActProgram {
         found.walk(script);
         mistakes.addAll(found.mistakes());
         if (mistakes.isEmpty() && found.numbers().isEmpty() && !found.hasMe()) {
-            mistakes.add(new Mistake(1, 1, "no robot is told anything; write \"me\" or a number in front"));
+            mistakes.add(new Mistake(1, 1, "no robot is commanded; write \"me\" or a number in front"));
         }
         List<ActArgument> arguments = arguments(script, mistakes);
         refuse(title, mistakes);

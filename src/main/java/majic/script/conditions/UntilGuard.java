@@ -37,11 +37,11 @@ public final class UntilGuard implements Guard {
         try {
             Truth truth = condition.accept(readings);
             if (truth.undecided() != null) {
-                throw new BotException("until cannot be told: " + truth.undecided());
+                throw new BotException("until is undecided: " + truth.undecided());
             }
             return truth.holds();
         } catch (ScriptException e) {
-            throw new BotException("until cannot be told: " + e.getMessage(), e);
+            throw new BotException("until is undecided: " + e.getMessage(), e);
         }
     }
 

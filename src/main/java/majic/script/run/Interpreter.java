@@ -102,7 +102,7 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
         Truth truth = condition.accept(new ConditionEvaluator(execution.selection(), null));
         if (truth.undecided() != null) {
             throw new ExecutionEnded(
-                    Answer.Outcome.FAILED, at.text() + " " + condition + " cannot be told: " + truth.undecided());
+                    Answer.Outcome.FAILED, at.text() + " " + condition + " is undecided: " + truth.undecided());
         }
         return truth.holds();
     }
