@@ -89,7 +89,7 @@ final class LabChoice {
             description = {
                 "Which Hemisson stands in the lab (kteam): kteam or roadnarrows, and what is different about it:",
                 "modules +camera +ultrasonic +speech +lcd +io, +switches=1110 (running mode), +overrun (a third waiting"
-                        + " character deafens it), +paced, +ambient=60 (0 sun to 255 dark), +mismatch=5 (right wheel"
+                        + " character stops its receiver), +paced, +ambient=60 (0 sun to 255 dark), +mismatch=5 (right wheel"
                         + " faster, percent)."
             })
     private String hemissonModel = KTEAM;

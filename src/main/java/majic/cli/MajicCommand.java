@@ -20,7 +20,7 @@ import picocli.CommandLine.Option;
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         sortOptions = false,
-        description = "Commands a team of unlike robots from one window, in one small language.",
+        description = "Commands a team of different robots from one window, in one small language.",
         footer = {
             "",
             "Try: majic --lab, then type: 2 move 500",
