@@ -18,7 +18,8 @@ import majic.pioneer.MajicPioneer;
  * line once the robot moves; ends when it reads a line.
  */
 final class EndedProgram {
-    private static final int MOST_ATTEMPTS = 5;
+    /** The beginning of the line that is printed if the robot could not be connected. */
+    static final String NOT_CONNECTED = "not connected: ";
 
     private EndedProgram() {}
 
@@ -49,16 +50,12 @@ final class EndedProgram {
         exitWhenTold();
     }
 
-    /** On a busy computer the simulated robot may answer too late. */
     private static void connect(MajicBot bot) {
-        for (int attempt = 1; !bot.isConnected(); attempt++) {
-            try {
-                bot.connect();
-            } catch (ConnectFailed e) {
-                if (attempt == MOST_ATTEMPTS) {
-                    throw e;
-                }
-            }
+        try {
+            bot.connect();
+        } catch (ConnectFailed e) {
+            System.out.println(NOT_CONNECTED + e.getMessage());
+            System.exit(1);
         }
     }
 
