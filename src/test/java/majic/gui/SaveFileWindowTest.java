@@ -2,8 +2,12 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Container;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
 import javax.swing.JFileChooser;
+import javax.swing.JLabel;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -48,5 +52,25 @@ class SaveFileWindowTest {
         window.click("Save Log");
         JFileChooser chooser = window.awaitShowing("files", JFileChooser.class);
         window.run(() -> assertThat(chooser.getCurrentDirectory()).isEqualTo(folder.toFile()));
+    }
+
+    @Test
+    void aDialogThatSavesDoesSoInTheOtherLookToo() {
+        window.click("Save Session");
+        JFileChooser chooser = window.awaitShowing("files", JFileChooser.class);
+        try {
+            window.run(() -> LookAndFeels.change(true, window.settings));
+            window.run(() -> assertThat(labels(chooser)).anyMatch(text -> text.startsWith("Save In")));
+        } finally {
+            window.run(() -> LookAndFeels.change(false, window.settings));
+        }
+    }
+
+    private static List<String> labels(Container parent) {
+        return Stream.of(parent.getComponents())
+                .flatMap(part -> part instanceof JLabel label && label.getText() != null
+                        ? Stream.of(label.getText())
+                        : part instanceof Container inner ? labels(inner).stream() : Stream.empty())
+                .toList();
     }
 }

@@ -29,7 +29,7 @@ public final class ChooseFile extends MajicDialog {
     private static final Texts TEXTS = Texts.of(ChooseFile.class);
     private static final String FOLDER = "window.folder";
 
-    private final JFileChooser chooser = new JFileChooser();
+    private final JFileChooser chooser = new Chooser();
     private final Paragraph problem = new Paragraph("fileProblem", 2, 40);
     private final JPanel content = new JPanel(new BorderLayout());
     private final transient Settings settings;
@@ -221,5 +221,16 @@ public final class ChooseFile extends MajicDialog {
             return Stream.of(field);
         }
         return component instanceof Container container ? textFields(container) : Stream.empty();
+    }
+
+    /** Keeps the words of a dialog that saves when the look and feel changes: each look and feel begins with those of opening. */
+    private static final class Chooser extends JFileChooser {
+        private static final long serialVersionUID = 1L;
+
+        @Override
+        public void updateUI() {
+            super.updateUI();
+            firePropertyChange(DIALOG_TYPE_CHANGED_PROPERTY, OPEN_DIALOG, getDialogType());
+        }
     }
 }
