@@ -1,6 +1,7 @@
 package majic.gui.acts;
 
 import java.awt.Window;
+import java.io.File;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import javax.swing.JButton;
@@ -140,18 +141,24 @@ public final class MakeActDialog extends MajicDialog {
     }
 
     private void suggestTarget() {
-        target.suggest(offers.folder()
-                .resolve(name.getText().strip() + ActCatalog.ENDING)
-                .toString());
+        target.suggest(offers.folder() + File.separator + name.getText().strip() + ActCatalog.ENDING);
     }
 
     private void make() {
-        Path file = Path.of(target.getText().strip());
-        if (Files.exists(file)) {
-            Confirm.ask(getOwner(), TEXTS.get("exists", file), TEXTS.get("overwrite"), () -> make(file));
-        } else {
-            make(file);
+        String path = target.getText().strip();
+        if (path.isEmpty()) {
+            outcome.show(TEXTS.get("noFile"), true);
+            return;
         }
+        work(TEXTS.get("making"), () -> {
+            Path file = Path.of(path);
+            return Files.exists(file) ? () -> askToOverwrite(file) : () -> make(file);
+        });
+    }
+
+    private void askToOverwrite(Path file) {
+        outcome.show("", false);
+        Confirm.ask(getOwner(), TEXTS.get("exists", file), TEXTS.get("overwrite"), () -> make(file));
     }
 
     private void make(Path file) {

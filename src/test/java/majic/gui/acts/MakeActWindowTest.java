@@ -101,6 +101,20 @@ class MakeActWindowTest {
     }
 
     @Test
+    void aNameThatIsNoFileIsRefusedWithTheReason() throws IOException {
+        window.write("makeFrom", own.source("Spy", OwnActs.SPY).toString());
+        window.await("its name", () -> window.text("makeName").equals("Spy"));
+        window.await("something to make", () -> window.isEnabled("Make"));
+        window.write("makeTarget", "");
+        window.push("Make");
+        window.await("the missing file", () -> window.text("makeOutcome").contains("is missing"));
+        window.write("makeTarget", "spy\0.act");
+        window.push("Make");
+        window.await("why not", () -> window.text("makeOutcome").contains("Nul character"));
+        assertThat(window.isEnabled("Make")).isTrue();
+    }
+
+    @Test
     void anErrorInAnActsOwnCodeIsReportedAndLeavesTheWindowUsable() throws IOException {
         String failing = "public class Failing extends majic.act.MajicAct {"
                 + " public java.util.List<majic.act.Role> roles() { throw new AssertionError(\"no idea\"); }"
