@@ -68,6 +68,9 @@ public final class ToyBot extends BotDriver {
         if (address.contains("silent")) {
             awaitClosing();
         }
+        if (address.contains("defective")) {
+            throw new NoClassDefFoundError("a class of the driver");
+        }
         if (address.contains("strict") && !type.isUnlocked()) {
             throw new ConnectFailed(
                     ConnectFailed.Reason.WRONG_LOGIN, "the broker refuses the user name or the password");

@@ -53,7 +53,7 @@ final class ConnectAttempt {
     }
 
     void start() {
-        EventThread.background("connecting " + address, this::run);
+        EventThread.background("connecting " + address, this::run, why -> fail(new BotException(why)));
     }
 
     /**
@@ -105,7 +105,7 @@ final class ConnectAttempt {
             } else {
                 made.close();
             }
-        } catch (BotException e) {
+        } catch (RuntimeException | Error e) {
             made.close();
             throw e;
         }

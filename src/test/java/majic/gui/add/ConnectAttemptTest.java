@@ -67,6 +67,13 @@ class ConnectAttemptTest {
     }
 
     @Test
+    void anErrorOfADriverEndsTheAttemptAndClosesTheRobot() throws InterruptedException {
+        attempt("toy://defective").start();
+        assertThat(heard.take()).startsWith("failed: ");
+        assertThat(type.made.get(0).connection()).isEqualTo(Connection.CLOSED);
+    }
+
+    @Test
     void aCancelledAttemptClosesTheRobotWithoutAReport() throws InterruptedException {
         ConnectAttempt attempt = attempt("toy://silent");
         attempt.start();
