@@ -28,8 +28,8 @@ import majicsim.world.Segment;
 import majicsim.world.World;
 
 /**
- * The simulated lab: one room, its robots, and their ports on loopback. It answers clients as soon as it is open; its clock
- * advances only in {@link #step()}. All methods may be called from any thread.
+ * The simulated lab: one room, its robots, and their ports on loopback. It answers clients as soon as it is open; its
+ * clock advances only in {@link #step()}. All methods may be called from any thread.
  */
 public final class Lab implements AutoCloseable {
     /** Lab time of one step. */
@@ -54,8 +54,8 @@ public final class Lab implements AutoCloseable {
      *
      * @param options room, noise and ports
      * @return the open lab, at time 0
-     * @throws IOException if a requested port is taken or the room has no place for a robot; the message names it, and nothing
-     *     stays open
+     * @throws IOException if a requested port is taken or the room has no place for a robot; the message names it, and
+     *     nothing stays open
      */
     public static Lab open(LabOptions options) throws IOException {
         World world = new World(options.room());
@@ -85,8 +85,9 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * How to reach the robots: "aibo", "pioneer", "hemisson" and "ros" as "127.0.0.1:port", and "pioneer-pty" and "hemisson-pty" as
-     * the paths of pseudo-terminals where the system has them. The address of a ROS robot in a namespace has that behind the port.
+     * How to reach the robots: "aibo", "pioneer", "hemisson" and "ros" as "127.0.0.1:port", and "pioneer-pty" and
+     * "hemisson-pty" as the paths of pseudo-terminals where the system has them. The address of a ROS robot in a
+     * namespace has that behind the port.
      *
      * @return addresses by name, in the order of the robots' numbers
      */
@@ -165,7 +166,8 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * Acts on the Pioneer itself: presses its buttons, plugs its charger, reads its buzzer. The lab does not step meanwhile.
+     * Acts on the Pioneer itself: presses its buttons, plugs its charger, reads its buzzer. The lab does not step
+     * meanwhile.
      *
      * @param action what to do; must not wait for anything
      */
@@ -174,8 +176,7 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * Acts on the Aibo itself: touches it, turns it over, reads what it played. The lab does not step
-     * meanwhile.
+     * Acts on the Aibo itself: touches it, turns it over, reads what it played. The lab does not step meanwhile.
      *
      * @param action what to do; must not wait for anything
      */
@@ -184,8 +185,8 @@ public final class Lab implements AutoCloseable {
     }
 
     /**
-     * Acts on the Hemisson itself: presses keys of a TV remote, moves its switches, lifts it, switches it off and on. The
-     * lab does not step meanwhile.
+     * Acts on the Hemisson itself: presses keys of a TV remote, moves its switches, lifts it, switches it off and on.
+     * The lab does not step meanwhile.
      *
      * @param action what to do; must not wait for anything
      */

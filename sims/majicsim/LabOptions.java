@@ -13,11 +13,12 @@ import org.jspecify.annotations.Nullable;
  * @param exact whether all noise is off, including jitter and the transmission times of serial lines
  * @param seed of the noise
  * @param ports the ports at which the robots listen
- * @param jitter whether exchanges take 5 to 50 ms, and the Hemisson's line has its true speed; without effect in an exact lab
+ * @param jitter whether exchanges take 5 to 50 ms, and the Hemisson's line has its true speed; without effect in an
+ *     exact lab
  * @param pioneerModel the model of the Pioneers, a name as {@link PioneerRobot#modelNamed} returns it
  * @param hemisson the kind of Hemisson
- * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; the further ones start behind the other robots; {@link
- *     #roomFor} returns a room for them
+ * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; the further ones start behind the
+ *     other robots; {@link #roomFor} returns a room for them
  * @param ros the kind of ROS robot; null for a lab without one
  */
 public record LabOptions(

@@ -1,7 +1,8 @@
 package majicsim;
 
 /**
- * The TCP ports at which the robots of a lab listen; 0 takes any free one, and a taken default port is replaced by a free one.
+ * The TCP ports at which the robots of a lab listen; 0 takes any free one, and a taken default port is replaced by a
+ * free one.
  *
  * @param aibo the Aibo's
  * @param pioneer the Pioneer's

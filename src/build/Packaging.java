@@ -23,8 +23,8 @@ import javax.imageio.ImageIO;
 import majic.gui.kit.Icons;
 
 /**
- * Makes an image of MAJIC that starts without an installed Java, and an installer of it for this system: .deb, .msi or .dmg.
- * {@code majic package} calls it once the jar is built.
+ * Makes an image of MAJIC that starts without an installed Java, and an installer of it for this system: .deb, .msi or
+ * .dmg. {@code majic package} calls it once the jar is built.
  */
 final class Packaging {
     private static final String NAME = "majic";

@@ -7,7 +7,10 @@ import majicsim.aibo.sound.Microphone;
 import majicsim.aibo.sound.PlayedSound;
 import majicsim.aibo.sound.Speaker;
 
-/** Physical access to the dog: its touch sensors, its posture in the room, its battery and sounds. Every call must hold the lab's lock. */
+/**
+ * Physical access to the dog: its touch sensors, its posture in the room, its battery and sounds. Every call must hold
+ * the lab's lock.
+ */
 public final class AiboHandling {
     private final Sensors sensors;
     private final BodyOrientation orientation;
@@ -64,8 +67,8 @@ public final class AiboHandling {
     }
 
     /**
-     * Replaces the battery while the dog runs. With an empty one nothing in the dog runs: it keeps its posture, sends nothing,
-     * and closes each new connection. After the next replacement by one that is not empty it continues.
+     * Replaces the battery while the dog runs. With an empty one nothing in the dog runs: it keeps its posture, sends
+     * nothing, and closes each new connection. After the next replacement by one that is not empty it continues.
      *
      * @param charge 0 (empty) to 1 (full)
      */

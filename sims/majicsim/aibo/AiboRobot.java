@@ -23,9 +23,9 @@ import majicsim.world.Pose;
 import majicsim.world.World;
 
 /**
- * A simulated Aibo ERS-7 with an URBI 1.0 server, for any number of clients. Its motors are loose until {@code motors on}. It runs
- * on lab time: the kernel's cycle is 32 ms, and a command that need not wait runs as soon as it arrives. Guarded by the lab's
- * lock.
+ * A simulated Aibo ERS-7 with an URBI 1.0 server, for any number of clients. Its motors are loose until {@code motors
+ * on}. It runs on lab time: the kernel's cycle is 32 ms, and a command that need not wait runs as soon as it arrives.
+ * Guarded by the lab's lock.
  */
 public final class AiboRobot implements Firmware {
     private static final double FRONT_MM = 150;

@@ -10,8 +10,8 @@ import majicsim.hemisson.modules.Modules;
 import majicsim.hemisson.options.HemissonOptions;
 
 /**
- * Physical access to the robot: its keys, switches, inputs and outputs. Works with or without a client connected; what is done to a
- * module that is not fitted shows no effect. Every call must hold the lab's lock.
+ * Physical access to the robot: its keys, switches, inputs and outputs. Works with or without a client connected; what
+ * is done to a module that is not fitted shows no effect. Every call must hold the lab's lock.
  */
 public final class HemissonHandling {
     private static final int MOST_KEYS = 63;
@@ -43,7 +43,8 @@ public final class HemissonHandling {
     }
 
     /**
-     * Moves the four switches on top. The robot reads them within 41 ms; its running mode changes with the next start only.
+     * Moves the four switches on top. The robot reads them within 41 ms; its running mode changes with the next start
+     * only.
      *
      * @param switches four characters 0 or 1, in the order of command I
      * @throws IllegalArgumentException if they are not; nothing happened
@@ -52,7 +53,10 @@ public final class HemissonHandling {
         board.moveSwitches(HemissonOptions.standard().withSwitches(switches).switches());
     }
 
-    /** Switches it off and on: motors 0, memory cleared, receiver working again; its greeting follows 5 ms later. Modules take up to 5 s more. */
+    /**
+     * Switches it off and on: motors 0, memory cleared, receiver working again; its greeting follows 5 ms later.
+     * Modules take up to 5 s more.
+     */
     public void powerCycle() {
         robot.powerCycle();
     }
@@ -174,7 +178,8 @@ public final class HemissonHandling {
     }
 
     /**
-     * Puts a level on a pin of its extension connector. Shows while the pin is an input; an input that nothing drives is low.
+     * Puts a level on a pin of its extension connector. Shows while the pin is an input; an input that nothing drives
+     * is low.
      *
      * @param pin 0 for RB0, 1 for RB6, 2 for RB7
      * @param high the level

@@ -57,7 +57,10 @@ public final class HemissonRobot implements Firmware {
     private final ActiveRunMode running;
     private final HemissonHandling handling;
 
-    /** The lines from which something was received: a serial port that is not open would keep the greeting for the next client. */
+    /**
+     * The lines from which something was received: a serial port that is not open would keep the greeting for the next
+     * client.
+     */
     private final Set<Line> listeners = new LinkedHashSet<>();
 
     private boolean restarting;
@@ -193,7 +196,10 @@ public final class HemissonRobot implements Firmware {
         }
     }
 
-    /** A command is looked for only when the receiver is empty, so a character behind the CR, taken together with it, hides it. */
+    /**
+     * A command is looked for only when the receiver is empty, so a character behind the CR, taken together with it,
+     * hides it.
+     */
     private void take(Uart.Arrival arrival) {
         buffer.put(arrival.character());
         if (!uart.hasMore() && buffer.takeCommand()) {

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.function.Consumer;
 
 /**
- * One direction of a line: applies the ordered faults and keeps what is not due yet. Guarded by the lab's lock, but for {@link
- * #isEmpty()}.
+ * One direction of a line: applies the ordered faults and keeps what is not due yet. Guarded by the lab's lock, but for
+ * {@link #isEmpty()}.
  */
 final class DelayedBytes {
     private final Faults faults;

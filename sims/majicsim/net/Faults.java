@@ -30,8 +30,8 @@ public final class Faults {
     /**
      * No faults yet, for lines outside of a lab, whose steps alone let time pass.
      *
-     * @param noise draws jitter and garbled bytes; with the exact one there is no jitter, and garbling happens only if it is
-     *     certain
+     * @param noise draws jitter and garbled bytes; with the exact one there is no jitter, and garbling happens only if
+     *     it is certain
      */
     public Faults(Noise noise) {
         this(noise, new LabTime());
@@ -48,15 +48,18 @@ public final class Faults {
         this.time = time;
     }
 
-    /** Cuts all present lines; what was not delivered is lost. New lines are accepted. A pseudo-terminal loses bytes and stays open. */
+    /**
+     * Cuts all present lines; what was not delivered is lost. New lines are accepted. A pseudo-terminal loses bytes and
+     * stays open.
+     */
     public void cut() {
         cutters.forEach(Runnable::run);
     }
 
     /**
-     * Cuts all present lines and refuses new ones, as a robot does that is switched off. {@link #none()} brings it back at the
-     * same ports. A pseudo-terminal stays open and loses all bytes meanwhile. Do not call it, nor {@link #none()}, with
-     * the lab's lock held.
+     * Cuts all present lines and refuses new ones, as a robot does that is switched off. {@link #none()} brings it back
+     * at the same ports. A pseudo-terminal stays open and loses all bytes meanwhile. Do not call it, nor
+     * {@link #none()}, with the lab's lock held.
      */
     public void unreachable() {
         unreachable = true;
@@ -109,8 +112,8 @@ public final class Faults {
     }
 
     /**
-     * Makes an exchange over the network take a varying time; each direction draws half of it. Not a fault: {@link #none()}
-     * leaves it. A pseudo-terminal, like the wire it stands for, has none.
+     * Makes an exchange over the network take a varying time; each direction draws half of it. Not a fault:
+     * {@link #none()} leaves it. A pseudo-terminal, like the wire it stands for, has none.
      *
      * @param fromMs the shortest an exchange takes, 0 or more
      * @param toMs the longest
@@ -148,7 +151,10 @@ public final class Faults {
         listeners.add(await);
     }
 
-    /** Reports that the lines have reached this time, and notifies the ports when an outage has ended. Returns whether there is one. */
+    /**
+     * Reports that the lines have reached this time, and notifies the ports when an outage has ended. Returns whether
+     * there is one.
+     */
     boolean tick(long nowNanos) {
         time.reach(nowNanos);
         long until = outageUntilNanos.get();

@@ -18,7 +18,8 @@ public interface Firmware {
     void received(Line line, byte[] bytes);
 
     /**
-     * A line has ended, from either end. Called once for every line that was connected; nothing can be sent to it any more.
+     * A line has ended, from either end. Called once for every line that was connected; nothing can be sent to it any
+     * more.
      *
      * @param line the line, closed
      */

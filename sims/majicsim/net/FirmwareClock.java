@@ -1,8 +1,8 @@
 package majicsim.net;
 
 /**
- * Advances one firmware with the lab's time. As long as the firmware rests, its steps are left out and made up for together,
- * at the latest before anything else uses the firmware. Guarded by the lab's lock.
+ * Advances one firmware with the lab's time. As long as the firmware rests, its steps are left out and made up for
+ * together, at the latest before anything else uses the firmware. Guarded by the lab's lock.
  */
 public final class FirmwareClock {
     private static final long LONGEST_REST_NANOS = 100_000_000;
@@ -34,7 +34,9 @@ public final class FirmwareClock {
         due.atLatest(nowNanos + Math.min(LONGEST_REST_NANOS, firmware.restNanos()));
     }
 
-    /** Brings the firmware to the present, and lets it take the next step. To be called before anything else uses it. */
+    /**
+     * Brings the firmware to the present, and lets it take the next step. To be called before anything else uses it.
+     */
     public void wake() {
         letRestUntil(time.nowNanos());
         due.atLatest(time.nowNanos());

@@ -6,9 +6,9 @@ import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * The time of a lab, and what its steps have to do: tasks, each of which is due at a time of its own. The due times are one array,
- * so that a step does not load the memory of tasks that are not due. Guarded by the lab's lock, but for {@link #nowNanos()} and
- * {@link #makeAllDue()}.
+ * The time of a lab, and what its steps have to do: tasks, each of which is due at a time of its own. The due times are
+ * one array, so that a step does not load the memory of tasks that are not due. Guarded by the lab's lock, but for
+ * {@link #nowNanos()} and {@link #makeAllDue()}.
  */
 public final class LabTime {
     /** Set without a fence, because that would cost more than the rest of a step. */
@@ -34,7 +34,9 @@ public final class LabTime {
         return beforeNanos;
     }
 
-    /** The time of bytes that enter a line now, ns: what a firmware sends in its step has the time of the step before. */
+    /**
+     * The time of bytes that enter a line now, ns: what a firmware sends in its step has the time of the step before.
+     */
     long lineNanos() {
         return lineNanos;
     }

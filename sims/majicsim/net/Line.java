@@ -10,8 +10,8 @@ public interface Line {
     String peer();
 
     /**
-     * Sends one message in one write, after all earlier ones; faults and jitter apply. Never blocks: what a client does not read is
-     * kept for a while and then dropped. Does nothing on a closed line.
+     * Sends one message in one write, after all earlier ones; faults and jitter apply. Never blocks: what a client does
+     * not read is kept for a while and then dropped. Does nothing on a closed line.
      *
      * @param message the bytes, not changed afterwards
      */
@@ -27,7 +27,8 @@ public interface Line {
     }
 
     /**
-     * Closes the line once everything sent so far has gone out. A pseudo-terminal cannot be closed from this side and stays open.
+     * Closes the line once everything sent so far has gone out. A pseudo-terminal cannot be closed from this side and
+     * stays open.
      */
     void close();
 

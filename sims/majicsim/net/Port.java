@@ -12,7 +12,8 @@ public interface Port extends AutoCloseable {
     String address();
 
     /**
-     * Reports that lab time has advanced: sends and delivers what was held back and is due. Called with the lab's lock held.
+     * Reports that lab time has advanced: sends and delivers what was held back and is due. Called with the lab's lock
+     * held.
      *
      * @param labNanos lab time
      */

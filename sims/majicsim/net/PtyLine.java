@@ -1,8 +1,8 @@
 package majicsim.net;
 
 /**
- * The one line of a pseudo-terminal. Bytes that are not read fill the system's buffer; further ones are lost, as on a real serial
- * wire.
+ * The one line of a pseudo-terminal. Bytes that are not read fill the system's buffer; further ones are lost, as on a
+ * real serial wire.
  */
 final class PtyLine extends RobotLine {
     private final PseudoTerminal terminal;

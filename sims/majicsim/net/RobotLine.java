@@ -28,7 +28,9 @@ abstract class RobotLine implements Line {
         this.in = new DelayedBytes(wiring, jitters, this::deliver);
     }
 
-    /** Gives bytes to the client without blocking, and returns how many it took or keeps for later; the others are lost. */
+    /**
+     * Gives bytes to the client without blocking, and returns how many it took or keeps for later; the others are lost.
+     */
     abstract int write(byte[] bytes);
 
     /** Whether everything given to {@link #write} has left. */
@@ -88,7 +90,10 @@ abstract class RobotLine implements Line {
         out.clear();
     }
 
-    /** A new client waits until the line of the previous one has ended: delivers what is still kept from the previous one. */
+    /**
+     * A new client waits until the line of the previous one has ended: delivers what is still kept from the previous
+     * one.
+     */
     final void deliverAllIfClientLeft() {
         if (ended == End.BY_CLIENT) {
             in.releaseAll();

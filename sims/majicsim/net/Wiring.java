@@ -18,7 +18,8 @@ public record Wiring(ReentrantLock lock, Firmware firmware, Faults faults, Runna
     }
 
     /**
-     * The firmware, for use now: it has reached the present and takes the next step. To be called with the lab's lock held.
+     * The firmware, for use now: it has reached the present and takes the next step. To be called with the lab's lock
+     * held.
      *
      * @return the same at every call
      */

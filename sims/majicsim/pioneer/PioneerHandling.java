@@ -27,7 +27,10 @@ public final class PioneerHandling {
         devices.stopButton().press(down);
     }
 
-    /** Presses the reset button: the controller restarts, receives nothing for a second, and sends packet 0xFE to its client. */
+    /**
+     * Presses the reset button: the controller restarts, receives nothing for a second, and sends packet 0xFE to its
+     * client.
+     */
     public void pressReset() {
         reset.run();
     }

@@ -8,8 +8,8 @@ import majicsim.ros.graph.RosNetwork;
 import majicsim.ros.robot.TurtleBot3;
 
 /**
- * The faults of the robot and its computer, beside those of its line. Each lasts until it is ended. Every call must hold the
- * lab's lock.
+ * The faults of the robot and its computer, beside those of its line. Each lasts until it is ended. Every call must
+ * hold the lab's lock.
  */
 public final class RosHandling {
     private static final double NANOS = 1e9;
@@ -38,9 +38,9 @@ public final class RosHandling {
     }
 
     /**
-     * Makes the bridge hang: connections stay open, and nothing is answered, carried out or sent; or makes it go on with what
-     * arrived meanwhile. Of a connection that was closed meanwhile only the first message is carried out. The base is another
-     * process and goes on.
+     * Makes the bridge hang: connections stay open, and nothing is answered, carried out or sent; or makes it go on
+     * with what arrived meanwhile. Of a connection that was closed meanwhile only the first message is carried out. The
+     * base is another process and goes on.
      *
      * @param hangs whether it hangs from now on
      */

@@ -19,7 +19,8 @@ import majicsim.world.World;
 
 /**
  * A robot and its computer: the nodes of a TurtleBot3, rosapi and a rosbridge server; or several such robots behind one
- * server. Without a client it drives on until its command time-out, if it has one. Every method with the lab's lock held.
+ * server. Without a client it drives on until its command time-out, if it has one. Every method with the lab's lock
+ * held.
  */
 public final class RosRobot implements Firmware {
     /** The port at which a rosbridge server usually listens. */

@@ -7,8 +7,8 @@ import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A rigid robot: an outline around its turning centre, and its commanded velocity. The world moves it, never through a wall or
- * another body. Guarded by the lab's lock.
+ * A rigid robot: an outline around its turning centre, and its commanded velocity. The world moves it, never through a
+ * wall or another body. Guarded by the lab's lock.
  */
 public final class Body {
     /** Painted metal and plastic: a little darker than white paper. */
@@ -234,8 +234,8 @@ public final class Body {
     }
 
     /**
-     * Adds the body to a room, which limits where it can be, receives the last pose after each movement, and is notified when the
-     * body is to move.
+     * Adds the body to a room, which limits where it can be, receives the last pose after each movement, and is
+     * notified when the body is to move.
      */
     void enter(Predicate<Pose> room, Consumer<Pose> moved, Runnable departs) {
         fits = room;

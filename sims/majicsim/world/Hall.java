@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Makes a hall with a place for each of many robots: squares of the same size in rows, one start place in the middle of each, and
- * a pillar at every second corner of the squares, so that sensors measure something everywhere.
+ * Makes a hall with a place for each of many robots: squares of the same size in rows, one start place in the middle of
+ * each, and a pillar at every second corner of the squares, so that sensors measure something everywhere.
  */
 final class Hall {
     private static final double SQUARE_MM = 2500;

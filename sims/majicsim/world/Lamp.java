@@ -1,8 +1,8 @@
 package majicsim.world;
 
 /**
- * A bulb under a shade, 40 cm above the floor; it is no obstacle. Its light decreases with the square of the distance and
- * ends where its shade ends.
+ * A bulb under a shade, 40 cm above the floor; it is no obstacle. Its light decreases with the square of the distance
+ * and ends where its shade ends.
  *
  * @param at its place on the floor
  */

@@ -1,8 +1,8 @@
 package majicsim.world;
 
 /**
- * Moves bodies by their commanded velocities. A step that would end in a wall or another body is shortened: first straight, as
- * far as possible, then the turn alone, so that a blocked robot can still turn away.
+ * Moves bodies by their commanded velocities. A step that would end in a wall or another body is shortened: first
+ * straight, as far as possible, then the turn alone, so that a blocked robot can still turn away.
  */
 final class Motion {
     /** The longest piece of motion of any point of a body, so that nothing jumps over a wall. */

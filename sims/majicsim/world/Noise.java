@@ -4,8 +4,8 @@ import java.util.Random;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The only source of random numbers in a lab. The same seed and the same calls repeat a lab exactly; the exact source returns
- * means, and chances never occur. Guarded by the lab's lock.
+ * The only source of random numbers in a lab. The same seed and the same calls repeat a lab exactly; the exact source
+ * returns means, and chances never occur. Guarded by the lab's lock.
  */
 public final class Noise {
     private final long seed;
@@ -103,7 +103,10 @@ public final class Noise {
         return z ^ (z >>> 31);
     }
 
-    /** Draws the same numbers as {@link Random}, without its protection against other threads: callers hold the lab's lock. */
+    /**
+     * Draws the same numbers as {@link Random}, without its protection against other threads: callers hold the lab's
+     * lock.
+     */
     private static final class UnsharedRandom extends Random {
         private static final long serialVersionUID = 1;
         private static final long MULTIPLIER = 0x5DEECE66DL;

@@ -5,7 +5,8 @@ package majicsim.world;
  *
  * @param xMm millimetres along the room's x axis
  * @param yMm millimetres along the room's y axis
- * @param headingDeg degrees counter-clockwise from the x axis; any finite value is taken and kept as -180 (excluded) to 180
+ * @param headingDeg degrees counter-clockwise from the x axis; any finite value is taken and kept as -180 (excluded) to
+ *     180
  */
 public record Pose(double xMm, double yMm, double headingDeg) {
 

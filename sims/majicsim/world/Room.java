@@ -18,8 +18,8 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
- * The fixed part of a lab: walls, start places, lamps, tape on the floor. Read from the vendor's map text (ARCOS sheet appendix
- * B). Immutable.
+ * The fixed part of a lab: walls, start places, lamps, tape on the floor. Read from the vendor's map text (ARCOS sheet
+ * appendix B). Immutable.
  */
 public final class Room {
     private static final String STANDARD = "/worlds/lab.map";
@@ -59,8 +59,8 @@ public final class Room {
     }
 
     /**
-     * Returns each end of a wall once. Keys that are lists find equal ones: the hash code of a record is linked at run time,
-     * which would delay every start of the lab by some 10 ms.
+     * Returns each end of a wall once. Keys that are lists find equal ones: the hash code of a record is linked at run
+     * time, which would delay every start of the lab by some 10 ms.
      */
     private static List<Point> corners(List<Segment> walls) {
         Map<List<Double>, Point> corners = new LinkedHashMap<>();
@@ -75,7 +75,8 @@ public final class Room {
      *
      * @param file a map in the vendor's text format
      * @return the room
-     * @throws IOException if it cannot be read or is no such map; the message names the file, the line and what is wrong
+     * @throws IOException if it cannot be read or is no such map; the message names the file, the line and what is
+     *     wrong
      */
     public static Room load(Path file) throws IOException {
         if (Files.isDirectory(file)) {
@@ -119,7 +120,8 @@ public final class Room {
     }
 
     /**
-     * A room with space for many robots: the one that ships with the program, or a larger hall if that has too little space.
+     * A room with space for many robots: the one that ships with the program, or a larger hall if that has too little
+     * space.
      *
      * @param robots how many, 1 or more
      * @return a room with a start place for each, at least 2 m from the next one in the hall
@@ -188,7 +190,8 @@ public final class Room {
     }
 
     /**
-     * The start places of the first robots, which are found together because a search for each alone would repeat the others'.
+     * The start places of the first robots, which are found together because a search for each alone would repeat the
+     * others'.
      *
      * @param count how many robots
      * @return so many places, as {@link #home} returns them

@@ -1,8 +1,9 @@
 package majicsim.world;
 
 /**
- * A convex outline at a place of the room, with rounded corners of a radius: one vertex is a disc, two are a wall, more (counter-
- * clockwise) are a polygon. Everything that can touch is one of these, so one distance serves all pairs. Immutable.
+ * A convex outline at a place of the room, with rounded corners of a radius: one vertex is a disc, two are a wall, more
+ * (counter- clockwise) are a polygon. Everything that can touch is one of these, so one distance serves all pairs.
+ * Immutable.
  */
 final class Shape {
     final double[] xs;

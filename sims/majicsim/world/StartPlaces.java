@@ -8,9 +8,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds start places if a map names too few: from a place inside the room the search spreads over the floor, never through a wall,
- * until the strip ahead and behind is free of walls and of the other robots' strips. A search goes on where it found the last
- * place, since no place becomes free again.
+ * Finds start places if a map names too few: from a place inside the room the search spreads over the floor, never
+ * through a wall, until the strip ahead and behind is free of walls and of the other robots' strips. A search goes on
+ * where it found the last place, since no place becomes free again.
  */
 final class StartPlaces {
     private static final double GRID_MM = 400;

@@ -5,8 +5,9 @@ import java.util.List;
 import java.util.function.IntConsumer;
 
 /**
- * Collects the numbers of the walls that a ray in a cone may meet, each once. A class rather than a lambda expression, because
- * this runs some thousand times a second, and the quick compiler makes each lambda object by a call of the virtual machine.
+ * Collects the numbers of the walls that a ray in a cone may meet, each once. A class rather than a lambda expression,
+ * because this runs some thousand times a second, and the quick compiler makes each lambda object by a call of the
+ * virtual machine.
  */
 final class WallsInCone implements IntConsumer {
     private static final int USUAL = 8;

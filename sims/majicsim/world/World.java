@@ -116,7 +116,8 @@ public final class World {
     }
 
     /**
-     * A number that grows whenever a body moves near a place, so that what a sensor there measures can be kept meanwhile.
+     * A number that grows whenever a body moves near a place, so that what a sensor there measures can be kept
+     * meanwhile.
      *
      * @param xMm place in the room
      * @param yMm place in the room

@@ -64,7 +64,9 @@ public final class Gait {
         angles.forEach((joint, degrees) -> joint.submit(degrees, pass));
     }
 
-    /** Sets the body's mean velocity for the lab step that begins now; motions that end within it count in proportion. */
+    /**
+     * Sets the body's mean velocity for the lab step that begins now; motions that end within it count in proportion.
+     */
     public void drive(double nowMs, double stepMs) {
         double ahead = 0;
         double turn = 0;

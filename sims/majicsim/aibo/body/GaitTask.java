@@ -39,7 +39,10 @@ public final class GaitTask extends Task {
         };
     }
 
-    /** The gait of swalk and sturn: two seconds a step. The length of a step is not documented; here it is half a gait cycle. */
+    /**
+     * The gait of swalk and sturn: two seconds a step. The length of a step is not documented; here it is half a gait
+     * cycle.
+     */
     public static Functions.Lasting steps(Gait gait, boolean turn) {
         return (context, arguments) -> {
             double ms = arguments.get(0).number() * STEP_MS;

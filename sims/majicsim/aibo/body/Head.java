@@ -9,7 +9,10 @@ import majicsim.world.Point;
 import majicsim.world.Pose;
 import majicsim.world.World;
 
-/** The head, which carries camera and distance sensors: its pose in the room, from its joints and the body's orientation. */
+/**
+ * The head, which carries camera and distance sensors: its pose in the room, from its joints and the body's
+ * orientation.
+ */
 public final class Head {
     private static final double NECK_AHEAD_MM = 90;
     private static final double NECK_MM = 80;
@@ -45,7 +48,10 @@ public final class Head {
         return view.at(inFreeAir(view.at()));
     }
 
-    /** At a wall the nose would be behind it, because only the body stops there; the nose is then placed just before the wall. */
+    /**
+     * At a wall the nose would be behind it, because only the body stops there; the nose is then placed just before the
+     * wall.
+     */
     private Vector inFreeAir(Vector nose) {
         Point neck = body.pose().toWorld(NECK_AHEAD_MM, 0);
         Vector way = nose.minus(new Vector(neck.xMm(), neck.yMm(), nose.z()));

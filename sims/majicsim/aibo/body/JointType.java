@@ -8,7 +8,8 @@ import java.util.stream.Stream;
  *
  * @param restDeg its angle before the motors are switched on
  * @param gains the motor's initial gains
- * @param maxDegPerSec the motor's highest speed; the sheet has no number, these are near those that the maker recommended
+ * @param maxDegPerSec the motor's highest speed; the sheet has no number, these are near those that the maker
+ *     recommended
  */
 public record JointType(
         String name, double minDeg, double maxDeg, double restDeg, MotorGains gains, double maxDegPerSec) {

@@ -69,7 +69,10 @@ public final class Legs {
         return "unknown";
     }
 
-    /** The height and pitch of the front of the body: a mean of those of the postures, weighted by how near their angles are. */
+    /**
+     * The height and pitch of the front of the body: a mean of those of the postures, weighted by how near their angles
+     * are.
+     */
     ShoulderPose shoulders() {
         double[] anglesDeg = joints.stream().mapToDouble(Joint::degrees).toArray();
         if (!Arrays.equals(anglesDeg, shouldersOfDeg)) {

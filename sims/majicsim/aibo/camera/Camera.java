@@ -10,8 +10,9 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The camera and the ball tracking behind it (URBI sheet, sections 12 and 13). It takes 30 pictures a second, of which only those
- * are computed that a client requests; settings take effect from the next cycle on. There is no ball in the lab.
+ * The camera and the ball tracking behind it (URBI sheet, sections 12 and 13). It takes 30 pictures a second, of which
+ * only those are computed that a client requests; settings take effect from the next cycle on. There is no ball in the
+ * lab.
  */
 public final class Camera {
     private static final double PICTURE_MS = 1000.0 / 30;

@@ -27,7 +27,9 @@ public final class CameraLens {
     private final Colours colours;
     private @Nullable Sight last;
 
-    /** What the chip receives through the lens before exposure, everything that it depends on, and the pictures of it. */
+    /**
+     * What the chip receives through the lens before exposure, everything that it depends on, and the pictures of it.
+     */
     private record Sight(
             CameraPose view,
             List<Pose> bodies,

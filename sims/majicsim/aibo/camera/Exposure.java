@@ -3,9 +3,9 @@ package majicsim.aibo.camera;
 import majicsim.world.Noise;
 
 /**
- * The exposure of the camera's chip: scales the colours by the settings and adds grain. The grain is drawn once, and each picture
- * begins at one of a few places in it: a number drawn for each pixel would take longer than everything else of a picture, and
- * pictures of a scene in which nothing moves can be kept.
+ * The exposure of the camera's chip: scales the colours by the settings and adds grain. The grain is drawn once, and
+ * each picture begins at one of a few places in it: a number drawn for each pixel would take longer than everything
+ * else of a picture, and pictures of a scene in which nothing moves can be kept.
  */
 final class Exposure {
     private static final int LEVELS = 256;

@@ -9,8 +9,8 @@ import majicsim.world.Point;
 import majicsim.world.World;
 
 /**
- * A vertical slice of the room in one direction from the camera: robots as blocks, a wall from floor to ceiling, floor and ceiling.
- * A map has no heights; all of its lines count as walls as high as the room.
+ * A vertical slice of the room in one direction from the camera: robots as blocks, a wall from floor to ceiling, floor
+ * and ceiling. A map has no heights; all of its lines count as walls as high as the room.
  */
 final class RoomSlice {
     static final double CEILING_MM = 2500;

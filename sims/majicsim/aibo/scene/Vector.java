@@ -1,8 +1,6 @@
 package majicsim.aibo.scene;
 
-/**
- * A point or a direction in space, in mm: x ahead, y to the left, z up, of the dog or of the room. Immutable.
- */
+/** A point or a direction in space, in mm: x ahead, y to the left, z up, of the dog or of the room. Immutable. */
 public record Vector(double x, double y, double z) {
 
     Vector plus(Vector other) {

@@ -8,7 +8,8 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sampled sound in a binary (URBI sheet, section 12). The speaker takes 16 kHz with 16 bit and 8 kHz with 8 bit, nothing else.
+ * Sampled sound in a binary (URBI sheet, section 12). The speaker takes 16 kHz with 16 bit and 8 kHz with 8 bit,
+ * nothing else.
  *
  * @param signed whether 8-bit samples have a sign; those of 16 bit always have
  */

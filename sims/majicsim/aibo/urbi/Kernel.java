@@ -22,8 +22,8 @@ import majicsim.world.Noise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The URBI kernel: connections, variables, functions and the cycle in which everything runs. Its caller sets its time, in
- * milliseconds of the lab.
+ * The URBI kernel: connections, variables, functions and the cycle in which everything runs. Its caller sets its time,
+ * in milliseconds of the lab.
  */
 public final class Kernel implements Server {
     /** The uptime of the server when the lab starts: the duration of the stick's scripts. */

@@ -15,7 +15,9 @@ import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
-/** The files of the memory stick, and the functions that run program text: exec, load and save (URBI sheet, section 9). */
+/**
+ * The files of the memory stick, and the functions that run program text: exec, load and save (URBI sheet, section 9).
+ */
 public final class MemoryStick {
     /** The stick holds this many characters that programs saved. */
     private static final int MAX_SAVED = 1 << 20;
@@ -54,7 +56,9 @@ public final class MemoryStick {
         kernel.boot(program);
     }
 
-    /** Runs CLIENT.INI in a connection, from the next cycle on and beside what the client sends (URBI sheet, section 2). */
+    /**
+     * Runs CLIENT.INI in a connection, from the next cycle on and beside what the client sends (URBI sheet, section 2).
+     */
     private void greet(Connection connection) {
         connection.adopt(program(connection.context(), files.getOrDefault(CLIENT, "")));
     }

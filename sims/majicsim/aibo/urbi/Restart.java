@@ -1,6 +1,9 @@
 package majicsim.aibo.urbi;
 
-/** The server's reset (URBI sheet, section 9 and appendix A): everything is stopped and removed, then the stick's scripts run again. */
+/**
+ * The server's reset (URBI sheet, section 9 and appendix A): everything is stopped and removed, then the stick's
+ * scripts run again.
+ */
 final class Restart {
     private static final String TAG = "reset";
 

@@ -4,7 +4,10 @@ import majicsim.hemisson.board.HemissonBoard;
 import majicsim.hemisson.board.Motors;
 import majicsim.hemisson.board.SensorTables;
 
-/** Searches for black tape straight ahead, then keeps both ground sensors over it; off the tape it turns to the side of the last detection. */
+/**
+ * Searches for black tape straight ahead, then keeps both ground sensors over it; off the tape it turns to the side of
+ * the last detection.
+ */
 final class LineFollowing implements Behaviour {
     private static final int BLACK_BELOW = 90;
     private static final int AHEAD = 3;

@@ -1,6 +1,4 @@
-/**
- * The behaviours that the firmware runs by itself, and the switch that selects them.
- */
+/** The behaviours that the firmware runs by itself, and the switch that selects them. */
 @NullMarked
 package majicsim.hemisson.behaviour;
 

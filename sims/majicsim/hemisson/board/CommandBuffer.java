@@ -3,9 +3,10 @@ package majicsim.hemisson.board;
 import java.util.Arrays;
 
 /**
- * The firmware's 80-byte command buffer (sheet 4.2). It is not cleared between commands, so a missing argument is whatever an
- * earlier command left there, and in K-Team's firmware its pointer sticks for good when it reaches the end. The sensor tables lie
- * in the same memory, from the 51st character on: a longer command shows in them, and they may spoil it.
+ * The firmware's 80-byte command buffer (sheet 4.2). It is not cleared between commands, so a missing argument is
+ * whatever an earlier command left there, and in K-Team's firmware its pointer sticks for good when it reaches the end.
+ * The sensor tables lie in the same memory, from the 51st character on: a longer command shows in them, and they may
+ * spoil it.
  */
 public final class CommandBuffer {
     public static final int SIZE = 80;

@@ -4,8 +4,8 @@ import majicsim.world.Body;
 import majicsim.world.Noise;
 
 /**
- * Two motors without encoders: a value sets a pulse width at once and stays (sheet 5). There is no watchdog, and a blocked robot's
- * values are still what was asked.
+ * Two motors without encoders: a value sets a pulse width at once and stays (sheet 5). There is no watchdog, and a
+ * blocked robot's values are still what was asked.
  */
 public final class Motors {
     /** Wheel speed by value; the curve of the manual. */

@@ -8,7 +8,9 @@ import majicsim.world.Pose;
 import majicsim.world.View;
 import majicsim.world.World;
 
-/** The infra-red sensors in a room: six around the robot with a beam of about 30° each, and two that face the ground. */
+/**
+ * The infra-red sensors in a room: six around the robot with a beam of about 30° each, and two that face the ground.
+ */
 public final class RoomSensors implements InfraRedSensors {
     private static final double[] LOOKS_TO_DEG = {0, -38, 38, -90, 90, 180};
 

@@ -1,9 +1,9 @@
 package majicsim.hemisson.board;
 
 /**
- * The firmware's two sensor tables, which lie in the command buffer's memory and are refreshed every 41 ms (sheet 4.2, 4.6, 6).
- * Proximity is ambient minus lit, modulo 256, never above the ambient value; ground left subtracts from the ambient value of
- * ground right, a slip of the real firmware.
+ * The firmware's two sensor tables, which lie in the command buffer's memory and are refreshed every 41 ms (sheet 4.2,
+ * 4.6, 6). Proximity is ambient minus lit, modulo 256, never above the ambient value; ground left subtracts from the
+ * ambient value of ground right, a slip of the real firmware.
  */
 public final class SensorTables {
     private static final double ROUND_SECONDS = 0.041;

@@ -31,7 +31,9 @@ final class FastCommands {
         return Reply.line("!" + (tables.takeFresh() ? '\1' : '\0'));
     }
 
-    /** Speeds, proximity, light, switches, TV code, version and revision: 22 bytes between the letter and the line end. */
+    /**
+     * Speeds, proximity, light, switches, TV code, version and revision: 22 bytes between the letter and the line end.
+     */
     Reply read() {
         StringBuilder reply = new StringBuilder("&");
         reply.append(byteOf(motors.left())).append(byteOf(motors.right()));

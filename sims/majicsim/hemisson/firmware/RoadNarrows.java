@@ -13,8 +13,8 @@ import majicsim.hemisson.modules.Voice;
 import majicsim.hemisson.uart.Reply;
 
 /**
- * HemiOS 1.50-RNe (sheet 10): replies repeat their arguments, errors have numbers, and modules are addressed by
- * command A. A command that is not in the sheet is answered as K-Team's firmware does.
+ * HemiOS 1.50-RNe (sheet 10): replies repeat their arguments, errors have numbers, and modules are addressed by command
+ * A. A command that is not in the sheet is answered as K-Team's firmware does.
  */
 public final class RoadNarrows implements Interpreter {
     private static final String GREETING = "HemiOS V1.50-RNe" + Commands.GREETING_END;

@@ -1,6 +1,4 @@
-/**
- * The firmware: the commands of both makers and those for modules.
- */
+/** The firmware: the commands of both makers and those for modules. */
 @NullMarked
 package majicsim.hemisson.firmware;
 

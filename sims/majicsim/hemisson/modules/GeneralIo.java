@@ -1,6 +1,8 @@
 package majicsim.hemisson.modules;
 
-/** General input and output HemGenIO: five analogue inputs, twelve digital lines that are inputs until they are written. */
+/**
+ * General input and output HemGenIO: five analogue inputs, twelve digital lines that are inputs until they are written.
+ */
 public final class GeneralIo implements I2cModule {
     static final int ANALOGUE = 0x10;
     public static final int ANALOGUES = 5;

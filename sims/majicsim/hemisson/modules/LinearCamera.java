@@ -4,7 +4,10 @@ import majicsim.world.Body;
 import majicsim.world.Hit;
 import majicsim.world.World;
 
-/** The linear camera HemLinCam: 102 pixels from left to right, brighter the nearer and paler the wall and the longer the exposure. */
+/**
+ * The linear camera HemLinCam: 102 pixels from left to right, brighter the nearer and paler the wall and the longer the
+ * exposure.
+ */
 public final class LinearCamera implements I2cModule {
     public static final int VERSION_REGISTER = 0x00;
     public static final int PIXELS = 0x10;

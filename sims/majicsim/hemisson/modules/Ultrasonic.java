@@ -7,7 +7,10 @@ import majicsim.world.Body;
 import majicsim.world.Hit;
 import majicsim.world.World;
 
-/** The ultrasonic sensor HemUltraSonicSensor, an SRF08: a command in register 00 starts a measurement, 65 ms later up to 17 echoes are at register 02. */
+/**
+ * The ultrasonic sensor HemUltraSonicSensor, an SRF08: a command in register 00 starts a measurement, 65 ms later up to
+ * 17 echoes are at register 02.
+ */
 public final class Ultrasonic implements I2cModule {
     public static final int COMMAND = 0x00;
     public static final int LIGHT = 0x01;

@@ -4,7 +4,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Text to speech: register 00 takes a stored phrase (1 to 30), or a text and then the word to speak it; it reads FF meanwhile. */
+/**
+ * Text to speech: register 00 takes a stored phrase (1 to 30), or a text and then the word to speak it; it reads FF
+ * meanwhile.
+ */
 public final class Voice implements I2cModule {
     public static final int COMMAND = 0x00;
     public static final int VERSION_REGISTER = 0x01;

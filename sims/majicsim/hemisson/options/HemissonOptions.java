@@ -10,8 +10,9 @@ import majicsim.hemisson.modules.ModuleKind;
  * @param modules the modules on its bus
  * @param switches the four top switches in the order of command I, each 0 or 1; they choose the running mode (sheet 7)
  * @param isPaced whether characters take 88 µs each, both ways; otherwise replies come at once
- * @param hasOverrun whether a third character that waits while it is busy blocks the receiver until it is powered off and on
- *     (sheet 4.4); otherwise it is lenient, as behind a serial server that buffers. Characters take their time then too
+ * @param hasOverrun whether a third character that waits while it is busy blocks the receiver until it is powered off
+ *     and on (sheet 4.4); otherwise it is lenient, as behind a serial server that buffers. Characters take their time
+ *     then too
  * @param ambient what a light sensor reads far from lamps, 0 bright sun to 255 dark
  * @param mismatchPercent by how much the right wheel is faster than the left one, -50 to 50, beside what the noise does
  */

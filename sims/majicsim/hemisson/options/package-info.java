@@ -1,6 +1,4 @@
-/**
- * What a simulated Hemisson is: its firmware's dialect, its modules and its switches.
- */
+/** What a simulated Hemisson is: its firmware's dialect, its modules and its switches. */
 @NullMarked
 package majicsim.hemisson.options;
 

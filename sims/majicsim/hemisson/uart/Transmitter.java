@@ -15,7 +15,9 @@ final class Transmitter {
         return Math.max(seconds, beforeLastLeft);
     }
 
-    /** Writes a character at a time at which there is a place for it; returns the time at which its transmission ends. */
+    /**
+     * Writes a character at a time at which there is a place for it; returns the time at which its transmission ends.
+     */
     double write(double seconds) {
         beforeLastLeft = lastLeft;
         lastLeft = Math.max(seconds, lastLeft) + characterSeconds;

@@ -9,11 +9,12 @@ import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robot's serial port as its firmware uses it: an interrupt takes the characters that have arrived out of the receiver, and a
- * command is answered inside that interrupt, which lasts until the transmitter has a place for the last character of the answer.
- * The receiver holds two characters; with overrun a third one stops it until the power is switched off and on (sheet 4.4).
- * Without overrun characters wait outside until they are taken, as behind a serial server. With pacing a character takes 88 µs,
- * both ways, and everything happens at its own time within a step of the lab; without it all happens at once.
+ * The robot's serial port as its firmware uses it: an interrupt takes the characters that have arrived out of the
+ * receiver, and a command is answered inside that interrupt, which lasts until the transmitter has a place for the last
+ * character of the answer. The receiver holds two characters; with overrun a third one stops it until the power is
+ * switched off and on (sheet 4.4). Without overrun characters wait outside until they are taken, as behind a serial
+ * server. With pacing a character takes 88 µs, both ways, and everything happens at its own time within a step of the
+ * lab; without it all happens at once.
  */
 public final class Uart {
     static final double CHARACTER_SECONDS = 88e-6;
@@ -35,7 +36,10 @@ public final class Uart {
     private boolean lookingRarely;
     private boolean receiverBlocked;
 
-    /** Overrun without pacing would cut off a client that sends its next command right after a reply that came too early. */
+    /**
+     * Overrun without pacing would cut off a client that sends its next command right after a reply that came too
+     * early.
+     */
     public Uart(HemissonOptions options) {
         overrun = options.hasOverrun();
         timed = options.isPaced() || overrun;
@@ -132,7 +136,10 @@ public final class Uart {
         outbox.sendUntil(now);
     }
 
-    /** A third character that has arrived before the first was taken stops the receiver; the two in it can still be taken. */
+    /**
+     * A third character that has arrived before the first was taken stops the receiver; the two in it can still be
+     * taken.
+     */
     private void overflow(double until) {
         Iterator<Arrival> arrivals = waiting.iterator();
         for (int i = 0; i < RECEIVER_HOLDS && arrivals.hasNext(); i++) {

@@ -1,6 +1,4 @@
-/**
- * The serial line as the firmware drives it: characters at their true speed, and replies with the time they take.
- */
+/** The serial line as the firmware drives it: characters at their true speed, and replies with the time they take. */
 @NullMarked
 package majicsim.hemisson.uart;
 

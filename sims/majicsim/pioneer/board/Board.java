@@ -89,7 +89,10 @@ public final class Board {
         return boot.isListening();
     }
 
-    /** Reports the end of a handshake: motors off, odometry 0, stored parameters; sonar waits for OPEN (ARCOS sheet 5.1, 5.2). */
+    /**
+     * Reports the end of a handshake: motors off, odometry 0, stored parameters; sonar waits for OPEN (ARCOS sheet 5.1,
+     * 5.2).
+     */
     public void beginSession() {
         endSession();
         hasClient = true;

@@ -1,6 +1,9 @@
 package majicsim.pioneer.board;
 
-/** Whether the controller receives anything: not while it restarts, and not in maintenance mode, which only a reset ends. */
+/**
+ * Whether the controller receives anything: not while it restarts, and not in maintenance mode, which only a reset
+ * ends.
+ */
 final class Boot {
     private static final long RESTART_NANOS = 1_000_000_000L;
 

@@ -6,8 +6,8 @@ import majicsim.pioneer.model.Settings;
 import majicsim.pioneer.motion.Drive;
 
 /**
- * Driving by the joystick while its button is held (ARCOS sheet 6.1, JOYDRIVE). With a client connected it must be allowed, and
- * the motors on; without one the button switches them on and off itself.
+ * Driving by the joystick while its button is held (ARCOS sheet 6.1, JOYDRIVE). With a client connected it must be
+ * allowed, and the motors on; without one the button switches them on and off itself.
  */
 final class JoyDrive {
     private final Joystick joystick;

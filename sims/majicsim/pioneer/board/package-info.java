@@ -1,6 +1,4 @@
-/**
- * The controller board without any client: motors, sonar and devices, and how they depend on each other.
- */
+/** The controller board without any client: motors, sonar and devices, and how they depend on each other. */
 @NullMarked
 package majicsim.pioneer.board;
 

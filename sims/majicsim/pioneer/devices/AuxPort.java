@@ -10,8 +10,8 @@ import majicsim.pioneer.packet.PacketWriter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One of the controller's serial ports for accessories: bytes go out at the port's baud rate, and what the device answers
- * waits until the client requests it (ARCOS sheet 6.1, TTY2 and GETAUX). At first a loopback plug is in it.
+ * One of the controller's serial ports for accessories: bytes go out at the port's baud rate, and what the device
+ * answers waits until the client requests it (ARCOS sheet 6.1, TTY2 and GETAUX). At first a loopback plug is in it.
  */
 public final class AuxPort {
     /** The longest packet has 200 bytes, 6 of them around the data (ARCOS sheet 2.2). */

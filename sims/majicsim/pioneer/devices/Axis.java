@@ -1,6 +1,9 @@
 package majicsim.pioneer.devices;
 
-/** One motor of the gripper with an end stop on either side: 0 and 1. Runs at one speed until commanded otherwise or at its end. */
+/**
+ * One motor of the gripper with an end stop on either side: 0 and 1. Runs at one speed until commanded otherwise or at
+ * its end.
+ */
 final class Axis {
     private final double fullTravelSeconds;
     private double position;

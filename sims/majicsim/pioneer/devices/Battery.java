@@ -1,8 +1,8 @@
 package majicsim.pioneer.devices;
 
 /**
- * Three lead-acid batteries of 7.2 Ah: 13.0 V full, 11.0 V empty, falling evenly in between as charge is drawn. BATTEST can
- * report another voltage, also after the session (ARCOS sheet 5.1).
+ * Three lead-acid batteries of 7.2 Ah: 13.0 V full, 11.0 V empty, falling evenly in between as charge is drawn. BATTEST
+ * can report another voltage, also after the session (ARCOS sheet 5.1).
  */
 public final class Battery {
     private static final double CAPACITY_AMPERE_SECONDS = 21.6 * 3600;

@@ -4,8 +4,8 @@ import majicsim.pioneer.model.PioneerModel;
 import majicsim.world.Body;
 
 /**
- * The bumper segments of a robot: rows of equal segments across its width, which reach a little round the corners. The front
- * row counts from left to right, the rear one goes on clockwise from right to left.
+ * The bumper segments of a robot: rows of equal segments across its width, which reach a little round the corners. The
+ * front row counts from left to right, the rear one goes on clockwise from right to left.
  */
 public final class Bumpers {
     /** How far the outermost segments reach round the corners, seen from the turning centre. */
@@ -39,7 +39,10 @@ public final class Bumpers {
                 || mmPerSec < 0 && (bumpStall & REAR_STALLS) != 0 && rear() != 0;
     }
 
-    /** The segment of a row that is touched, the row being so far from the turning centre, the touch so far off its middle. */
+    /**
+     * The segment of a row that is touched, the row being so far from the turning centre, the touch so far off its
+     * middle.
+     */
     private int bits(int segments, double reachMm, double offMiddleDeg) {
         if (!body.contact().touching() || segments == 0) {
             return 0;

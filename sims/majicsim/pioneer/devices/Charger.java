@@ -1,8 +1,8 @@
 package majicsim.pioneer.devices;
 
 /**
- * The charger and the docking mechanism that takes its power (ARCOS sheet 6.1 CHARGE, 8 CHARGESTATE). A model without the
- * mechanism charges by a plug that its controller does not sense.
+ * The charger and the docking mechanism that takes its power (ARCOS sheet 6.1 CHARGE, 8 CHARGESTATE). A model without
+ * the mechanism charges by a plug that its controller does not sense.
  */
 public final class Charger {
     static final int NOT_CHARGING = 0;

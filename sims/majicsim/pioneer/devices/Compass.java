@@ -1,6 +1,9 @@
 package majicsim.pioneer.devices;
 
-/** The compass as the SIP shows it: units of 2 degrees clockwise from north, and north is where the room's y axis points. */
+/**
+ * The compass as the SIP shows it: units of 2 degrees clockwise from north, and north is where the room's y axis
+ * points.
+ */
 public final class Compass {
     private static final double DEG_PER_UNIT = 2;
     private static final int UNITS_PER_TURN = 180;

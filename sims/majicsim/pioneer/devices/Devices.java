@@ -150,8 +150,8 @@ public final class Devices {
     }
 
     /**
-     * Lets time pass. As long as the devices are at rest and nothing changes, it passes a tenth of a second at a time, or when
-     * one of them is read or changed.
+     * Lets time pass. As long as the devices are at rest and nothing changes, it passes a tenth of a second at a time,
+     * or when one of them is read or changed.
      *
      * @param effort how much of its top speed the robot drives, 0 to 1
      * @param trueDegPerSec its true turn rate

@@ -3,8 +3,9 @@ package majicsim.pioneer.devices;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**
- * The gripper: paddles and lift, each taking its real time (ARCOS sheet 11.5). The sheet does not state which switch is which bit;
- * here 0 and 1 are the ends of paddles and lift, 2 and 3 the outer and inner light beam, 4 and 5 left and right paddle pressed.
+ * The gripper: paddles and lift, each taking its real time (ARCOS sheet 11.5). The sheet does not state which switch is
+ * which bit; here 0 and 1 are the ends of paddles and lift, 2 and 3 the outer and inner light beam, 4 and 5 left and
+ * right paddle pressed.
  */
 public final class Gripper {
     private static final int TYPE_NONE = 0;

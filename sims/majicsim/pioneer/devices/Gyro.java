@@ -6,8 +6,9 @@ import majicsim.pioneer.packet.PacketWriter;
 import majicsim.world.Noise;
 
 /**
- * The gyro: measures how the robot truly turns, independent of wheel slip, with a rest value that drifts in a noisy lab. A packet
- * carries the samples since the last (ARCOS sheet 11.6); raw 512 is rest, and raw times the sheet's GyroScaler is deg/s.
+ * The gyro: measures how the robot truly turns, independent of wheel slip, with a rest value that drifts in a noisy
+ * lab. A packet carries the samples since the last (ARCOS sheet 11.6); raw 512 is rest, and raw times the sheet's
+ * GyroScaler is deg/s.
  */
 public final class Gyro {
     private static final double DEG_PER_SEC_PER_UNIT = 1.626;

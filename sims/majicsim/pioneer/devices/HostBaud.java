@@ -1,8 +1,8 @@
 package majicsim.pioneer.devices;
 
 /**
- * The speed of the serial port to the client: HOSTBAUD changes it at once, and it falls back when no valid packet follows
- * within 500 ms (ARCOS sheet 6.1).
+ * The speed of the serial port to the client: HOSTBAUD changes it at once, and it falls back when no valid packet
+ * follows within 500 ms (ARCOS sheet 6.1).
  */
 public final class HostBaud {
     private static final int[] BITS_PER_SECOND = {9600, 19_200, 38_400, 57_600, 115_200};

@@ -2,7 +2,10 @@ package majicsim.pioneer.devices;
 
 import majicsim.pioneer.packet.PacketWriter;
 
-/** The joystick at the robot's side. Pushes are -1 to 1, right and ahead positive; on the wire 0 to 1023 (ARCOS sheet 11.4). */
+/**
+ * The joystick at the robot's side. Pushes are -1 to 1, right and ahead positive; on the wire 0 to 1023 (ARCOS sheet
+ * 11.4).
+ */
 public final class Joystick {
     private static final int CENTRE = 512;
     private static final int FULL_PUSH = 511;

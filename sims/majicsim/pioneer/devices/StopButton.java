@@ -3,7 +3,10 @@ package majicsim.pioneer.devices;
 import majicsim.pioneer.model.Setting;
 import majicsim.pioneer.model.Settings;
 
-/** The red STOP button: with E_STALL on, as it is at first, it stalls and disables the motors while pressed (ARCOS sheet 6.1, 8.1). */
+/**
+ * The red STOP button: with E_STALL on, as it is at first, it stalls and disables the motors while pressed (ARCOS sheet
+ * 6.1, 8.1).
+ */
 public final class StopButton {
     private static final int PRESSED_FLAG = 1 << 5;
     private static final int E_STALL_FLAG = 1 << 6;

@@ -1,6 +1,4 @@
-/**
- * The devices around the controller: power, gripper, gyro, joystick, buttons, serial and user ports.
- */
+/** The devices around the controller: power, gripper, gyro, joystick, buttons, serial and user ports. */
 @NullMarked
 package majicsim.pioneer.devices;
 

@@ -1,8 +1,8 @@
 package majicsim.pioneer.model;
 
 /**
- * What a model carries beside motors, sonar and bumpers. The vendor's parameter files do not contain it; what stands in the table
- * is our choice, documented there. Immutable.
+ * What a model carries beside motors, sonar and bumpers. The vendor's parameter files do not contain it; what stands in
+ * the table is our choice, documented there. Immutable.
  *
  * @param generation of its firmware
  * @param hasGripper paddles and lift in front

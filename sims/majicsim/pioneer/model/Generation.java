@@ -1,8 +1,8 @@
 package majicsim.pioneer.model;
 
 /**
- * The generations of controller firmware, oldest first. Packets have only ever grown at their ends (ARCOS sheet 8, 10), so a
- * generation is recognised by where its packets stop.
+ * The generations of controller firmware, oldest first. Packets have only ever grown at their ends (ARCOS sheet 8, 10),
+ * so a generation is recognised by where its packets stop.
  */
 public enum Generation {
     /** Pioneer 2: the SIP ends at DIGOUT, CONFIG at TRANSKI. */

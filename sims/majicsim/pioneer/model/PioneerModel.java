@@ -41,7 +41,8 @@ public record PioneerModel(
     }
 
     /**
-     * The model with the name of this subclass, with the extras that follow it behind plus signs, without regard to case.
+     * The model with the name of this subclass, with the extras that follow it behind plus signs, without regard to
+     * case.
      *
      * @throws IllegalArgumentException if there is no such model or extra; the message lists the valid ones
      */

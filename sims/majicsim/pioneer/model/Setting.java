@@ -1,8 +1,8 @@
 package majicsim.pioneer.model;
 
 /**
- * A number that the controller stores: CONFIG shows it, and a command may change its working value until the session ends
- * (ARCOS sheet 5.1, 6.1, 10). The stored values are the sheet's where it has one, else typical of the manuals.
+ * A number that the controller stores: CONFIG shows it, and a command may change its working value until the session
+ * ends (ARCOS sheet 5.1, 6.1, 10). The stored values are the sheet's where it has one, else typical of the manuals.
  */
 public enum Setting {
     AUX1_BAUD(0),

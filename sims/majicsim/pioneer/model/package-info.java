@@ -1,6 +1,4 @@
-/**
- * What distinguishes one Pioneer model from another: equipment, scaling, sonar layout and the stored settings.
- */
+/** What distinguishes one Pioneer model from another: equipment, scaling, sonar layout and the stored settings. */
 @NullMarked
 package majicsim.pioneer.model;
 

@@ -2,8 +2,8 @@ package majicsim.pioneer.motion;
 
 /**
  * One of the two motion channels (ARCOS sheet 7.1): follows its goal along linear speed ramps. Each lab step is planned
- * first and completed afterwards, when the motion that was possible in the world is known; a goal that changes in between
- * changes the plan at once.
+ * first and completed afterwards, when the motion that was possible in the world is known; a goal that changes in
+ * between changes the plan at once.
  */
 final class Channel {
     /** How long an emergency stop takes: less than one SIP cycle, whatever the speed (ARCOS sheet 6.1, ESTOP). */

@@ -10,9 +10,9 @@ import majicsim.world.Noise;
 import majicsim.world.Pose;
 
 /**
- * The motors and their control by motion commands (ARCOS sheet 7): two independent channels, linear speed ramps,
- * stall, odometry from the wheels. Speeds and distances here are what the encoders measure; {@link WheelError} relates
- * them to the true ones.
+ * The motors and their control by motion commands (ARCOS sheet 7): two independent channels, linear speed ramps, stall,
+ * odometry from the wheels. Speeds and distances here are what the encoders measure; {@link WheelError} relates them to
+ * the true ones.
  */
 public final class Drive {
     /** Lab steps are this long; the true length comes with each step. */

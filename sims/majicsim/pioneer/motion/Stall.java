@@ -1,9 +1,9 @@
 package majicsim.pioneer.motion;
 
 /**
- * Whether the motors push against an obstacle (ARCOS sheet 7.5): set when the robot meets one, kept while the
- * same command is in force, cleared after the robot has moved away or was commanded to stop. Shown in at least one SIP. After each
- * push the motors have no power for a pause, then they try again.
+ * Whether the motors push against an obstacle (ARCOS sheet 7.5): set when the robot meets one, kept while the same
+ * command is in force, cleared after the robot has moved away or was commanded to stop. Shown in at least one SIP.
+ * After each push the motors have no power for a pause, then they try again.
  */
 public final class Stall {
     /** Less motion than this, in mm or degrees, does not count as moving away. */

@@ -3,8 +3,8 @@ package majicsim.pioneer.motion;
 import majicsim.world.Noise;
 
 /**
- * The error of the wheels: how far the robot truly goes and turns for each mm and degree that its encoders count.
- * Fixed for the life of a robot, like worn tyres and a wheel distance that is not quite what the controller assumes.
+ * The error of the wheels: how far the robot truly goes and turns for each mm and degree that its encoders count. Fixed
+ * for the life of a robot, like worn tyres and a wheel distance that is not quite what the controller assumes.
  *
  * @param way true mm for each mm counted
  * @param turn true degrees for each degree counted

@@ -1,6 +1,4 @@
-/**
- * Drive motors, speed ramps, heading servo, stall detection and odometry.
- */
+/** Drive motors, speed ramps, heading servo, stall detection and odometry. */
 @NullMarked
 package majicsim.pioneer.motion;
 

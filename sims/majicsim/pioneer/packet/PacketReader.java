@@ -26,8 +26,8 @@ public final class PacketReader {
     }
 
     /**
-     * Discards an incomplete packet; returns the packets found behind its header. The controller does so
-     * when the line has been silent in the middle of a packet.
+     * Discards an incomplete packet; returns the packets found behind its header. The controller does so when the line
+     * has been silent in the middle of a packet.
      */
     public List<Packet> giveUpFragment() {
         if (pending.length == 0) {

@@ -3,7 +3,10 @@ package majicsim.pioneer.packet;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Builds one packet to the client: numbers low byte first, strings ended by NUL, checksum high byte first (ARCOS sheet 2, 3). */
+/**
+ * Builds one packet to the client: numbers low byte first, strings ended by NUL, checksum high byte first (ARCOS sheet
+ * 2, 3).
+ */
 public final class PacketWriter {
     private static final int HEADER = 3;
     private static final int CHECKSUM = 2;

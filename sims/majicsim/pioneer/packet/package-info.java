@@ -1,6 +1,4 @@
-/**
- * ARCOS packets as bytes: checksum, reader, writer and the argument of a command.
- */
+/** ARCOS packets as bytes: checksum, reader, writer and the argument of a command. */
 @NullMarked
 package majicsim.pioneer.packet;
 

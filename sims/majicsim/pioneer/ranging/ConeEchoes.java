@@ -10,8 +10,8 @@ import majicsim.world.View;
 import majicsim.world.World;
 
 /**
- * What there is in the cone of one disc to throw sound back: the surfaces that a few rays meet, and the nearest corner in sight.
- * It holds until something near moves.
+ * What there is in the cone of one disc to throw sound back: the surfaces that a few rays meet, and the nearest corner
+ * in sight. It holds until something near moves.
  */
 final class ConeEchoes implements Consumer<Point> {
     private static final double HALF_CONE_DEG = 15;

@@ -9,8 +9,8 @@ import majicsim.world.View;
 import majicsim.world.World;
 
 /**
- * The laser scanner that simulated Pioneers have on their deck, where the vendor's parameter files place it. It measures walls
- * and other robots in one plane.
+ * The laser scanner that simulated Pioneers have on their deck, where the vendor's parameter files place it. It
+ * measures walls and other robots in one plane.
  */
 public final class Laser {
     /** The range if nothing was hit; the largest value used. */

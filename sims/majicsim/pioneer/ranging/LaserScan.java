@@ -1,8 +1,8 @@
 package majicsim.pioneer.ranging;
 
 /**
- * Which directions the simulated laser measures, as SIM_LRF_SET_FOV_START, _END and _SET_RES set them (ARCOS sheet 6.2).
- * Degrees are counterclockwise from straight ahead; the first reading looks at the start. Immutable.
+ * Which directions the simulated laser measures, as SIM_LRF_SET_FOV_START, _END and _SET_RES set them (ARCOS sheet
+ * 6.2). Degrees are counterclockwise from straight ahead; the first reading looks at the start. Immutable.
  *
  * @param startDeg -180 to 180
  * @param endDeg -180 to 180

@@ -23,7 +23,10 @@ record PollingOrder(List<Integer> discs) {
         discs = List.copyOf(discs);
     }
 
-    /** As POLLING has it: a byte for each disc, counted from 1; others are left out, and nothing at all means the usual order. */
+    /**
+     * As POLLING has it: a byte for each disc, counted from 1; others are left out, and nothing at all means the usual
+     * order.
+     */
     static PollingOrder of(byte[] bytes) {
         List<Integer> discs = IntStream.range(0, bytes.length)
                 .mapToObj(i -> (bytes[i] & 0xFF) - 1)

@@ -10,9 +10,9 @@ import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What one sonar disc measures: the nearest echo in a cone of 30 degrees. A flat surface throws sound back only when it is
- * hit within about 30 degrees of perpendicular, beyond that the echo is lost; edges and corners scatter it and are detected from
- * near by in any direction.
+ * What one sonar disc measures: the nearest echo in a cone of 30 degrees. A flat surface throws sound back only when it
+ * is hit within about 30 degrees of perpendicular, beyond that the echo is lost; edges and corners scatter it and are
+ * detected from near by in any direction.
  */
 public final class SonarCone {
     /** No echo (ARCOS sheet 8.2). */

@@ -1,6 +1,4 @@
-/**
- * Sonar and laser: firing order, echoes from the room, readings.
- */
+/** Sonar and laser: firing order, echoes from the room, readings. */
 @NullMarked
 package majicsim.pioneer.ranging;
 

@@ -13,8 +13,8 @@ import majicsim.pioneer.motion.MotionLimits;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**
- * The CONFIG packet (ARCOS sheet 10), as far as the model's generation of firmware has it. Serial number and version tell
- * clients that this is a simulator.
+ * The CONFIG packet (ARCOS sheet 10), as far as the model's generation of firmware has it. Serial number and version
+ * tell clients that this is a simulator.
  *
  * @param robotName the owner's name for the robot
  * @param model class, subclass, sonar, bumpers and equipment

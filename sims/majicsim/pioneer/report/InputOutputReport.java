@@ -6,8 +6,8 @@ import majicsim.pioneer.devices.UserPort;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**
- * The IO packet (ARCOS sheet 11.2): digital inputs, bumpers front and rear, infra-red, all active low; outputs; the analog
- * ports, and the battery last.
+ * The IO packet (ARCOS sheet 11.2): digital inputs, bumpers front and rear, infra-red, all active low; outputs; the
+ * analog ports, and the battery last.
  */
 final class InputOutputReport {
     private static final int INPUT_BYTES = 4;

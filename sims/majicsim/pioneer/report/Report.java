@@ -3,7 +3,9 @@ package majicsim.pioneer.report;
 import java.util.function.Function;
 import majicsim.pioneer.board.Board;
 
-/** The packets of a cycle in the order in which they are sent: some before the SIP, some after it (ARCOS sheet 5.4, 11). */
+/**
+ * The packets of a cycle in the order in which they are sent: some before the SIP, some after it (ARCOS sheet 5.4, 11).
+ */
 public enum Report {
     SIM_STAT(board -> SimStat.of(board).toBytes()),
     JOYSTICK(board -> board.devices().joystick().toBytes()),

@@ -47,7 +47,10 @@ public final class Reports {
         return packets;
     }
 
-    /** A client's request for an extra packet: argument 0 none, 1 one, 2 or more one with every SIP (ARCOS sheet 6.1, 11). */
+    /**
+     * A client's request for an extra packet: argument 0 none, 1 one, 2 or more one with every SIP (ARCOS sheet 6.1,
+     * 11).
+     */
     private static final class Subscription {
         static final int NEVER = 0;
         static final int EVERY_CYCLE = 2;

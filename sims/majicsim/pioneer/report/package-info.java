@@ -1,6 +1,4 @@
-/**
- * The packets that a client receives: the standard packet (SIP) and those requested besides it.
- */
+/** The packets that a client receives: the standard packet (SIP) and those requested besides it. */
 @NullMarked
 package majicsim.pioneer.report;
 

@@ -3,9 +3,9 @@ package majicsim.pioneer.serial;
 import java.io.ByteArrayOutputStream;
 
 /**
- * Computes the bytes that one end of a serial line reads if the other end sends at another speed. Each byte goes over the wire as a
- * low start bit, eight bits with the lowest first, and a high stop bit; the reader looks for a falling edge and samples at
- * its own pace from there.
+ * Computes the bytes that one end of a serial line reads if the other end sends at another speed. Each byte goes over
+ * the wire as a low start bit, eight bits with the lowest first, and a high stop bit; the reader looks for a falling
+ * edge and samples at its own pace from there.
  */
 final class SerialBits {
     private static final int BITS_A_BYTE = 10;

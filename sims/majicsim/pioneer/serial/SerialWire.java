@@ -6,8 +6,8 @@ import majicsim.pioneer.devices.HostBaud;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The controller's serial port as its line to the client (ARCOS sheet 1): it carries bytes no faster than its speed, and a
- * client at another speed reads and writes wrong bytes. In an exact lab it takes no time. It cannot be closed.
+ * The controller's serial port as its line to the client (ARCOS sheet 1): it carries bytes no faster than its speed,
+ * and a client at another speed reads and writes wrong bytes. In an exact lab it takes no time. It cannot be closed.
  */
 public final class SerialWire implements Line {
     private static final System.Logger LOG = System.getLogger(SerialWire.class.getName());

@@ -5,8 +5,8 @@ import majicsim.pioneer.packet.PacketWriter;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The three SYNCs before a session (ARCOS sheet 4), strictly in order. A packet out of order makes the client
- * start again: the answer is packet 0xFF, and SYNC0 is expected again.
+ * The three SYNCs before a session (ARCOS sheet 4), strictly in order. A packet out of order makes the client start
+ * again: the answer is packet 0xFF, and SYNC0 is expected again.
  */
 public final class Handshake {
     private static final int LOST_STEP = 0xFF;

@@ -1,10 +1,10 @@
 package majicsim.pioneer.session;
 
 /**
- * The vendor's client still requests the simulated laser by the numbers of a much older simulator, 36, 37, 38 and then 35
- * (ARCOS sheet 6.2), which the robot uses for its gripper and its analog port. Three in that order, the second with an
- * angle that no gripper request has, are for the laser; all others are for the robot. A client that has sent them once means
- * the laser by these numbers for the rest of its session.
+ * The vendor's client still requests the simulated laser by the numbers of a much older simulator, 36, 37, 38 and then
+ * 35 (ARCOS sheet 6.2), which the robot uses for its gripper and its analog port. Three in that order, the second with
+ * an angle that no gripper request has, are for the laser; all others are for the robot. A client that has sent them
+ * once means the laser by these numbers for the rest of its session.
  */
 final class OldLaserCommands {
     private static final int ENABLE = 35;

@@ -15,8 +15,8 @@ import majicsim.pioneer.report.ConfigReport;
 import majicsim.pioneer.report.Reports;
 
 /**
- * One client's conversation with the board: handshake, commands, watchdog, the packets every 100 ms, and the end
- * (ARCOS sheet 4, 5). On a network line the end closes it; on a serial line it waits for the next handshake.
+ * One client's conversation with the board: handshake, commands, watchdog, the packets every 100 ms, and the end (ARCOS
+ * sheet 4, 5). On a network line the end closes it; on a serial line it waits for the next handshake.
  */
 public final class Session {
     private static final System.Logger LOG = System.getLogger(Session.class.getName());
@@ -119,7 +119,9 @@ public final class Session {
         untilDueNanos = untilDueNanos();
     }
 
-    /** Lets the time pass in which nothing was due. Called before everything that depends on it, or changes what is due. */
+    /**
+     * Lets the time pass in which nothing was due. Called before everything that depends on it, or changes what is due.
+     */
     private void catchUp() {
         long nanos = leftNanos;
         leftNanos = 0;

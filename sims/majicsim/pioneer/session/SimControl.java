@@ -7,8 +7,8 @@ import majicsim.pioneer.report.ConfigReport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * SIM_CTRL and similar commands for the simulator itself (ARCOS sheet 6.2). One client may not change the room of all robots,
- * so a request for a map is answered as not changed, and the map is never opened.
+ * SIM_CTRL and similar commands for the simulator itself (ARCOS sheet 6.2). One client may not change the room of all
+ * robots, so a request for a map is answered as not changed, and the map is never opened.
  */
 final class SimControl {
     private static final System.Logger LOG = System.getLogger(SimControl.class.getName());

@@ -8,7 +8,10 @@ import majicsim.pioneer.report.Report;
 import majicsim.pioneer.report.Reports;
 import majicsim.pioneer.report.SimStat;
 
-/** One client's access to the simulator besides the robot (ARCOS sheet 6.2): its laser, and commands for the simulator itself. */
+/**
+ * One client's access to the simulator besides the robot (ARCOS sheet 6.2): its laser, and commands for the simulator
+ * itself.
+ */
 final class Simulation {
     private final Board board;
     private final Reports reports;

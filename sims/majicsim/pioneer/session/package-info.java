@@ -1,6 +1,4 @@
-/**
- * The conversation with one client: handshake, commands, watchdog and end, and the simulator's own commands.
- */
+/** The conversation with one client: handshake, commands, watchdog and end, and the simulator's own commands. */
 @NullMarked
 package majicsim.pioneer.session;
 

@@ -114,7 +114,9 @@ final class BridgeClient implements Peer, MessageListener {
         receive(bytes);
     }
 
-    /** The same for a connection that has ended: its first message is already being carried out, the others are dropped. */
+    /**
+     * The same for a connection that has ended: its first message is already being carried out, the others are dropped.
+     */
     void goOnWithFirst() {
         isGone = true;
         goOn();
@@ -136,7 +138,10 @@ final class BridgeClient implements Peer, MessageListener {
         socket.close(code, reason);
     }
 
-    /** The line has ended. The publishers remain for a while; nothing is published in the client's name (sheet 1, rule 2). */
+    /**
+     * The line has ended. The publishers remain for a while; nothing is published in the client's name (sheet 1, rule
+     * 2).
+     */
     void end() {
         shared.subscribers().end(this);
         publishing.end();

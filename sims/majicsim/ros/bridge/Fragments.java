@@ -10,7 +10,9 @@ import majicsim.ros.message.JsonForm;
 import majicsim.ros.message.MessageMismatch;
 import org.jspecify.annotations.Nullable;
 
-/** Messages in parts: those of a client are put together, and those to it are divided when it asked for this (sheet 3). */
+/**
+ * Messages in parts: those of a client are put together, and those to it are divided when it asked for this (sheet 3).
+ */
 final class Fragments {
     /** More parts than this are dropped, as the real bridge drops those that are too old. */
     private static final int MOST_PARTS = 10_000;

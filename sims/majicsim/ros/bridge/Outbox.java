@@ -6,8 +6,8 @@ import majicsim.ros.websocket.CloseCode;
 import majicsim.ros.websocket.WebSocketEnd;
 
 /**
- * What waits to be sent to one client. The line drops what a client leaves unread for too long, so only as much as it surely
- * keeps is handed to it.
+ * What waits to be sent to one client. The line drops what a client leaves unread for too long, so only as much as it
+ * surely keeps is handed to it.
  */
 final class Outbox {
     /** A client with more unread than this is slow: ROS 1 stops writing to it. */

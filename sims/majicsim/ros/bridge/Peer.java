@@ -9,7 +9,10 @@ interface Peer {
     /** The name of the bridge's node, for all its clients. */
     String NODE = "/rosbridge_websocket";
 
-    /** Sends one object, in fragments if the client asked for these; {@code id} is that of the message, for its fragments. */
+    /**
+     * Sends one object, in fragments if the client asked for these; {@code id} is that of the message, for its
+     * fragments.
+     */
     void send(@Nullable JsonNode id, JsonForm.Content content);
 
     /** Sends one binary message. */

@@ -9,7 +9,9 @@ import majicsim.ros.message.MessageMismatch;
 import majicsim.ros.message.MessageType;
 import org.jspecify.annotations.Nullable;
 
-/** The publishers of all clients. A topic's publisher remains for 10 s after the last client has disconnected (sheet 2). */
+/**
+ * The publishers of all clients. A topic's publisher remains for 10 s after the last client has disconnected (sheet 2).
+ */
 final class Publishers {
     private static final long KEPT_NANOS = 10_000_000_000L;
 

@@ -9,7 +9,9 @@ import java.util.Set;
 import majicsim.ros.message.MessageType;
 import org.jspecify.annotations.Nullable;
 
-/** One topic: its type, the nodes at both ends, and what was published last if that is kept. Guarded by the lab's lock. */
+/**
+ * One topic: its type, the nodes at both ends, and what was published last if that is kept. Guarded by the lab's lock.
+ */
 public final class Topic {
     private final String name;
     private final MessageType type;

@@ -14,7 +14,10 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import org.jspecify.annotations.Nullable;
 
-/** How JSON text is read and written by one version: ROS 1 writes a slash as {@code \/}; both write characters beyond ASCII as numbers, and read NaN and Infinity. */
+/**
+ * How JSON text is read and written by one version: ROS 1 writes a slash as {@code \/}; both write characters beyond
+ * ASCII as numbers, and read NaN and Infinity.
+ */
 public final class JsonForm {
     private final ObjectMapper reader = JsonMapper.builder()
             .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)

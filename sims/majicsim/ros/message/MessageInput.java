@@ -13,8 +13,8 @@ import java.util.function.LongSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Checks received objects against their types (sheet 3 and 4). The result has the received fields alone; a missing one means zero.
- * A time is a number of ns since 1970, a byte array is binary, a float32 has been rounded to one.
+ * Checks received objects against their types (sheet 3 and 4). The result has the received fields alone; a missing one
+ * means zero. A time is a number of ns since 1970, a byte array is binary, a float32 has been rounded to one.
  */
 public final class MessageInput {
     private static final JsonNodeFactory NODES = JsonNodeFactory.instance;

@@ -6,7 +6,9 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 
-/** Arrays of numbers in CBOR: bytes in little-endian order behind a tag that gives their type (RFC 8746, section 2.1). */
+/**
+ * Arrays of numbers in CBOR: bytes in little-endian order behind a tag that gives their type (RFC 8746, section 2.1).
+ */
 final class TypedArray {
     private TypedArray() {}
 

@@ -8,8 +8,8 @@ import majicsim.ros.message.RosVersion;
  * @param version of ROS
  * @param isStamped whether its velocity commands are TwistStamped, as from Jazzy on; otherwise Twist
  * @param timeoutS after which time without command the base stops, s; 0 for never
- * @param blocksConnection whether a pending service or goal holds up what came later on the same connection, as rosbridge up to
- *     2.1.0 does on ROS 2 (sheet 1, rule 5)
+ * @param blocksConnection whether a pending service or goal holds up what came later on the same connection, as
+ *     rosbridge up to 2.1.0 does on ROS 2 (sheet 1, rule 5)
  * @param hasNavigation whether it drives to goals: move_base on ROS 1, navigate_to_pose on ROS 2
  * @param secret with which clients must authenticate; empty if they need not (ROS 1 alone)
  * @param namespace before the names of the robot's topics, as {@code /tb3}; empty for none
@@ -37,7 +37,8 @@ public record RosOptions(
     /**
      * Checks them.
      *
-     * @throws IllegalArgumentException if something is outside its range, or does not exist in this version of ROS; the message names it
+     * @throws IllegalArgumentException if something is outside its range, or does not exist in this version of ROS; the
+     *     message names it
      */
     public RosOptions {
         if (!(timeoutS >= 0 && timeoutS <= LONGEST_TIMEOUT_S)) {

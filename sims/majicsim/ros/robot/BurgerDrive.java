@@ -4,8 +4,8 @@ import majicsim.world.Body;
 import majicsim.world.Noise;
 
 /**
- * The two wheels of a TurtleBot3 Burger. They reach a commanded speed with limited acceleration and do not turn while the body is
- * blocked. A command is clamped, holds until the next one, and ends after the time-out if there is one.
+ * The two wheels of a TurtleBot3 Burger. They reach a commanded speed with limited acceleration and do not turn while
+ * the body is blocked. A command is clamped, holds until the next one, and ends after the time-out if there is one.
  */
 final class BurgerDrive {
     /** The fastest commands that the base takes (sheet 9). */

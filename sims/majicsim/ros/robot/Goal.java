@@ -13,8 +13,8 @@ record Goal(double x, double y, double yaw) {
     private static final double LEAST_LENGTH = 0.1;
 
     /**
-     * Reads a geometry_msgs/Pose; an orientation that is no rotation gives a goal that is not valid. A missing w is {@code
-     * usualW}: 0 on ROS 1, 1 on ROS 2.
+     * Reads a geometry_msgs/Pose; an orientation that is no rotation gives a goal that is not valid. A missing w is
+     * {@code usualW}: 0 on ROS 1, 1 on ROS 2.
      */
     static Goal of(JsonNode pose, double usualW) {
         JsonNode position = pose.path("position");

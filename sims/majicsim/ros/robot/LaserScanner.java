@@ -10,7 +10,9 @@ import majicsim.world.Pose;
 import majicsim.world.View;
 import majicsim.world.World;
 
-/** The LDS-01 of a TurtleBot3: 360 beams counter-clockwise from ahead, five scans a second. It detects walls and robots. */
+/**
+ * The LDS-01 of a TurtleBot3: 360 beams counter-clockwise from ahead, five scans a second. It detects walls and robots.
+ */
 final class LaserScanner {
     static final String FRAME = "base_scan";
 

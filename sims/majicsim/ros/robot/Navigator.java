@@ -7,8 +7,9 @@ import majicsim.ros.options.RosOptions;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Drives straight to a goal: turns towards it, drives, turns as the goal demands. It avoids nothing, and gives up when the robot
- * is blocked. Like real navigation it publishes velocities on the topic that other nodes use too, and nothing arbitrates.
+ * Drives straight to a goal: turns towards it, drives, turns as the goal demands. It avoids nothing, and gives up when
+ * the robot is blocked. Like real navigation it publishes velocities on the topic that other nodes use too, and nothing
+ * arbitrates.
  */
 final class Navigator {
     private static final long PERIOD_NANOS = 48_000_000;

@@ -16,8 +16,8 @@ import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A TurtleBot3 Burger: its body in the room, and its nodes in a ROS network. It neither checks nor notices whether a client is
- * connected. Guarded by the lab's lock.
+ * A TurtleBot3 Burger: its body in the room, and its nodes in a ROS network. It neither checks nor notices whether a
+ * client is connected. Guarded by the lab's lock.
  */
 public final class TurtleBot3 {
     /** The radius of the disc that represents its body, mm; it turns about its centre. */

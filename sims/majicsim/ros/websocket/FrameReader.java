@@ -2,7 +2,9 @@ package majicsim.ros.websocket;
 
 import org.jspecify.annotations.Nullable;
 
-/** Takes frames of a client out of the bytes that it sent, however these arrive (RFC 6455, section 5). Knows no line. */
+/**
+ * Takes frames of a client out of the bytes that it sent, however these arrive (RFC 6455, section 5). Knows no line.
+ */
 final class FrameReader {
     private static final int FINAL = 0x80;
     private static final int RESERVED_BITS = 0x70;
@@ -17,7 +19,9 @@ final class FrameReader {
     private final ByteBacklog backlog;
     private final long mostBytes;
 
-    /** Reads from these bytes; a longer payload than {@code mostBytes} is a violation as soon as its length has arrived. */
+    /**
+     * Reads from these bytes; a longer payload than {@code mostBytes} is a violation as soon as its length has arrived.
+     */
     FrameReader(ByteBacklog backlog, long mostBytes) {
         this.backlog = backlog;
         this.mostBytes = mostBytes;

@@ -13,7 +13,10 @@ final class MessageAssembler {
         this.mostBytes = mostBytes;
     }
 
-    /** Takes the next text, binary or continuation frame; returns the whole message as one frame, or null if parts are missing. */
+    /**
+     * Takes the next text, binary or continuation frame; returns the whole message as one frame, or null if parts are
+     * missing.
+     */
     @Nullable
     Frame add(Frame frame) throws ProtocolViolation {
         boolean continues = frame.opcode() == Opcode.CONTINUATION;

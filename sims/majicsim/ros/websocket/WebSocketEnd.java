@@ -7,8 +7,8 @@ import majicsim.net.Line;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One connection, from its first byte. Answers pings and a close frame by itself, sends no pings, offers no extension and no
- * subprotocol. Every method with the lab's lock held.
+ * One connection, from its first byte. Answers pings and a close frame by itself, sends no pings, offers no extension
+ * and no subprotocol. Every method with the lab's lock held.
  */
 public final class WebSocketEnd {
     private final Line line;

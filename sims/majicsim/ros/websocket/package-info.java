@@ -1,4 +1,7 @@
-/** The server's end of a WebSocket connection (RFC 6455): handshake, frames, messages, pings, closing. Knows nothing of ROS. */
+/**
+ * The server's end of a WebSocket connection (RFC 6455): handshake, frames, messages, pings, closing. Knows nothing of
+ * ROS.
+ */
 @NullMarked
 package majicsim.ros.websocket;
 

@@ -21,8 +21,8 @@ public final class Majic {
     private Majic() {}
 
     /**
-     * Starts the program and ends it with its exit status: 0 if all went well, 1 if a line of a console or script failed,
-     * 2 for a wrong command line, 3 if the window or the lab could not start.
+     * Starts the program and ends it with its exit status: 0 if all went well, 1 if a line of a console or script
+     * failed, 2 for a wrong command line, 3 if the window or the lab could not start.
      *
      * @param args the command line; see {@code --help}
      */

@@ -1,6 +1,4 @@
-/**
- * The program: command line, console, wiring. The only package that uses all others; no package uses it.
- */
+/** The program: command line, console, wiring. The only package that uses all others; no package uses it. */
 @NullMarked
 package majic;
 

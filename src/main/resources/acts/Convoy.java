@@ -10,8 +10,8 @@ import majic.bot.Value;
 
 /**
  * One robot leads, others follow in a row straight behind it, each at its own {@code near} distance unless another is
- * given, measured by its own sensors. All move at the speed of the slowest. The leader stops while an obstacle is near ahead of it, or while a
- * follower does not detect the robot ahead of it.
+ * given, measured by its own sensors. All move at the speed of the slowest. The leader stops while an obstacle is near
+ * ahead of it, or while a follower does not detect the robot ahead of it.
  */
 public final class Convoy extends MajicAct {
     private static final long serialVersionUID = 1;

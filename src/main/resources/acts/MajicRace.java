@@ -77,9 +77,7 @@ public final class MajicRace extends MajicAct {
             return number("distanceFront") < number("near");
         }
 
-        /**
-         * Returns whether an obstacle stays in the way. A single reading, which may be wrong, only stops the robot.
-         */
+        /** Returns whether an obstacle stays in the way. A single reading, which may be wrong, only stops the robot. */
         boolean staysBlocked() {
             blockedSteps = isBlocked() ? blockedSteps + 1 : 0;
             return blockedSteps > MOST_SLIPS;

@@ -26,7 +26,10 @@ import majicsim.world.Room;
 import majicsim.world.World;
 import org.junit.jupiter.api.Test;
 
-/** Tests that a robot whose steps are left out while it rests sends the same bytes at the same times as one that takes each step. */
+/**
+ * Tests that a robot whose steps are left out while it rests sends the same bytes at the same times as one that takes
+ * each step.
+ */
 class RestingRobotsTest {
     private static final long STEP_NANOS = 4_000_000;
     private static final int STEPS = 2500;

@@ -2,7 +2,10 @@ package majicsim.aibo.urbi.assign;
 
 import majicsim.aibo.urbi.run.Server;
 
-/** An assignment that is planned anew each cycle from the joint's measured position, {@code adaptive:1} (URBI sheet, section 6). */
+/**
+ * An assignment that is planned anew each cycle from the joint's measured position, {@code adaptive:1} (URBI sheet,
+ * section 6).
+ */
 final class AdaptiveMotion {
     private final double target;
     private final Modifiers modifiers;

@@ -16,7 +16,9 @@ import majicsim.aibo.urbi.value.MemoryLimits;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** Starts assignments: evaluates their value and modifiers, and finds their variables (URBI sheet, sections 6 and 10). */
+/**
+ * Starts assignments: evaluates their value and modifiers, and finds their variables (URBI sheet, sections 6 and 10).
+ */
 public final class Assignments {
     private Assignments() {}
 

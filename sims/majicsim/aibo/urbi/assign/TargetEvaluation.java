@@ -12,8 +12,9 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /**
- * The present target of a running assignment. Each cycle evaluates its modifiers again, and the centre of an oscillation, because
- * a program may change an oscillation through the variables in these expressions (URBI sheet, section 6).
+ * The present target of a running assignment. Each cycle evaluates its modifiers again, and the centre of an
+ * oscillation, because a program may change an oscillation through the variables in these expressions (URBI sheet,
+ * section 6).
  */
 final class TargetEvaluation {
     private final Context context;
@@ -46,7 +47,10 @@ final class TargetEvaluation {
         return current;
     }
 
-    /** Evaluates again; true if the target has changed. An expression that cannot be evaluated at once keeps its last value. */
+    /**
+     * Evaluates again; true if the target has changed. An expression that cannot be evaluated at once keeps its last
+     * value.
+     */
     boolean renew() {
         if (steady) {
             return false;

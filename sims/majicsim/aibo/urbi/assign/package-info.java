@@ -1,6 +1,4 @@
-/**
- * Assignments that take time: modifiers, trajectories and the blending of several.
- */
+/** Assignments that take time: modifiers, trajectories and the blending of several. */
 @NullMarked
 package majicsim.aibo.urbi.assign;
 

@@ -13,7 +13,10 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** {@code c = new C(…)}: the object inherits from the other, then its constructor {@code init} runs (URBI sheet, section 10). */
+/**
+ * {@code c = new C(…)}: the object inherits from the other, then its constructor {@code init} runs (URBI sheet, section
+ * 10).
+ */
 final class Creation extends Task {
     private final String object;
     private final CallTask constructor;

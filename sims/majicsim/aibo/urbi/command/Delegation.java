@@ -10,7 +10,9 @@ import majicsim.aibo.urbi.syntax.Flag;
 import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Value;
 
-/** A command with the flag {@code +connection}: it runs in the connections that the flag names (URBI sheet, section 7). */
+/**
+ * A command with the flag {@code +connection}: it runs in the connections that the flag names (URBI sheet, section 7).
+ */
 final class Delegation {
     private static final String FLAG = "connection";
 

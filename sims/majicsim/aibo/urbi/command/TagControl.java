@@ -14,7 +14,10 @@ import majicsim.aibo.urbi.syntax.Statement;
 import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 
-/** {@code stop}, {@code freeze}, {@code block} and their opposites: they reach into all connections (URBI sheet, section 7). */
+/**
+ * {@code stop}, {@code freeze}, {@code block} and their opposites: they reach into all connections (URBI sheet, section
+ * 7).
+ */
 final class TagControl {
     private TagControl() {}
 

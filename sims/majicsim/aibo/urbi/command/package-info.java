@@ -1,6 +1,4 @@
-/**
- * What each command does when it runs, and the table from command to task.
- */
+/** What each command does when it runs, and the table from command to task. */
 @NullMarked
 package majicsim.aibo.urbi.command;
 

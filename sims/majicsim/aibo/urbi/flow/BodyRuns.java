@@ -7,8 +7,8 @@ import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /**
- * The running executions of a body that a timer or an event handler started. They are counted in the whole server,
- * so that bodies that never end cannot use up its memory: above the limit none is started.
+ * The running executions of a body that a timer or an event handler started. They are counted in the whole server, so
+ * that bodies that never end cannot use up its memory: above the limit none is started.
  */
 final class BodyRuns {
     private final Context context;

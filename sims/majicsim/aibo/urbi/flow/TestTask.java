@@ -10,8 +10,8 @@ import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.Value;
 
 /**
- * A test that is made anew each cycle; it never ends. A soft test counts only when it has held for its time. An error gives no
- * message: it would come each cycle.
+ * A test that is made anew each cycle; it never ends. A soft test counts only when it has held for its time. An error
+ * gives no message: it would come each cycle.
  */
 final class TestTask extends Task {
     private final Expr test;

@@ -1,6 +1,4 @@
-/**
- * Control flow and event handlers as tasks.
- */
+/** Control flow and event handlers as tasks. */
 @NullMarked
 package majicsim.aibo.urbi.flow;
 

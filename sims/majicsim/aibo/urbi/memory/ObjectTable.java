@@ -9,7 +9,10 @@ import java.util.Set;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.MemoryLimits;
 
-/** The classes and objects of programs, which are the same to the kernel: each may inherit from others (URBI sheet, section 10). */
+/**
+ * The classes and objects of programs, which are the same to the kernel: each may inherit from others (URBI sheet,
+ * section 10).
+ */
 public final class ObjectTable {
     private static final String SELF = "self.";
     private static final String LOCAL = "local.";
@@ -60,7 +63,10 @@ public final class ObjectTable {
                 .toList();
     }
 
-    /** A name as written, with {@code local} replaced by the connection's name and {@code self} by that of the running object. */
+    /**
+     * A name as written, with {@code local} replaced by the connection's name and {@code self} by that of the running
+     * object.
+     */
     public static String resolve(Scope scope, String name) {
         if (name.startsWith(LOCAL)) {
             return scope.connectionId() + name.substring(LOCAL.length() - 1);

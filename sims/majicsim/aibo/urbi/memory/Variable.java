@@ -7,8 +7,8 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A variable: the value assigned last and, if it belongs to hardware, the measured value. Numbers are clipped to the range
- * silently (URBI sheet, section 6).
+ * A variable: the value assigned last and, if it belongs to hardware, the measured value. Numbers are clipped to the
+ * range silently (URBI sheet, section 6).
  */
 public final class Variable {
     /** The hardware behind a variable. */

@@ -12,8 +12,8 @@ import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * All variables of the server. A name with a dot is shared; a bare name is a device (an alias of its field val), a local variable
- * of the running function, or belongs to the connection (URBI sheet, section 5).
+ * All variables of the server. A name with a dot is shared; a bare name is a device (an alias of its field val), a
+ * local variable of the running function, or belongs to the connection (URBI sheet, section 5).
  */
 public final class Variables {
     /** The largest number of variables. */

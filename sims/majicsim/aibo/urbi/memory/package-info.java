@@ -1,6 +1,4 @@
-/**
- * Everything that programs give names to: variables, groups, objects and events.
- */
+/** Everything that programs give names to: variables, groups, objects and events. */
 @NullMarked
 package majicsim.aibo.urbi.memory;
 

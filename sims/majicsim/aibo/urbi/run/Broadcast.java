@@ -8,8 +8,8 @@ import majicsim.aibo.urbi.value.Failure;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A command to a group: the kernel replaces it by the same command for each member, all with its tag and flags, in parallel
- * (URBI sheet, sections 10 and 21). A group inside a group counts as its members.
+ * A command to a group: the kernel replaces it by the same command for each member, all with its tag and flags, in
+ * parallel (URBI sheet, sections 10 and 21). A group inside a group counts as its members.
  */
 public final class Broadcast {
     private Broadcast() {}

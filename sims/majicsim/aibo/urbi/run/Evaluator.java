@@ -180,7 +180,9 @@ public final class Evaluator implements Expr.Evaluation {
         return Value.of(function.equals("isdef") ? isDefined : isVoid);
     }
 
-    /** The list to which the last index of a name belongs: the kernel first takes {@code l[0]} as the name {@code l__0}. */
+    /**
+     * The list to which the last index of a name belongs: the kernel first takes {@code l[0]} as the name {@code l__0}.
+     */
     private Value.@Nullable Items indexed(String key) {
         int index = key.lastIndexOf(INDEX);
         Variable variable = index < 1 ? null : context.variables().find(context.scope(), key.substring(0, index));

@@ -4,8 +4,8 @@ import java.util.List;
 import majicsim.aibo.urbi.syntax.Statement;
 
 /**
- * The replacement of a command by the kernel: it has the flags of the original command, a tag of the kernel, and
- * the original command never reports its end (URBI sheet, section 21).
+ * The replacement of a command by the kernel: it has the flags of the original command, a tag of the kernel, and the
+ * original command never reports its end (URBI sheet, section 21).
  */
 public final class Substitute extends Task {
     /** The tag of commands that the kernel makes itself. */

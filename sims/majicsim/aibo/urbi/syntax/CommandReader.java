@@ -5,9 +5,7 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
-/**
- * Reads program text command by command, counts its lines, and reports syntax errors (URBI sheet, section 11).
- */
+/** Reads program text command by command, counts its lines, and reports syntax errors (URBI sheet, section 11). */
 public final class CommandReader {
     private final Splitter splitter = new Splitter();
     private final Consumer<String> complain;

@@ -4,7 +4,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The name of a variable in a program: {@code x}, {@code dev.val}, {@code x[1]}, {@code $(text)}, with a suffix such as {@code 'n}.
+ * The name of a variable in a program: {@code x}, {@code dev.val}, {@code x[1]}, {@code $(text)}, with a suffix such as
+ * {@code 'n}.
  *
  * @param text the name as written, with its dot if it has one; empty for a computed name
  * @param computed the expression inside {@code $( )}, null for a written name

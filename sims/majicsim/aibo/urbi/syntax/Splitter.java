@@ -4,8 +4,9 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Cuts a client's byte stream into commands (URBI sheet, section 3). A command ends at {@code ;} or {@code ,} outside brackets,
- * quotes and comments; it is returned with its separator. Bytes are characters of the same number (ISO 8859-1).
+ * Cuts a client's byte stream into commands (URBI sheet, section 3). A command ends at {@code ;} or {@code ,} outside
+ * brackets, quotes and comments; it is returned with its separator. Bytes are characters of the same number (ISO
+ * 8859-1).
  */
 final class Splitter {
     /** The longest command; a longer one is lost (sheet, section 2). */

@@ -2,11 +2,16 @@ package majicsim.aibo.urbi.value;
 
 import java.util.Locale;
 
-/** Numbers with six decimals, as C prints them with {@code %f} (URBI sheet, section 4). Fast, because streams of readings consist of them. */
+/**
+ * Numbers with six decimals, as C prints them with {@code %f} (URBI sheet, section 4). Fast, because streams of
+ * readings consist of them.
+ */
 final class Decimals {
     private static final double MILLION = 1e6;
 
-    /** Above this value, or this near to the middle between two results, a product with a million is not exact enough. */
+    /**
+     * Above this value, or this near to the middle between two results, a product with a million is not exact enough.
+     */
     private static final double GREATEST = 1e6;
 
     private static final double DOUBT = 1e-3;

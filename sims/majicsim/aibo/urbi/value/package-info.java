@@ -1,6 +1,4 @@
-/**
- * The values of the language and their operators.
- */
+/** The values of the language and their operators. */
 @NullMarked
 package majicsim.aibo.urbi.value;
 

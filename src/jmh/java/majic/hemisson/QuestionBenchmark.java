@@ -23,9 +23,9 @@ import org.openjdk.jmh.annotations.Warmup;
  * Measures the time of a query and its reply over a pseudo-terminal, compared with a bare loop of jSerialComm that
  * writes and reads the same bytes at a second one.
  *
- * <p>Result: p0.50 of {@link #ask} divided by p0.50 of {@link #bareLoop}; and the same for p0.99. The difference is one thread waking
- * another: the reader, which serves all threads, wakes the one that sent the query. One of the driver's own polls, ten
- * a second, may precede a query.
+ * <p>Result: p0.50 of {@link #ask} divided by p0.50 of {@link #bareLoop}; and the same for p0.99. The difference is one
+ * thread waking another: the reader, which serves all threads, wakes the one that sent the query. One of the driver's
+ * own polls, ten a second, may precede a query.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.SampleTime)

@@ -75,8 +75,8 @@ abstract class RobotTest {
     }
 
     /**
-     * Returns whether a motion that an obstacle prevents fails. Override this for a robot that cannot notice it; its motion
-     * must end nevertheless.
+     * Returns whether a motion that an obstacle prevents fails. Override this for a robot that cannot notice it; its
+     * motion must end nevertheless.
      *
      * @return true unless overridden
      */

@@ -4,8 +4,8 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 
 /**
- * A driver and the robot that it drives, for one test of {@link DriverConformance}. The robot moves as a real one would,
- * and its clock is that of the driver. Used by the thread of the test.
+ * A driver and the robot that it drives, for one test of {@link DriverConformance}. The robot moves as a real one
+ * would, and its clock is that of the driver. Used by the thread of the test.
  */
 public interface TestedRobot extends AutoCloseable {
     /**
@@ -22,14 +22,12 @@ public interface TestedRobot extends AutoCloseable {
      */
     Pose truePose();
 
-    /**
-     * Ends all connections from the robot's end. The robot can be connected again afterwards.
-     */
+    /** Ends all connections from the robot's end. The robot can be connected again afterwards. */
     void cut();
 
     /**
-     * Sends nothing more until it is closed, though all connections stay open, as a robot does that was switched off or is
-     * out of reach.
+     * Sends nothing more until it is closed, though all connections stay open, as a robot does that was switched off or
+     * is out of reach.
      */
     void fallSilent();
 

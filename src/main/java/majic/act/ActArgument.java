@@ -35,8 +35,8 @@ public record ActArgument(Parameter parameter, Value initial) {
      * Puts the default into the form that the argument takes, and the explanation into one line without quotation
      * marks.
      *
-     * @throws IllegalArgumentException if the name is not a letter and then letters, digits and {@code _}, the kind is a
-     *     list, or the default cannot be typed or is not permitted; the message contains what would be right
+     * @throws IllegalArgumentException if the name is not a letter and then letters, digits and {@code _}, the kind is
+     *     a list, or the default cannot be typed or is not permitted; the message contains what would be right
      */
     public ActArgument {
         if (!NAME.matcher(parameter.name()).matches()) {

@@ -12,8 +12,8 @@ import java.util.stream.Collectors;
  * The address of a robot, as users type it: {@code aibo://192.168.1.20}, {@code hemisson:COM3}, {@code sim:pioneer},
  * {@code pioneer+aria://10.0.0.5}. Immutable.
  *
- * @param scheme the word before the first colon, in lower case: a type of robot, with or without the library to drive it
- *     by behind a plus sign, or {@code sim}
+ * @param scheme the word before the first colon, in lower case: a type of robot, with or without the library to drive
+ *     it by behind a plus sign, or {@code sim}
  * @param rest all behind that colon
  */
 public record BotAddress(String scheme, String rest) {
@@ -28,7 +28,8 @@ public record BotAddress(String scheme, String rest) {
      *
      * @param text as typed
      * @return the address
-     * @throws BotException if it does not begin with a scheme, as {@code 10.0.0.5:8101} does not; the message shows what an address looks like
+     * @throws BotException if it does not begin with a scheme, as {@code 10.0.0.5:8101} does not; the message shows
+     *     what an address looks like
      */
     public static BotAddress parse(String text) {
         int colon = Objects.requireNonNull(text, "address").indexOf(':');

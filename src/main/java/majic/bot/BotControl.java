@@ -4,9 +4,8 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * The operations of a robot. Distances are millimetres, ahead positive; angles degrees, counterclockwise
- * positive. Thread-safe; all methods but {@link #drive} and {@link #stop} may wait for the robot, none of them without
- * end.
+ * The operations of a robot. Distances are millimetres, ahead positive; angles degrees, counterclockwise positive.
+ * Thread-safe; all methods but {@link #drive} and {@link #stop} may wait for the robot, none of them without end.
  *
  * <p>What is thrown is always a {@link BotException}: {@link MotionStopped} when a stop came between, {@link LinkLost}
  * when the connection is gone, {@link MotionFailed} when the robot gave up, {@link ParameterException} when a name or
@@ -53,8 +52,8 @@ public interface BotControl {
     MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until);
 
     /**
-     * Drives a curve from now on and returns at once. Unless it is called again within 600 ms, a stop is sent
-     * to the robot.
+     * Drives a curve from now on and returns at once. Unless it is called again within 600 ms, a stop is sent to the
+     * robot.
      *
      * @param mmPerSec speed, ahead positive
      * @param degPerSec turn rate, counterclockwise positive

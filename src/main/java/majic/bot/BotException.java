@@ -1,9 +1,6 @@
 package majic.bot;
 
-/**
- * Something a robot could not do. The message is one sentence for the user; the cause, if any, is for
- * the log.
- */
+/** Something a robot could not do. The message is one sentence for the user; the cause, if any, is for the log. */
 public class BotException extends RuntimeException {
     private static final long serialVersionUID = 1;
 

@@ -19,8 +19,8 @@ public interface BotListener {
 
     /**
      * The connection changed. {@link MajicBot#connect()} and {@link MajicBot#close()} return after all listeners have
-     * received the change. They wait for a second at most while a listener blocks another thread, and not at all if they
-     * are called by a listener or on a thread that reads a link or runs a robot's timer.
+     * received the change. They wait for a second at most while a listener blocks another thread, and not at all if
+     * they are called by a listener or on a thread that reads a link or runs a robot's timer.
      *
      * @param bot the robot
      * @param connection what it is now

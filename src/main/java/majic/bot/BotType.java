@@ -23,8 +23,8 @@ public interface BotType {
     }
 
     /**
-     * The display of a robot that is fed from a recording. All methods but {@link #component()} are called on one thread,
-     * which is not the event dispatch thread; the component refreshes itself as that of a connected robot does.
+     * The display of a robot that is fed from a recording. All methods but {@link #component()} are called on one
+     * thread, which is not the event dispatch thread; the component refreshes itself as that of a connected robot does.
      */
     interface ReplayDisplay {
         /**
@@ -34,9 +34,7 @@ public interface BotType {
          */
         JComponent component();
 
-        /**
-         * Forgets what was shown, because the replay continues at another time.
-         */
+        /** Forgets what was shown, because the replay continues at another time. */
         void reset();
 
         /**
@@ -148,8 +146,8 @@ public interface BotType {
      *     {@code COM3} or {@code tcp://host:4001}, is not checked yet. A library in it is one of {@link #libraries()}
      * @param environment the clock and settings to use
      * @return the driver, not connected
-     * @throws BotException if the address is invalid, or the library it names is not installed; the message says what would
-     *     be right
+     * @throws BotException if the address is invalid, or the library it names is not installed; the message says what
+     *     would be right
      */
     MajicBot create(BotAddress address, BotEnvironment environment);
 
@@ -165,7 +163,8 @@ public interface BotType {
     /**
      * Returns the name of the type that makes the display of a recorded robot of this type.
      *
-     * @return {@link #name()} unless overridden; another for robots that are displayed differently from others of that name
+     * @return {@link #name()} unless overridden; another for robots that are displayed differently from others of that
+     *     name
      */
     default String replayedBy() {
         return name();
@@ -189,7 +188,8 @@ public interface BotType {
     String advice();
 
     /**
-     * Returns the advice behind what went wrong, as whole sentences; none behind a question, which asks what to look at.
+     * Returns the advice behind what went wrong, as whole sentences; none behind a question, which asks what to look
+     * at.
      *
      * @param problem what went wrong, with or without a full stop
      * @return both in one line

@@ -10,8 +10,8 @@ public interface Guard {
     Guard NEVER = () -> false;
 
     /**
-     * Checks whether the motion is to end. Called by the driver on the thread of the motion, as often as
-     * readings arrive.
+     * Checks whether the motion is to end. Called by the driver on the thread of the motion, as often as readings
+     * arrive.
      *
      * @return whether the motion is to end now
      * @throws BotException if it cannot be evaluated, for instance because a reading is missing; the motion then fails
@@ -30,8 +30,8 @@ public interface Guard {
     /**
      * Returns the condition as a text that another program can evaluate, next to the robot.
      *
-     * @return MAJIC Script, {@code distanceFront < 300mm}; empty unless overridden, and for a condition that reads anything
-     *     but the robot that moves
+     * @return MAJIC Script, {@code distanceFront < 300mm}; empty unless overridden, and for a condition that reads
+     *     anything but the robot that moves
      */
     default Optional<String> text() {
         return Optional.empty();

@@ -130,8 +130,9 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
-     * Returns what the display shows beyond the parameters, in a form that can be recorded; {@link BotType#replay} makes
-     * a display of it again. Called up to 20 times a second on a thread that must neither wait nor cause a request.
+     * Returns what the display shows beyond the parameters, in a form that can be recorded; {@link BotType#replay}
+     * makes a display of it again. Called up to 20 times a second on a thread that must neither wait nor cause a
+     * request.
      *
      * @return texts by the driver's own names; empty if a replay shows only the parameters
      */

@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  * @param readable whether {@code get} is allowed
  * @param writable whether {@code set} is allowed
  * @param moves whether setting it moves the robot, and so needs the robot to be free
- * @param extras further values that {@code set} or a command takes behind it, each of them optional: the time in {@code
- *     set headPan 30 500ms}
+ * @param extras further values that {@code set} or a command takes behind it, each of them optional: the time in
+ *     {@code set headPan 30 500ms}
  * @param help one line for users
  */
 public record Parameter(

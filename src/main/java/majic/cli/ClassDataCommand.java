@@ -17,9 +17,9 @@ import majicsim.LabOptions;
 import picocli.CommandLine.Command;
 
 /**
- * {@code majic class-data}: performs complete starts without showing anything, first without a lab and then with one. The
- * launcher runs it once in the background, so that the Java machine records the classes that later starts need. With a lab
- * it stops the robots too: the first STOP of a program must not wait until classes are loaded.
+ * {@code majic class-data}: performs complete starts without showing anything, first without a lab and then with one.
+ * The launcher runs it once in the background, so that the Java machine records the classes that later starts need.
+ * With a lab it stops the robots too: the first STOP of a program must not wait until classes are loaded.
  */
 @Command(name = "class-data", hidden = true, description = "Rehearses a start, for the launcher.")
 public final class ClassDataCommand implements Callable<Integer> {

@@ -11,7 +11,8 @@ public final class InheritedOptions {
     private InheritedOptions() {}
 
     /**
-     * Leaves each command only the options that it uses: {@code run} all, {@code lab} those of the lab, the others none.
+     * Leaves each command only the options that it uses: {@code run} all, {@code lab} those of the lab, the others
+     * none.
      *
      * @param majic the command line with all commands
      * @return the same object

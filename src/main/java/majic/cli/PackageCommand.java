@@ -6,7 +6,8 @@ import majic.program.Version;
 import picocli.CommandLine.Command;
 
 /**
- * {@code majic package}: the launcher in the folder of the sources carries it out, and does not start this program for it.
+ * {@code majic package}: the launcher in the folder of the sources carries it out, and does not start this program for
+ * it.
  */
 @Command(
         name = "package",

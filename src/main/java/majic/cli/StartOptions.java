@@ -98,8 +98,8 @@ final class StartOptions implements FirstRobots.Source {
      * Builds the program that these options request.
      *
      * @param folder the user's folder
-     * @param windowFirst whether {@link #firstRobots} starts the usual lab, so that the window is visible before; a lab with
-     *     options of its own is started at once, so that its faults end the program
+     * @param windowFirst whether {@link #firstRobots} starts the usual lab, so that the window is visible before; a lab
+     *     with options of its own is started at once, so that its faults end the program
      * @return the program, its robots not yet added
      * @throws UsageException if they do not go together
      * @throws IOException if the lab or the socket cannot open its ports, the world is none, or a file cannot be

@@ -1,6 +1,4 @@
-/**
- * The command line of the program: commands and options.
- */
+/** The command line of the program: commands and options. */
 @NullMarked
 package majic.cli;
 

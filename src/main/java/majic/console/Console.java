@@ -36,7 +36,8 @@ public final class Console {
         void show(String line);
 
         /**
-         * Offers to ask for the user name and the password of a broker that refused those it was given, from any thread.
+         * Offers to ask for the user name and the password of a broker that refused those it was given, from any
+         * thread.
          *
          * @param address an address at the broker
          * @param again the line that is to be run then; {@link #next} returns it

@@ -7,8 +7,9 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The question for the user name and the password of a broker that refused those it was given. It is asked when the user
- * is ready for it, so that a line that is being typed, which may be a stop, is never taken for an answer. Thread-safe.
+ * The question for the user name and the password of a broker that refused those it was given. It is asked when the
+ * user is ready for it, so that a line that is being typed, which may be a stop, is never taken for an answer.
+ * Thread-safe.
  */
 final class LoginQuestion {
     private final Prompts prompts;
@@ -51,7 +52,10 @@ final class LoginQuestion {
                 : Optional.empty();
     }
 
-    /** Asks, if a broker has refused something since the last time; returns the lines to run now, empty if there are none. */
+    /**
+     * Asks, if a broker has refused something since the last time; returns the lines to run now, empty if there are
+     * none.
+     */
     String ask() {
         String broker;
         String again;

@@ -5,8 +5,8 @@ import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A setting that a robot accepts but never reports: the value that was last sent, which holds for the session in which it
- * was sent. Thread-safe.
+ * A setting that a robot accepts but never reports: the value that was last sent, which holds for the session in which
+ * it was sent. Thread-safe.
  */
 public final class AssumedSetting {
     private static final Value NEVER_SENT = Value.unknown("the robot does not report it, and it was not set");

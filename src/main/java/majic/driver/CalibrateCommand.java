@@ -15,8 +15,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 
 /**
- * The command that calibrates the speeds of a robot by a measurement of the user: {@code calibrate forward} moves the robot and
- * asks for the distance, {@code calibrate forward 940mm} stores the speed that follows from it. Thread-safe.
+ * The command that calibrates the speeds of a robot by a measurement of the user: {@code calibrate forward} moves the
+ * robot and asks for the distance, {@code calibrate forward 940mm} stores the speed that follows from it. Thread-safe.
  */
 public final class CalibrateCommand {
     private static final String NAME = "calibrate";

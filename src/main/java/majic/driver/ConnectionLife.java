@@ -7,15 +7,16 @@ import majic.bot.LinkLost;
 import majic.bot.MajicBot.Connection;
 import org.jspecify.annotations.Nullable;
 
-/**
- * The connection state of one robot. Thread-safe.
- */
+/** The connection state of one robot. Thread-safe. */
 final class ConnectionLife {
     private final Consumer<Connection> changed;
     private volatile Connection now = Connection.NEW;
     private volatile @Nullable LinkLost lostBecause;
 
-    /** Whether an attempt to connect has not ended yet, also after its connection was lost: two would use one robot's link. */
+    /**
+     * Whether an attempt to connect has not ended yet, also after its connection was lost: two would use one robot's
+     * link.
+     */
     private boolean attempting;
 
     /**

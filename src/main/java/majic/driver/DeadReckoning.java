@@ -3,8 +3,8 @@ package majic.driver;
 import majic.bot.Pose;
 
 /**
- * Estimates the pose of a robot without odometry from the motions that it was commanded to make, one after the other. All times are
- * on one clock, the robot's or the computer's, in one unit. Thread-safe.
+ * Estimates the pose of a robot without odometry from the motions that it was commanded to make, one after the other.
+ * All times are on one clock, the robot's or the computer's, in one unit. Thread-safe.
  */
 public final class DeadReckoning {
     private Pose start = Pose.START;

@@ -46,8 +46,8 @@ public final class FirstBytes {
     }
 
     /**
-     * Returns whether the bytes begin a telnet negotiation, as those of an RFC 2217 serial server do: what follows is no
-     * raw serial line.
+     * Returns whether the bytes begin a telnet negotiation, as those of an RFC 2217 serial server do: what follows is
+     * no raw serial line.
      *
      * @return true if they do
      */

@@ -6,8 +6,8 @@ import java.util.concurrent.ConcurrentHashMap;
 import majic.time.TimeSource;
 
 /**
- * Records when something last happened to each of several things: when a value was read, requested or received. So a driver
- * polls a value only while something reads it. Thread-safe.
+ * Records when something last happened to each of several things: when a value was read, requested or received. So a
+ * driver polls a value only while something reads it. Thread-safe.
  *
  * @param <K> identifies a thing; compared with {@code equals}
  */

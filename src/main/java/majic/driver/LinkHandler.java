@@ -26,7 +26,8 @@ public interface LinkHandler<M> {
     void received(M message);
 
     /**
-     * Handles the end of the link. Called once, after everything else; must close the link and wake all waiting threads.
+     * Handles the end of the link. Called once, after everything else; must close the link and wake all waiting
+     * threads.
      *
      * @param cause why; its message is half a sentence, such as "the robot closed it"
      */

@@ -8,13 +8,13 @@ import majic.link.Link;
 import majic.time.WaitPolicy;
 
 /**
- * Reads a link on a daemon thread and passes each message to its handler. The thread delivers the answers of the robot, so
- * it must not wait for one: it runs without {@link WaitPolicy}.
+ * Reads a link on a daemon thread and passes each message to its handler. The thread delivers the answers of the robot,
+ * so it must not wait for one: it runs without {@link WaitPolicy}.
  *
- * <p>Everything thrown, {@link Error} included, is handled alike. What {@link LinkHandler#received} throws is logged and affects
- * that message only: the link stays open, because a stop has to be sent over it and its answer may be the next message. If no
- * useful messages arrive any more, the driver's timeouts notice it. What reading or decoding throws ends the link, as its
- * close by the peer does: the handler is notified once.
+ * <p>Everything thrown, {@link Error} included, is handled alike. What {@link LinkHandler#received} throws is logged
+ * and affects that message only: the link stays open, because a stop has to be sent over it and its answer may be the
+ * next message. If no useful messages arrive any more, the driver's timeouts notice it. What reading or decoding throws
+ * ends the link, as its close by the peer does: the handler is notified once.
  *
  * @param <M> a message of the protocol
  */

@@ -110,8 +110,8 @@ final class Listeners {
     }
 
     /**
-     * New readings: of several that come faster than the listeners take them, they get the newest. Wakes no thread if all
-     * listeners ignore them: that would take as long as decoding them.
+     * New readings: of several that come faster than the listeners take them, they get the newest. Wakes no thread if
+     * all listeners ignore them: that would take as long as decoding them.
      */
     void stateChanged() {
         if (!areStatesRead()) {

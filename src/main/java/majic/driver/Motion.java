@@ -115,11 +115,12 @@ public final class Motion {
     }
 
     /**
-     * Hands the guard over to a program next to the robot, which ends the motion when it becomes true. This motion does not
-     * evaluate it any more.
+     * Hands the guard over to a program next to the robot, which ends the motion when it becomes true. This motion does
+     * not evaluate it any more.
      *
      * @param accepted whether that program can evaluate a condition in MAJIC Script
-     * @return the condition; empty if there is no guard, or it cannot be handed over: this motion then goes on to evaluate it
+     * @return the condition; empty if there is no guard, or it cannot be handed over: this motion then goes on to
+     *     evaluate it
      */
     public Optional<String> handOverGuard(Predicate<String> accepted) {
         Optional<String> text = guard.text().filter(accepted);

@@ -14,8 +14,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The part of a driver that moves its robot: motions one after the other, each under a permit and within the limits, and
- * the stop, which overtakes them. The hooks that {@link MotionGate} calls for them are implemented for each robot.
+ * The part of a driver that moves its robot: motions one after the other, each under a permit and within the limits,
+ * and the stop, which overtakes them. The hooks that {@link MotionGate} calls for them are implemented for each robot.
  */
 abstract class MovingRobot extends MajicBot {
     private final RobotWait waiting;
@@ -202,8 +202,8 @@ abstract class MovingRobot extends MajicBot {
     }
 
     /**
-     * Returns the signal that all threads waiting for this robot wait on. Drivers raise it after any change a thread may wait
-     * for.
+     * Returns the signal that all threads waiting for this robot wait on. Drivers raise it after any change a thread
+     * may wait for.
      *
      * @return the signal
      */
@@ -299,8 +299,8 @@ abstract class MovingRobot extends MajicBot {
     protected abstract Value turnBy(double degrees, Motion motion);
 
     /**
-     * Sends the command to drive a curve from now on, and does not wait for anything. Called repeatedly during a
-     * drive, with no stop between; after the last call {@link #halt()} follows.
+     * Sends the command to drive a curve from now on, and does not wait for anything. Called repeatedly during a drive,
+     * with no stop between; after the last call {@link #halt()} follows.
      *
      * @param mmPerSec within the profile's speeds, ahead positive
      * @param degPerSec within the profile's rates, counterclockwise positive
@@ -331,8 +331,8 @@ abstract class MovingRobot extends MajicBot {
     }
 
     /**
-     * Sends the stop command at once and does not wait for an answer. Called on any thread, with no other command
-     * being sent meanwhile.
+     * Sends the stop command at once and does not wait for an answer. Called on any thread, with no other command being
+     * sent meanwhile.
      */
     protected abstract void halt();
 
@@ -343,9 +343,9 @@ abstract class MovingRobot extends MajicBot {
      * time and while another thread is inside any other hook; must wait for none of them.
      *
      * <p>It replaces nothing. A command whose permit was checked before the stop may still go out behind this one;
-     * {@code halt()} follows as soon as that has been sent, and has to stop that too. So the state that
-     * {@code halt()} needs must not be cleared here. Does nothing unless overridden; what it throws is logged and
-     * {@code halt()} follows all the same.
+     * {@code halt()} follows as soon as that has been sent, and has to stop that too. So the state that {@code halt()}
+     * needs must not be cleared here. Does nothing unless overridden; what it throws is logged and {@code halt()}
+     * follows all the same.
      */
     protected void haltAhead() {}
 

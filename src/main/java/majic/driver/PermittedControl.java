@@ -12,8 +12,8 @@ import majic.bot.Value;
 /**
  * Lets one user of a robot, such as an act or manual control, use the robot while a permit is valid. Once the permit is
  * revoked, every method but {@link #name()} throws the exception of the revocation, and nothing reaches the robot any
- * more. A motion also needs the robot's own permit, which every stop of the robot revokes. {@link #stop()} ends only the
- * motions that were begun through this object, and revokes no other permit. Thread-safe.
+ * more. A motion also needs the robot's own permit, which every stop of the robot revokes. {@link #stop()} ends only
+ * the motions that were begun through this object, and revokes no other permit. Thread-safe.
  */
 public final class PermittedControl implements BotControl {
     private final BotDriver bot;

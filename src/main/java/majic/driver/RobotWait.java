@@ -7,8 +7,8 @@ import majic.time.Signal;
 import majic.time.TimeSource;
 
 /**
- * Waits, on the clock of a robot, for conditions that its reader or timer thread makes true. The three methods differ in what an
- * interruption of the waiting thread does; its interrupt flag stays set. Thread-safe.
+ * Waits, on the clock of a robot, for conditions that its reader or timer thread makes true. The three methods differ
+ * in what an interruption of the waiting thread does; its interrupt flag stays set. Thread-safe.
  *
  * @param time the robot's clock
  * @param changes raised when such a condition may have become true
@@ -49,8 +49,8 @@ public record RobotWait(TimeSource time, Signal changes) {
     }
 
     /**
-     * Waits on a thread that stops or closes a robot. An interruption ends the wait, and nothing is thrown, so that the rest of
-     * the closing is done.
+     * Waits on a thread that stops or closes a robot. An interruption ends the wait, and nothing is thrown, so that the
+     * rest of the closing is done.
      *
      * @param condition as in {@link #await}
      * @param seconds the longest wait

@@ -17,8 +17,8 @@ public interface TeamMembership {
     void linkLost(String reason);
 
     /**
-     * Ends everything that moves the robot, because another program has stopped it: revokes permits, empties the queue, ends
-     * scripts, acts and manual control. Sends the robot nothing. Must not wait.
+     * Ends everything that moves the robot, because another program has stopped it: revokes permits, empties the queue,
+     * ends scripts, acts and manual control. Sends the robot nothing. Must not wait.
      */
     default void stoppedElsewhere() {}
 }

@@ -20,9 +20,9 @@ import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An event queue that passes on pressed keys while the event dispatch thread handles an earlier event. A thread of its own
- * looks for keys every few milliseconds while that thread is busy. All events are dispatched afterwards as without it, in the
- * same order.
+ * An event queue that passes on pressed keys while the event dispatch thread handles an earlier event. A thread of its
+ * own looks for keys every few milliseconds while that thread is busy. All events are dispatched afterwards as without
+ * it, in the same order.
  */
 final class EarlyKeyQueue extends EventQueue {
     private static final Logger LOG = LateLogger.of(EarlyKeyQueue.class);
@@ -33,7 +33,9 @@ final class EarlyKeyQueue extends EventQueue {
     private final Object taking = new Object();
     private final Fetches fetches = new Fetches();
 
-    /** Events that were taken from the queue in search of keys; dispatched before those in the queue. Guarded by taking. */
+    /**
+     * Events that were taken from the queue in search of keys; dispatched before those in the queue. Guarded by taking.
+     */
     private final Queue<AWTEvent> ahead = new ArrayDeque<>();
 
     private volatile boolean handling;
@@ -44,8 +46,8 @@ final class EarlyKeyQueue extends EventQueue {
     }
 
     /**
-     * Returns the queue of this program, and puts it in the place of the former one if necessary; it then stays there. Must be
-     * called on the event dispatch thread.
+     * Returns the queue of this program, and puts it in the place of the former one if necessary; it then stays there.
+     * Must be called on the event dispatch thread.
      */
     static EarlyKeyQueue installed() {
         EventQueue present = Toolkit.getDefaultToolkit().getSystemEventQueue();
@@ -71,8 +73,8 @@ final class EarlyKeyQueue extends EventQueue {
     }
 
     /**
-     * Adds a listener to pressed keys. It is called on the thread "early keys", once for each key that was pressed while an
-     * event was being handled; a key that was pressed at another time is dispatched at once.
+     * Adds a listener to pressed keys. It is called on the thread "early keys", once for each key that was pressed
+     * while an event was being handled; a key that was pressed at another time is dispatched at once.
      *
      * @param listener receives the event that is dispatched later
      */

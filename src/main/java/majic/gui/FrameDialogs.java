@@ -34,8 +34,8 @@ import majic.team.Member;
 import majic.text.Texts;
 
 /**
- * Does what the buttons and menus offer: opens dialogs, each created at its first use and never shown twice at a time, and ends
- * acts.
+ * Does what the buttons and menus offer: opens dialogs, each created at its first use and never shown twice at a time,
+ * and ends acts.
  */
 final class FrameDialogs {
     private static final Texts TEXTS = Texts.of(FrameDialogs.class);

@@ -14,8 +14,8 @@ import majic.log.SessionListener;
 import majic.script.MajicParser;
 
 /**
- * Asks for the user name and the password of a broker that refuses those it was given, once for all robots that are added
- * meanwhile, and adds these robots again.
+ * Asks for the user name and the password of a broker that refuses those it was given, once for all robots that are
+ * added meanwhile, and adds these robots again.
  */
 final class FrameLogins implements SessionListener {
     private final Window owner;

@@ -74,7 +74,9 @@ final class FrameMemory {
         }
     }
 
-    /** A window manager may change the size of a new window, by which the dividers would move a little at each start. */
+    /**
+     * A window manager may change the size of a new window, by which the dividers would move a little at each start.
+     */
     private void keepDividersWhileOpening(WindowPlace place) {
         ComponentAdapter restoring = new ComponentAdapter() {
             @Override

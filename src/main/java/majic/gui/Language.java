@@ -9,7 +9,8 @@ import majic.gui.kit.BackgroundSettings;
 import majic.text.Texts;
 
 /**
- * A language of the windows, to choose for the next start. MAJIC Script, the console and the log are English in any case.
+ * A language of the windows, to choose for the next start. MAJIC Script, the console and the log are English in any
+ * case.
  */
 enum Language {
     /** That of the computer, or English if there are no texts in it. */

@@ -9,8 +9,8 @@ final class MacMenu {
 
     /**
      * Lets the commands do what those of the window do: without this, Quit would end the program without asking for
-     * scripts that are not saved. A quit that logs the user out is put off, since the program ends by itself afterwards.
-     * Has no effect on other systems.
+     * scripts that are not saved. A quit that logs the user out is put off, since the program ends by itself
+     * afterwards. Has no effect on other systems.
      */
     static void install(Runnable quit, Runnable about) {
         if (!SystemInfo.isMacOS || !Desktop.isDesktopSupported()) {

@@ -256,8 +256,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     /**
-     * Paints the window, its dialogs and the other look and feel without showing them, so that the Java machine can record
-     * the classes that they need. Must be called on the event dispatch thread.
+     * Paints the window, its dialogs and the other look and feel without showing them, so that the Java machine can
+     * record the classes that they need. Must be called on the event dispatch thread.
      */
     public void rehearse() {
         paintUnseen(this);

@@ -18,10 +18,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Makes F12 and Esc stop all robots in every window and dialog, whatever component has the focus. F12 always stops. Esc
- * does not stop while it has something to close: a menu, an open list, a dialog, or what a {@link ClosesByEsc} has open.
+ * does not stop while it has something to close: a menu, an open list, a dialog, or what a {@link ClosesByEsc} has
+ * open.
  *
- * <p>F12 does not wait for the event dispatch thread: while that thread handles an earlier event, the thread "early keys" stops.
- * Esc waits, because what it closes is known only when all earlier events were handled.
+ * <p>F12 does not wait for the event dispatch thread: while that thread handles an earlier event, the thread "early
+ * keys" stops. Esc waits, because what it closes is known only when all earlier events were handled.
  */
 final class StopKeys implements KeyEventDispatcher, AutoCloseable {
     private final Team team;

@@ -19,8 +19,8 @@ import majic.team.Member;
 import majic.team.Team;
 
 /**
- * Shows the team: the cards, the map and the panels beside each other. While two panels are compared, the map is narrower;
- * afterwards it has its width again, unless the user has moved the divider meanwhile.
+ * Shows the team: the cards, the map and the panels beside each other. While two panels are compared, the map is
+ * narrower; afterwards it has its width again, unless the user has moved the divider meanwhile.
  */
 final class TeamPane extends JSplitPane {
     private static final long serialVersionUID = 1L;

@@ -8,8 +8,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * The place of a window and of its dividers, in the form that is kept in the settings:
- * {@code 100 50 1280 800 normal 640 520}. Immutable.
+ * The place of a window and of its dividers, in the form that is kept in the settings: {@code 100 50 1280 800 normal
+ * 640 520}. Immutable.
  *
  * @param bounds place and size while it is not maximised, pixels
  * @param maximised whether it fills the screen

@@ -20,10 +20,11 @@ import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * Loads what every window needs beside the event dispatch thread, so that the window is visible sooner where there are two
- * processors. While that thread installs a look and feel, the thread that starts the program loads the fonts and builds the
- * program. While it builds the window, another thread loads the texts and the renderer of smooth shapes. No more than two
- * threads work at the same time, since a third would take its share of the processors from the event dispatch thread.
+ * Loads what every window needs beside the event dispatch thread, so that the window is visible sooner where there are
+ * two processors. While that thread installs a look and feel, the thread that starts the program loads the fonts and
+ * builds the program. While it builds the window, another thread loads the texts and the renderer of smooth shapes. No
+ * more than two threads work at the same time, since a third would take its share of the processors from the event
+ * dispatch thread.
  */
 public final class WindowPreloader {
     private static final AtomicBoolean STARTED = new AtomicBoolean();
@@ -69,7 +70,9 @@ public final class WindowPreloader {
         }
     }
 
-    /** Loads the texts that the window shows at first, by one class of each package, in the order in which it is built. */
+    /**
+     * Loads the texts that the window shows at first, by one class of each package, in the order in which it is built.
+     */
     private static void loadTexts() {
         Stream.of(CommandPane.class, WindowPreloader.class, StartPage.class, RobotPanels.class, TeamMap.class)
                 .forEach(Texts::load);

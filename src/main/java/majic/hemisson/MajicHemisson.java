@@ -69,8 +69,8 @@ public final class MajicHemisson extends BotDriver {
     /**
      * Creates a driver; sends nothing to the robot.
      *
-     * @param address of the type {@code hemisson}; behind the colon the name of a serial port, {@code tcp://host:port} or
-     *     {@code //host:port}
+     * @param address of the type {@code hemisson}; behind the colon the name of a serial port, {@code tcp://host:port}
+     *     or {@code //host:port}
      * @param environment its clock, and the settings that keep its calibration
      * @throws BotException if the address is not valid; the message shows the valid forms
      */

@@ -96,8 +96,8 @@ public interface LabAccess {
      *
      * @param robot its name
      * @param pose where to, in the room's frame
-     * @throws majic.bot.BotException if the lab has no such robot, or a wall or another robot is there; the robot stays where
-     *     it was
+     * @throws majic.bot.BotException if the lab has no such robot, or a wall or another robot is there; the robot stays
+     *     where it was
      */
     void place(String robot, Pose pose);
 

@@ -24,10 +24,10 @@ import org.jspecify.annotations.Nullable;
  * another, as its {@link Pacing} allows: at the pace of the wall clock, or as soon as all members wait.
  *
  * <p>Threads made by {@link #thread} and those that {@link #join} are members: a stepped clock does not advance while
- * one of them runs, and advances when all of them wait at a {@link Signal}. Members that have been raised, or whose time
- * has come, wake one after another, each when no other runs and no byte is in transit. So a run does not depend on which
- * thread the computer happens to run first. If a member runs on for 250 ms of real time, because it computes or waits in
- * another way, the others wake beside it.
+ * one of them runs, and advances when all of them wait at a {@link Signal}. Members that have been raised, or whose
+ * time has come, wake one after another, each when no other runs and no byte is in transit. So a run does not depend on
+ * which thread the computer happens to run first. If a member runs on for 250 ms of real time, because it computes or
+ * waits in another way, the others wake beside it.
  *
  * <p>A clock ends when a step of its lab throws, and a stepped one also when it has not advanced for 10 s of real time
  * although a thread waits for a later time and no member has used the processor. Every wait then throws a

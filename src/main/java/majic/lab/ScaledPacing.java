@@ -5,8 +5,8 @@ import java.util.function.BooleanSupplier;
 
 /**
  * Follows the wall clock, multiplied by a speed. A lab that is late makes up for 0.2 s at most, and above real time it
- * runs at most 0.1 s of its time ahead of its members and of the bytes in transit: so no time limit
- * of a driver expires only because the computer is busy.
+ * runs at most 0.1 s of its time ahead of its members and of the bytes in transit: so no time limit of a driver expires
+ * only because the computer is busy.
  */
 final class ScaledPacing implements Pacing {
     private static final long MOST_BEHIND_NANOS = 200_000_000;

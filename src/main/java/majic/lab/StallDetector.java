@@ -28,8 +28,8 @@ final class StallDetector {
     }
 
     /**
-     * Returns whether nothing has happened for 10 s of real time. Reads the processor time of the members only after half
-     * of that, because this is called at each wait of a member, and reading takes longer than a step.
+     * Returns whether nothing has happened for 10 s of real time. Reads the processor time of the members only after
+     * half of that, because this is called at each wait of a member, and reading takes longer than a step.
      */
     boolean isOver(Collection<Thread> members) {
         long waited = System.nanoTime() - sinceNanos;

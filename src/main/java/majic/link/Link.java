@@ -5,8 +5,8 @@ import java.io.IOException;
 /**
  * A two-way stream of bytes. One thread reads; any thread may write, and each write is sent in one piece.
  *
- * <p>A write has a deadline of {@value #WRITE_DEADLINE_MS} ms, after which the link is dead; no call of {@link #write} takes longer.
- * Reading and the write deadline run on the system's clock, as the wire does.
+ * <p>A write has a deadline of {@value #WRITE_DEADLINE_MS} ms, after which the link is dead; no call of {@link #write}
+ * takes longer. Reading and the write deadline run on the system's clock, as the wire does.
  */
 public interface Link extends AutoCloseable {
     /** How long a write may take, the wait for other writers included, ms. */
@@ -37,7 +37,10 @@ public interface Link extends AutoCloseable {
      */
     void write(byte[] message) throws IOException;
 
-    /** Closes the link after everything was written; wakes the reader, and ends an {@link #open} in progress. Does nothing the second time. */
+    /**
+     * Closes the link after everything was written; wakes the reader, and ends an {@link #open} in progress. Does
+     * nothing the second time.
+     */
     @Override
     void close();
 

@@ -43,13 +43,13 @@ public final class Links {
     }
 
     /**
-     * Creates a link over TLS (RFC 8446), without opening it. The server's certificate must be trusted by this Java and be
-     * issued for the host.
+     * Creates a link over TLS (RFC 8446), without opening it. The server's certificate must be trusted by this Java and
+     * be issued for the host.
      *
      * @param host the server's name or address
      * @param port its TCP port, 1 to 65535
-     * @return a link, not open; {@link Link#open} throws an {@link javax.net.ssl.SSLException} if the server uses no TLS or
-     *     is not trusted
+     * @return a link, not open; {@link Link#open} throws an {@link javax.net.ssl.SSLException} if the server uses no
+     *     TLS or is not trusted
      */
     public static Link secure(String host, int port) {
         return new TcpLink(host, port, new TcpConnector(host, port), new TlsLayer(host, port));
@@ -58,7 +58,8 @@ public final class Links {
     /**
      * Reads host and port from a network address.
      *
-     * @param address {@code //host}, {@code //host:port} or {@code tcp://host:port}; an IPv6 address is in square brackets
+     * @param address {@code //host}, {@code //host:port} or {@code tcp://host:port}; an IPv6 address is in square
+     *     brackets
      * @param defaultPort the port when the address names none; 0 if it must name one
      * @return both, the host's name not looked up
      * @throws IllegalArgumentException if it is no such address; the message has an example
@@ -79,8 +80,8 @@ public final class Links {
     }
 
     /**
-     * The traffic of all open links of this program. A link that has ended by itself is included until its reader thread has
-     * handled the end and ended too.
+     * The traffic of all open links of this program. A link that has ended by itself is included until its reader
+     * thread has handled the end and ended too.
      *
      * @return a snapshot
      */

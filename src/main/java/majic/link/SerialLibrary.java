@@ -10,10 +10,10 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 
 /**
- * Loads jSerialComm without its side effect on SIGHUP. While its native library is loaded ({@code JNI_OnLoad}, 2.11.4), it
- * sets seven signals of the whole process to "ignore", SIGHUP among them, which otherwise ends a program whose terminal was
- * closed. Java cannot handle an ignored signal again, so the earlier action is saved and restored through the C library;
- * under {@code nohup} it is "ignore".
+ * Loads jSerialComm without its side effect on SIGHUP. While its native library is loaded ({@code JNI_OnLoad}, 2.11.4),
+ * it sets seven signals of the whole process to "ignore", SIGHUP among them, which otherwise ends a program whose
+ * terminal was closed. Java cannot handle an ignored signal again, so the earlier action is saved and restored through
+ * the C library; under {@code nohup} it is "ignore".
  */
 final class SerialLibrary {
     private static final Logger LOG = System.getLogger(SerialLibrary.class.getName());

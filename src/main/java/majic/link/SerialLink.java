@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A serial port, 8 data bits, no parity, one stop bit, no flow control.
  *
- * <p>jSerialComm ignores its own write time-out, rounds its read time-outs up to 100 ms, and keeps {@code isOpen()} true
- * after the adapter was unplugged. So reading has no time-out and is woken by closing, the deadline of a write is
+ * <p>jSerialComm ignores its own write time-out, rounds its read time-outs up to 100 ms, and keeps {@code isOpen()}
+ * true after the adapter was unplugged. So reading has no time-out and is woken by closing, the deadline of a write is
  * enforced here, and a negative count means a dead line.
  */
 final class SerialLink implements Link {

@@ -7,8 +7,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * Keeps serial ports usable while the program ends. jSerialComm shuts its library down at the beginning of the program's
- * end, before the final stop of the robots is sent; a hook delays that until the ports are closed.
+ * Keeps serial ports usable while the program ends. jSerialComm shuts its library down at the beginning of the
+ * program's end, before the final stop of the robots is sent; a hook delays that until the ports are closed.
  */
 final class SerialShutdownDelay {
     /** The longest delay. */

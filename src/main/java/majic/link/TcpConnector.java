@@ -11,7 +11,10 @@ import java.net.UnknownHostException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** Connects sockets to a server, with Nagle's algorithm off, within a time limit and with failures explained to the user. */
+/**
+ * Connects sockets to a server, with Nagle's algorithm off, within a time limit and with failures explained to the
+ * user.
+ */
 public final class TcpConnector {
     private final String host;
     private final int port;

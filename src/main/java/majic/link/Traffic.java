@@ -1,8 +1,8 @@
 package majic.link;
 
 /**
- * Counts of the bytes that a link has carried. A stepped simulated lab compares them with the counts of its robots, to detect
- * bytes that have not arrived yet.
+ * Counts of the bytes that a link has carried. A stepped simulated lab compares them with the counts of its robots, to
+ * detect bytes that have not arrived yet.
  *
  * @param local the address of this end: {@code 127.0.0.1:40312}, or the name of the serial port
  * @param remote the other end

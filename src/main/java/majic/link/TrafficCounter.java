@@ -36,7 +36,9 @@ final class TrafficCounter {
         ending = true;
     }
 
-    /** Called on the thread that closes the link. On the reader thread the link counts as open until that thread ends. */
+    /**
+     * Called on the thread that closes the link. On the reader thread the link counts as open until that thread ends.
+     */
     void closed() {
         if (!ending || Thread.currentThread() != reader) {
             open = false;

@@ -68,8 +68,8 @@ public final class SessionLog implements AutoCloseable {
     }
 
     /**
-     * Starts a log in a directory as {@link #open} does. Its files and those of earlier sessions may have
-     * 200 MB; the oldest are deleted.
+     * Starts a log in a directory as {@link #open} does. Its files and those of earlier sessions may have 200 MB; the
+     * oldest are deleted.
      *
      * @param directory the directory of the session logs
      * @param clock the time of day

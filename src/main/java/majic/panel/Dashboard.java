@@ -12,8 +12,8 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Places a view of a robot with its side panes and readings beside or below it, whichever leaves the larger view. In small
- * panels the readings are left out first. A banner can be placed above all.
+ * Places a view of a robot with its side panes and readings beside or below it, whichever leaves the larger view. In
+ * small panels the readings are left out first. A banner can be placed above all.
  */
 public final class Dashboard implements LayoutManager {
     /** Minimum size of a view in pixels; a smaller one is unreadable. */
@@ -106,8 +106,8 @@ public final class Dashboard implements LayoutManager {
     }
 
     /**
-     * Returns the most readable width of the column that does not reduce the view too much. Readings that stand two in a
-     * row are the most important ones: for them the view is reduced as far as it is readable.
+     * Returns the most readable width of the column that does not reduce the view too much. Readings that stand two in
+     * a row are the most important ones: for them the view is reduced as far as it is readable.
      */
     private int columnWidth(Rectangle room) {
         return worthIt(room)
@@ -124,7 +124,10 @@ public final class Dashboard implements LayoutManager {
                 .filter(width -> WORTH_IT * shorterBeside(room, width) >= largest);
     }
 
-    /** Returns the least width with room for readings that stand two in a row: in a wider column, the side panes are lower. */
+    /**
+     * Returns the least width with room for readings that stand two in a row: in a wider column, the side panes are
+     * lower.
+     */
     private OptionalInt widthForPairs(Rectangle room) {
         int narrow = column.widthForPairs();
         return IntStream.of(narrow, Math.max(narrow, column.goodWidth()))

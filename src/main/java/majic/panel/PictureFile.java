@@ -25,10 +25,10 @@ public final class PictureFile {
      * Decodes a picture; takes some milliseconds.
      *
      * @param file in the format JPEG or PNG
-     * @return the picture, in the format that windows draw with the least work; {@code TYPE_INT_RGB} unless it has transparent
-     *     pixels
-     * @throws IOException if it is no such file, damaged, cut off, or has more than four million pixels; the message says
-     *     which, in the user's language
+     * @return the picture, in the format that windows draw with the least work; {@code TYPE_INT_RGB} unless it has
+     *     transparent pixels
+     * @throws IOException if it is no such file, damaged, cut off, or has more than four million pixels; the message
+     *     says which, in the user's language
      */
     public static BufferedImage decode(byte[] file) throws IOException {
         try (ImageInputStream in = new MemoryCacheImageInputStream(new ByteArrayInputStream(file))) {
@@ -58,8 +58,8 @@ public final class PictureFile {
     }
 
     /**
-     * Converts pixels of three bytes, as JPEG files have them, here: a window would convert them at each drawing, on the event
-     * dispatch thread, which takes it twice as long as the drawing itself.
+     * Converts pixels of three bytes, as JPEG files have them, here: a window would convert them at each drawing, on
+     * the event dispatch thread, which takes it twice as long as the drawing itself.
      */
     private static BufferedImage quicklyDrawn(BufferedImage decoded) {
         if (decoded.getColorModel().hasAlpha() || decoded.getType() == BufferedImage.TYPE_INT_RGB) {

@@ -250,8 +250,8 @@ public final class PictureView extends JPanel {
     }
 
     /**
-     * Paints the picture, its background, which it may let through, and its border, all of them without smooth edges: these cost
-     * more work than the picture.
+     * Paints the picture, its background, which it may let through, and its border, all of them without smooth edges:
+     * these cost more work than the picture.
      */
     private void paintFrame(Graphics2D pen, DrawingColors colors, Rectangle frame) {
         Graphics2D sharp = (Graphics2D) pen.create();

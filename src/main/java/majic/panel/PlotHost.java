@@ -4,8 +4,8 @@ import java.awt.datatransfer.Transferable;
 import java.util.List;
 
 /**
- * Plots readings of one robot. Implemented by a container of the robot's panel, where {@link PlotLink} finds it. Must be
- * used on the event dispatch thread.
+ * Plots readings of one robot. Implemented by a container of the robot's panel, where {@link PlotLink} finds it. Must
+ * be used on the event dispatch thread.
  */
 public interface PlotHost {
     /**

@@ -8,8 +8,9 @@ import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 
 /**
- * The moments, ten times a second, at which all parts of all windows show what has changed. They share these moments, so
- * that the event dispatch thread wakes up and paints once for all of them. There are none while nothing is to be shown.
+ * The moments, ten times a second, at which all parts of all windows show what has changed. They share these moments,
+ * so that the event dispatch thread wakes up and paints once for all of them. There are none while nothing is to be
+ * shown.
  */
 public final class RefreshTicks {
     public static final int PERIOD_MS = 100;
@@ -40,7 +41,10 @@ public final class RefreshTicks {
         startOrStop();
     }
 
-    /** Ends what {@link #add} began; no effect for an update that was not added. Must be called on the event dispatch thread. */
+    /**
+     * Ends what {@link #add} began; no effect for an update that was not added. Must be called on the event dispatch
+     * thread.
+     */
     static void remove(Runnable update) {
         REPEATED.remove(update);
     }

@@ -8,9 +8,10 @@ import majic.bot.MajicBot;
 import majic.text.Texts;
 
 /**
- * A panel that shows one robot. An event of the robot only sets a flag, on whatever thread it arrives; the event dispatch
- * thread checks the flag ten times a second ({@link RefreshTicks}) while the panel is visible, and only then: not on a
- * hidden tab, not in an iconified window. Must be used on the event dispatch thread, except {@link #stateReceived}.
+ * A panel that shows one robot. An event of the robot only sets a flag, on whatever thread it arrives; the event
+ * dispatch thread checks the flag ten times a second ({@link RefreshTicks}) while the panel is visible, and only then:
+ * not on a hidden tab, not in an iconified window. Must be used on the event dispatch thread, except
+ * {@link #stateReceived}.
  */
 public abstract class RefreshingPanel extends JPanel {
     private static final long serialVersionUID = 1;

@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A slider for a value that is set and measured: its name, the knob, the reading. The knob follows the measured value,
- * except while it is dragged, and until the chosen value is reached. The arrow keys, the wheel and a drag by a pixel move
- * it by one unit at most. Must be used on the event dispatch thread.
+ * except while it is dragged, and until the chosen value is reached. The arrow keys, the wheel and a drag by a pixel
+ * move it by one unit at most. Must be used on the event dispatch thread.
  */
 public final class SetpointSlider extends JPanel {
     private static final long serialVersionUID = 1;

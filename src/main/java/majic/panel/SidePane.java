@@ -30,8 +30,8 @@ public abstract class SidePane {
     }
 
     /**
-     * Creates a side pane of status lights that is never left out: two per row where that costs the view little, else one
-     * per row.
+     * Creates a side pane of status lights that is never left out: two per row where that costs the view little, else
+     * one per row.
      *
      * @param lights with all their words
      * @return for a dashboard
@@ -41,8 +41,8 @@ public abstract class SidePane {
     }
 
     /**
-     * Creates a side pane that keeps the aspect ratio of its preferred size while there is enough height, and gets smaller
-     * otherwise.
+     * Creates a side pane that keeps the aspect ratio of its preferred size while there is enough height, and gets
+     * smaller otherwise.
      *
      * @param picture of any size
      * @return for a dashboard
@@ -63,8 +63,8 @@ public abstract class SidePane {
     }
 
     /**
-     * Creates a side pane that takes the space that the others and all readings leave, and is hidden when that is too little:
-     * for what is less important than the readings.
+     * Creates a side pane that takes the space that the others and all readings leave, and is hidden when that is too
+     * little: for what is less important than the readings.
      *
      * @param list any shape will do
      * @return for a dashboard

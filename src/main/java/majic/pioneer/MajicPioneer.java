@@ -44,12 +44,12 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A MobileRobots Pioneer over TCP or a serial port, by the ARCOS protocol or through the maker's library ARIA. Motions are
- * controlled here at every SIP, about ten times a second, and end within 10 mm and 1 degree by the robot's odometry.
- * Velocities are sent in whole mm/s and deg/s.
+ * A MobileRobots Pioneer over TCP or a serial port, by the ARCOS protocol or through the maker's library ARIA. Motions
+ * are controlled here at every SIP, about ten times a second, and end within 10 mm and 1 degree by the robot's
+ * odometry. Velocities are sent in whole mm/s and deg/s.
  *
- * <p>When a moving robot sends no SIP for 0.5 s, zero velocities are sent and then nothing more; after 1 s (3 s if it is
- * stationary) the connection is given up. The robot's own watchdog stops it 2 s after the last packet.
+ * <p>When a moving robot sends no SIP for 0.5 s, zero velocities are sent and then nothing more; after 1 s (3 s if it
+ * is stationary) the connection is given up. The robot's own watchdog stops it 2 s after the last packet.
  */
 public final class MajicPioneer extends BotDriver {
     /** Long enough to brake from the highest speed, seconds. */

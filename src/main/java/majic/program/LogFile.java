@@ -79,8 +79,8 @@ public final class LogFile extends Handler {
     }
 
     /**
-     * The manager of all loggers, which the JDK creates with the first one. Adds the log to the root logger, and leaves it
-     * open until the program has ended; the usual manager closes it before the robots are closed.
+     * The manager of all loggers, which the JDK creates with the first one. Adds the log to the root logger, and leaves
+     * it open until the program has ended; the usual manager closes it before the robots are closed.
      */
     public static final class OpenUntilTheEnd extends LogManager {
         @Override

@@ -7,8 +7,8 @@ import java.util.logging.Logger;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Chooses MAJIC's log for all loggers. The first logger initialises the logging of the JDK, which would delay the window;
- * so this creates none, and neither may what is needed for the first painting.
+ * Chooses MAJIC's log for all loggers. The first logger initialises the logging of the JDK, which would delay the
+ * window; so this creates none, and neither may what is needed for the first painting.
  */
 public final class LogSetup {
     private static volatile @Nullable Choice choice;
@@ -21,7 +21,8 @@ public final class LogSetup {
     /**
      * Logs to this folder from the first logger on; must be called before that is created.
      *
-     * @param least the least level to log, a name such as {@code INFO} or {@code DEBUG}; another text counts as {@code INFO}
+     * @param least the least level to log, a name such as {@code INFO} or {@code DEBUG}; another text counts as
+     *     {@code INFO}
      */
     public static void install(Path folderOfLog, String least) {
         choice = new Choice(folderOfLog, level(least));

@@ -23,9 +23,9 @@ import majic.text.IoReason;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A plug-in: a jar {@code NAME.jar} in the plug-ins folder, or a folder {@code NAME} in it with {@code NAME.jar} and the
- * libraries of the plug-in, {@code lib/*.jar}. It has a class loader of its own, so that two plug-ins may bring different
- * versions of a library; what MAJIC has itself is taken from MAJIC.
+ * A plug-in: a jar {@code NAME.jar} in the plug-ins folder, or a folder {@code NAME} in it with {@code NAME.jar} and
+ * the libraries of the plug-in, {@code lib/*.jar}. It has a class loader of its own, so that two plug-ins may bring
+ * different versions of a library; what MAJIC has itself is taken from MAJIC.
  */
 final class Plugin {
     private static final String SERVICES = "META-INF/services/" + BotType.class.getName();
@@ -142,7 +142,8 @@ final class Plugin {
      * Makes a type of robot.
      *
      * @param className one of {@link #typeClasses()}
-     * @throws PluginProblem if the class is missing, cannot be loaded, is no {@code BotType}, fails, or has an invalid name
+     * @throws PluginProblem if the class is missing, cannot be loaded, is no {@code BotType}, fails, or has an invalid
+     *     name
      */
     BotType type(String className) throws PluginProblem {
         if (!CLASS.matcher(className).matches()) {

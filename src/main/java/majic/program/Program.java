@@ -181,7 +181,8 @@ public final class Program implements AutoCloseable {
      * computers reach, clients have to use TLS.
      *
      * @param address the address to listen at
-     * @param token makes the token of a port, which clients send first; null to accept clients of this computer without one
+     * @param token makes the token of a port, which clients send first; null to accept clients of this computer without
+     *     one
      * @return the server
      * @throws IllegalArgumentException if clients of other computers would need no token; the message says so
      * @throws IOException if the port is taken, or there is no key for TLS
@@ -286,7 +287,9 @@ public final class Program implements AutoCloseable {
         quit.await();
     }
 
-    /** Closes everything; a second caller waits until the first has finished, because the program must not end before. */
+    /**
+     * Closes everything; a second caller waits until the first has finished, because the program must not end before.
+     */
     @Override
     public void close() {
         if (closing.compareAndSet(false, true)) {

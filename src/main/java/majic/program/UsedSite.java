@@ -7,8 +7,9 @@ import majic.shared.message.Sender;
 import majic.team.Team;
 
 /**
- * One site of which a program uses robots, or has used some: its team obeys the STOP of the site, and messages say when the
- * connection that STOP needs is lost and when it is back, also if the team has no robot there any more. Thread-safe.
+ * One site of which a program uses robots, or has used some: its team obeys the STOP of the site, and messages say when
+ * the connection that STOP needs is lost and when it is back, also if the team has no robot there any more.
+ * Thread-safe.
  */
 final class UsedSite implements BrokerConnection.Watcher, AutoCloseable {
     private final Team team;

@@ -82,7 +82,8 @@ public final class Window {
 
     /**
      * Builds and paints the window and its dialogs without showing them, and waits a little for what the window does in
-     * the background once it is open. Takes the same steps as {@link #run}, since what is not rehearsed delays each start.
+     * the background once it is open. Takes the same steps as {@link #run}, since what is not rehearsed delays each
+     * start.
      */
     public void rehearse() throws InterruptedException {
         MajicFrame frame = open(false);
@@ -100,8 +101,8 @@ public final class Window {
     }
 
     /**
-     * Builds the window and waits for the events of its opening, the first painting among them: what begins afterwards does
-     * not delay it.
+     * Builds the window and waits for the events of its opening, the first painting among them: what begins afterwards
+     * does not delay it.
      */
     private MajicFrame open(boolean visible) {
         WindowPreloader.prepareWindow();

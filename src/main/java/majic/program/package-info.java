@@ -1,6 +1,4 @@
-/**
- * The running program: its team, session, settings, plug-ins and window.
- */
+/** The running program: its team, session, settings, plug-ins and window. */
 @NullMarked
 package majic.program;
 

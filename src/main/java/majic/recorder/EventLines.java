@@ -13,9 +13,7 @@ final class EventLines implements TeamListener, CommandListener {
     private final Team team;
     private final Consumer<String> lines;
 
-    /**
-     * @param lines receives each line, on the thread of the event
-     */
+    /** @param lines receives each line, on the thread of the event */
     EventLines(Team team, Consumer<String> lines) {
         this.team = team;
         this.lines = lines;

@@ -127,7 +127,9 @@ public final class Recorder implements SessionListener, AutoCloseable {
         write(RecordingFormat.line(line));
     }
 
-    /** Records what the robots have reported by now, and writes it, for one second at most. The robots are not affected. */
+    /**
+     * Records what the robots have reported by now, and writes it, for one second at most. The robots are not affected.
+     */
     @Override
     public void close() {
         team.removeListener(robotsOfTeam);

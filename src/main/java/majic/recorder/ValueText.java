@@ -49,7 +49,9 @@ final class ValueText {
         return size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 5;
     }
 
-    /** The number of which {@link #of(double)} makes exactly this text; NaN if there is none. Much faster than trying. */
+    /**
+     * The number of which {@link #of(double)} makes exactly this text; NaN if there is none. Much faster than trying.
+     */
     static double exact(String text) {
         int first = text.startsWith("-") ? 1 : 0;
         int point = text.indexOf('.');

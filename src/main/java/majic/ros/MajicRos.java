@@ -34,11 +34,12 @@ import majic.ros.readings.RosReadings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot that speaks ROS 1 or ROS 2, through a rosbridge server. Its topics are found by their types, its model by a table.
- * Motions are controlled here by its odometry, and velocities are published 20 times a second while it moves.
+ * A robot that speaks ROS 1 or ROS 2, through a rosbridge server. Its topics are found by their types, its model by a
+ * table. Motions are controlled here by its odometry, and velocities are published 20 times a second while it moves.
  *
- * <p>The connection is given up when the server has sent nothing for 0.9 s, answers to pings included. The server does not stop
- * a robot whose client is gone: whether it stops by itself depends on the model, and is shown by the parameter {@code timeout}.
+ * <p>The connection is given up when the server has sent nothing for 0.9 s, answers to pings included. The server does
+ * not stop a robot whose client is gone: whether it stops by itself depends on the model, and is shown by the parameter
+ * {@code timeout}.
  */
 public final class MajicRos extends BotDriver {
     private static final double RENEWAL_S = 1;
@@ -256,7 +257,9 @@ public final class MajicRos extends BotDriver {
                 : Optional.of(scenes.scene(this, open.connections(), readings));
     }
 
-    /** Pictures are requested while a panel shows them; sending may block, so it does not happen on the event thread. */
+    /**
+     * Pictures are requested while a panel shows them; sending may block, so it does not happen on the event thread.
+     */
     private void watchCamera(boolean seen) {
         if (cameraViews.addAndGet(seen ? 1 : -1) == 1 && seen) {
             once("ros camera", 0, this::requestPictures);

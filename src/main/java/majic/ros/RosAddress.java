@@ -10,8 +10,9 @@ import majic.ros.bridge.BridgeAddress;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The address of a robot behind a rosbridge server: {@code ros://host[:port][/namespace][?base=…&robot=…&camera=…&path=…]}, with
- * the scheme {@code ross} for TLS. Immutable.
+ * The address of a robot behind a rosbridge server:
+ * {@code ros://host[:port][/namespace][?base=…&robot=…&camera=…&path=…]}, with the scheme {@code ross} for TLS.
+ * Immutable.
  *
  * @param bridge where the server is
  * @param namespace of the robot, as {@code /robot1}; empty for any

@@ -11,8 +11,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The connections to the server of one robot: one for sensors and velocities, and in ROS 2 another one for services and
- * actions, because servers up to 2.1.0 handle nothing else of a connection until a call is answered (rosbridge sheet 1).
- * Thread-safe.
+ * actions, because servers up to 2.1.0 handle nothing else of a connection until a call is answered (rosbridge sheet
+ * 1). Thread-safe.
  */
 final class RosConnections {
     private static final int TIMEOUT_MS = 3000;

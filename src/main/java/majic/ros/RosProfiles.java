@@ -11,7 +11,9 @@ final class RosProfiles {
     private static final double FASTEST_CRUISE_MM_PER_SEC = 400;
     private static final double FASTEST_CRUISE_DEG_PER_SEC = 45;
 
-    /** An obstacle counts as near if it is reached within a second at the cruising speed, and never nearer than this. */
+    /**
+     * An obstacle counts as near if it is reached within a second at the cruising speed, and never nearer than this.
+     */
     private static final double LEAST_NEAR_MM = 200;
 
     private RosProfiles() {}

@@ -124,7 +124,9 @@ final class RosSensing implements ObstructionSource {
         }
     }
 
-    /** Asks for the servers of actions, which are not among the topics of ROS 2. Older versions of rosapi have no list. */
+    /**
+     * Asks for the servers of actions, which are not among the topics of ROS 2. Older versions of rosapi have no list.
+     */
     private static List<String> actions(BridgeClient client) {
         List<String> actions = new ArrayList<>();
         if (client.isRos2()) {

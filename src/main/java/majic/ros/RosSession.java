@@ -71,7 +71,10 @@ final class RosSession implements VelocityOutput {
     private volatile boolean reporting;
     private volatile @Nullable String problem;
 
-    /** Handles what happens in a session. Called on threads that must not wait: readers, and those that watch the server. */
+    /**
+     * Handles what happens in a session. Called on threads that must not wait: readers, and those that watch the
+     * server.
+     */
     interface Events {
         /** Handles a message of the odometry. */
         void odometry(RosSession from, OdometryMessage reading);
@@ -202,8 +205,8 @@ final class RosSession implements VelocityOutput {
     }
 
     /**
-     * Subscribes again to topics that are silent, and notices that the computer was suspended. Called about once a second: the
-     * two clocks that this compares drift apart by more within hours.
+     * Subscribes again to topics that are silent, and notices that the computer was suspended. Called about once a
+     * second: the two clocks that this compares drift apart by more within hours.
      *
      * @throws LinkLost if the connection has ended, or the computer was suspended
      */
@@ -224,7 +227,10 @@ final class RosSession implements VelocityOutput {
         connections.drive().publish(base().command(), used.message(mmPerSec, degPerSec));
     }
 
-    /** A motion must not go on where it was interrupted: the robot may have been moved or have stopped by itself since then. */
+    /**
+     * A motion must not go on where it was interrupted: the robot may have been moved or have stopped by itself since
+     * then.
+     */
     private void refuseAfterSuspend() {
         if (suspend.wasSuspended()) {
             LinkLost cause = new LinkLost("this computer was asleep");
@@ -313,9 +319,10 @@ final class RosSession implements VelocityOutput {
     }
 
     /**
-     * Sends the last stop on each connection that is still open, and closes them when the server has had the time to read it.
-     * A server discards what it has not read when a connection is closed ({@code IncomingQueue.finish} of rosbridge_server). If
-     * the connections to a server that is only stuck were closed at once, it would go on with the velocities before the stop.
+     * Sends the last stop on each connection that is still open, and closes them when the server has had the time to
+     * read it. A server discards what it has not read when a connection is closed ({@code IncomingQueue.finish} of
+     * rosbridge_server). If the connections to a server that is only stuck were closed at once, it would go on with the
+     * velocities before the stop.
      */
     private void stopAndClose() {
         VelocityForm used = form;

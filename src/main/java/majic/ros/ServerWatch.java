@@ -6,14 +6,15 @@ import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 
 /**
- * Pings the server on one connection, and reports when nothing arrives any more. Has a thread of its own: a ping on a stuck
- * connection takes as long as the write deadline, and must not delay what the robot's timer sends on another one. Thread-safe.
+ * Pings the server on one connection, and reports when nothing arrives any more. Has a thread of its own: a ping on a
+ * stuck connection takes as long as the write deadline, and must not delay what the robot's timer sends on another one.
+ * Thread-safe.
  */
 final class ServerWatch implements AutoCloseable {
     /**
-     * A connection is given up when nothing has arrived for this time, answers to pings included. With the time that an answer
-     * takes, a server that hangs is noticed within a second. Time by which this thread is woken too late does not count: a
-     * computer that is so busy does not read what has arrived either.
+     * A connection is given up when nothing has arrived for this time, answers to pings included. With the time that an
+     * answer takes, a server that hangs is noticed within a second. Time by which this thread is woken too late does
+     * not count: a computer that is so busy does not read what has arrived either.
      */
     static final double SILENCE_S = 0.9;
 

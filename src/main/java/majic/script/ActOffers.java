@@ -17,8 +17,8 @@ import majic.script.record.SessionRecord;
 import majic.team.Member;
 
 /**
- * The behaviours that the user can choose from, and the consent to their code. Everything here reads files and may wait;
- * nothing here loads any of an act's code.
+ * The behaviours that the user can choose from, and the consent to their code. Everything here reads files and may
+ * wait; nothing here loads any of an act's code.
  */
 public final class ActOffers implements Completer.Acts {
     private final SessionOutput output;

@@ -95,7 +95,9 @@ final class LineChecker {
         }
     }
 
-    /** Alone on a line, but for a pipe's, these two cannot wait for the end of a block; "all stop" is for use in one. */
+    /**
+     * Alone on a line, but for a pipe's, these two cannot wait for the end of a block; "all stop" is for use in one.
+     */
     private boolean isUrgent(String line) {
         String word = line.strip();
         return source != LineSource.PIPE && (word.equalsIgnoreCase("stop") || word.equalsIgnoreCase("quit"));

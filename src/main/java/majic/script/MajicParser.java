@@ -44,8 +44,8 @@ public final class MajicParser {
     }
 
     /**
-     * Creates a parser for the lines of a user, at a prompt or in a window: a {@code get} reads at once, and a {@code wait}
-     * never holds a {@code stop}.
+     * Creates a parser for the lines of a user, at a prompt or in a window: a {@code get} reads at once, and a
+     * {@code wait} never holds a {@code stop}.
      *
      * @param session what the lines act on, and where answers go
      * @return a new parser
@@ -98,15 +98,15 @@ public final class MajicParser {
 
     /**
      * Parses one line, checks it, and submits its commands or queues it behind a {@code wait}. Returns at once. Lines
-     * of an open block are kept until its {@code end}. The session's listeners receive the line, then its answers;
-     * they receive a refusal as well, so the caller need not show it again. A line with the word {@code stop} that
-     * cannot be understood is taken as STOP. Reads no file and waits for no robot: what a line with {@code act},
-     * {@code trust} or {@code run} names is read on a thread of this parser, and the lines behind it wait for that; a
-     * {@code stop} does not.
+     * of an open block are kept until its {@code end}. The session's listeners receive the line, then its answers; they
+     * receive a refusal as well, so the caller need not show it again. A line with the word {@code stop} that cannot be
+     * understood is taken as STOP. Reads no file and waits for no robot: what a line with {@code act}, {@code trust} or
+     * {@code run} names is read on a thread of this parser, and the lines behind it wait for that; a {@code stop} does
+     * not.
      *
      * @param text the line; if there are several, all up to the first wrong one are accepted
-     * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence; what is
-     *     wrong with a file goes to the listeners only
+     * @return empty if it was accepted; otherwise what is wrong, where, and what would be right, in one sentence; what
+     *     is wrong with a file goes to the listeners only
      */
     public Optional<String> parseText(String text) {
         return parse(text, "", refusal -> {}).map(Refusal::message);
@@ -249,8 +249,8 @@ public final class MajicParser {
     }
 
     /**
-     * Waits until few lines wait for their turn. Call it before each line of a long pipe, so that the pipe
-     * waits and not the memory fills.
+     * Waits until few lines wait for their turn. Call it before each line of a long pipe, so that the pipe waits and
+     * not the memory fills.
      *
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
@@ -259,7 +259,8 @@ public final class MajicParser {
     }
 
     /**
-     * At the end of a pipe: waits until all lines and all they began have ended and the listeners have received the answers.
+     * At the end of a pipe: waits until all lines and all they began have ended and the listeners have received the
+     * answers.
      *
      * @return as {@link #allSucceeded()}
      * @throws InterruptedException if the thread is interrupted meanwhile

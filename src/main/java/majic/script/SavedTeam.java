@@ -17,8 +17,8 @@ import majic.text.VisibleText;
 
 /**
  * A team that was saved: a script of {@code add} lines, each followed by the name, the calibration and the start pose
- * of its robot. Unlike a script, opening it moves no robot, and a robot that does not answer does not prevent the others from
- * being added. Immutable.
+ * of its robot. Unlike a script, opening it moves no robot, and a robot that does not answer does not prevent the
+ * others from being added. Immutable.
  */
 public final class SavedTeam {
     private static final String POSE = "pose";

@@ -34,8 +34,8 @@ import majic.team.Owner;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A behaviour written in MAJIC Script. It is data only: saved and read back it brings no code. Each robot number in it is
- * a role, {@code me} the robot it runs on; without a {@code me} that is the robot named first.
+ * A behaviour written in MAJIC Script. It is data only: saved and read back it brings no code. Each robot number in it
+ * is a role, {@code me} the robot it runs on; without a {@code me} that is the robot named first.
  */
 public final class ScriptAct extends MajicAct {
     /** How files with scripts end. */
@@ -58,7 +58,8 @@ public final class ScriptAct extends MajicAct {
      *
      * @param title the name in messages about its mistakes
      * @param text the script, its lines apart by line breaks
-     * @throws BotException if it has mistakes, or commands that only a session may have; one line for each, with its place
+     * @throws BotException if it has mistakes, or commands that only a session may have; one line for each, with its
+     *     place
      */
     public ScriptAct(String title, String text) {
         this.title = title;

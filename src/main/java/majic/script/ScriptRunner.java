@@ -88,7 +88,8 @@ public final class ScriptRunner {
     }
 
     /**
-     * Returns the names of the script's arguments, such as {@code $speed}, that could be typed at a place. Reads no files.
+     * Returns the names of the script's arguments, such as {@code $speed}, that could be typed at a place. Reads no
+     * files.
      *
      * @param text the script
      * @param line one line of it
@@ -100,8 +101,8 @@ public final class ScriptRunner {
     }
 
     /**
-     * Explains a word of a script: a command, a robot, a parameter, or the value that is expected in its place. Reads no
-     * files, so nothing is known of names of acts and files.
+     * Explains a word of a script: a command, a robot, a parameter, or the value that is expected in its place. Reads
+     * no files, so nothing is known of names of acts and files.
      *
      * @param line one line of the script
      * @param index a place that the word touches, 0 to the length of the line; in a gap, what is expected there is

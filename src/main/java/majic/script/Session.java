@@ -32,9 +32,8 @@ import majic.team.TeamListener;
 import majic.text.Advice;
 
 /**
- * What all parts of one running MAJIC share: the team, the factory of robots, and the output. Window,
- * console and every socket have a {@link MajicParser} each, on the same session. It closes nothing by itself.
- * Thread-safe.
+ * What all parts of one running MAJIC share: the team, the factory of robots, and the output. Window, console and every
+ * socket have a {@link MajicParser} each, on the same session. It closes nothing by itself. Thread-safe.
  */
 public final class Session {
     private static final Path ACTS = Path.of("acts");
@@ -175,8 +174,8 @@ public final class Session {
     }
 
     /**
-     * Records that a robot was added to the team past the script, by a dialog for instance, so that a
-     * saved session has it.
+     * Records that a robot was added to the team past the script, by a dialog for instance, so that a saved session has
+     * it.
      *
      * @param member the robot
      * @param address where it is, as {@code add} would take it

@@ -219,7 +219,9 @@ final class LineClient {
         }
     }
 
-    /** Carries out one line before the other clients' bytes are read again, so that a stop among these waits for few. */
+    /**
+     * Carries out one line before the other clients' bytes are read again, so that a stop among these waits for few.
+     */
     private boolean runHeld() {
         String line = held.peek();
         if (line == null || !mayRun(line)) {
@@ -256,8 +258,8 @@ final class LineClient {
     }
 
     /**
-     * Ends a connection whose last answer is sent. A dismissed client may be sending: if the connection were closed with
-     * unread bytes, the reason would be lost, so the client has a second to close its side.
+     * Ends a connection whose last answer is sent. A dismissed client may be sending: if the connection were closed
+     * with unread bytes, the reason would be lost, so the client has a second to close its side.
      */
     private void endIfOver() throws IOException {
         boolean isSent = answers.isEmpty() && !wire.hasUnsent();

@@ -91,8 +91,8 @@ public final class LineServer implements AutoCloseable {
     }
 
     /**
-     * Starts to listen for programs on other computers, which use TLS 1.3 and send a token first. Lines other than stops
-     * wait until {@link #ready()}.
+     * Starts to listen for programs on other computers, which use TLS 1.3 and send a token first. Lines other than
+     * stops wait until {@link #ready()}.
      *
      * @param address an address of this computer, or the wildcard address for all; port 0 takes a free one
      * @param session the session whose team is commanded

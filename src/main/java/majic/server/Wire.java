@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 
 /**
- * A connection that never blocks, plain or encrypted. The defaults are those of a connection that keeps no bytes and needs
- * no handshake. Used on the server's thread, except {@link #isOpen}.
+ * A connection that never blocks, plain or encrypted. The defaults are those of a connection that keeps no bytes and
+ * needs no handshake. Used on the server's thread, except {@link #isOpen}.
  */
 interface Wire extends Closeable {
     /** Size of the buffer that {@link #read} needs, in bytes. */

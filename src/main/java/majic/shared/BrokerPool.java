@@ -20,9 +20,9 @@ import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The connections of a program to brokers: one for each broker, open while a shared robot uses it. If sites are observed, a
- * site of which a robot has been connected is observed until {@link #leaveSites()}, and its connection stays open as long.
- * Thread-safe.
+ * The connections of a program to brokers: one for each broker, open while a shared robot uses it. If sites are
+ * observed, a site of which a robot has been connected is observed until {@link #leaveSites()}, and its connection
+ * stays open as long. Thread-safe.
  */
 final class BrokerPool {
     private static final Logger LOG = LateLogger.of(BrokerPool.class);
@@ -157,8 +157,8 @@ final class BrokerPool {
     }
 
     /**
-     * Ends the use of a broker; the last user closes the connection. Takes at most 0.5 s, but waits for the subscription of
-     * another robot that is the first of its site.
+     * Ends the use of a broker; the last user closes the connection. Takes at most 0.5 s, but waits for the
+     * subscription of another robot that is the first of its site.
      */
     void release(BrokerAddress address, Object user) {
         Entry entry;

@@ -6,7 +6,10 @@ import majic.bot.Value;
 import majic.shared.message.RequestedAction;
 import org.jspecify.annotations.Nullable;
 
-/** The time from a request to a shared robot to its answer, measured every few seconds. Used by the robot's timer thread. */
+/**
+ * The time from a request to a shared robot to its answer, measured every few seconds. Used by the robot's timer
+ * thread.
+ */
 final class DelayMeter {
     private static final double PERIOD_S = 5;
     private static final double SLOW_S = 0.3;

@@ -8,8 +8,8 @@ import majic.environment.BotEnvironment;
 import majic.shared.message.Description;
 
 /**
- * The type of a shared robot that has been connected: that of the robot at its desk, so that acts, scripts and users treat
- * it as a robot of this type.
+ * The type of a shared robot that has been connected: that of the robot at its desk, so that acts, scripts and users
+ * treat it as a robot of this type.
  *
  * @param shared the type by whose addresses it is reached
  * @param kind the type that the desk has published

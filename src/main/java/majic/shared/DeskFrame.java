@@ -8,8 +8,8 @@ import majic.shared.message.RobotState.Movement;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The frame of the poses of a shared robot. This program uses the frame of the robot's desk, so that the pose is the same at
- * all desks, until its user places the robot elsewhere. Thread-safe.
+ * The frame of the poses of a shared robot. This program uses the frame of the robot's desk, so that the pose is the
+ * same at all desks, until its user places the robot elsewhere. Thread-safe.
  */
 final class DeskFrame {
     private static final Pattern POSE = Pattern.compile("(?i)\\b(x|y|heading|pose)\\b");

@@ -44,11 +44,11 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A robot that another desk shares through a broker. It has the parameters, the commands and the type that its desk
- * describes; motions are performed and guarded there. While this program holds the robot, it publishes a heartbeat; its desk
- * stops the robot when the heartbeat is missing for a second.
+ * describes; motions are performed and guarded there. While this program holds the robot, it publishes a heartbeat; its
+ * desk stops the robot when the heartbeat is missing for a second.
  *
- * <p>The connection is given up when the broker, the desk or the desk's connection to the robot is lost, and when no state
- * has arrived for 3 s.
+ * <p>The connection is given up when the broker, the desk or the desk's connection to the robot is lost, and when no
+ * state has arrived for 3 s.
  */
 public final class MajicShared extends BotDriver {
     private static final Logger LOG = System.getLogger(MajicShared.class.getName());
@@ -322,7 +322,10 @@ public final class MajicShared extends BotDriver {
         noteStops(received.state().stops());
     }
 
-    /** A stop by another program or at the desk ends what this program does with the robot, so that it does not go on after the stop. */
+    /**
+     * A stop by another program or at the desk ends what this program does with the robot, so that it does not go on
+     * after the stop.
+     */
     private void noteStops(long now) {
         long before = stopsAtDesk;
         stopsAtDesk = now;

@@ -88,7 +88,8 @@ final class PooledBroker implements BrokerConnection.Watcher {
     }
 
     /**
-     * Adds a handler for a topic or filter. It gets the retained messages; handlers of the same topic get them once more.
+     * Adds a handler for a topic or filter. It gets the retained messages; handlers of the same topic get them once
+     * more.
      *
      * @throws BotException if the broker refuses
      */

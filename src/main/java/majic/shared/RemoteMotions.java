@@ -17,8 +17,8 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Has a shared robot do something, and waits for the answers of its desk. Knows whether this program may have set the robot
- * in motion, so that it has to be stopped when a motion does not end as it should. Thread-safe.
+ * Has a shared robot do something, and waits for the answers of its desk. Knows whether this program may have set the
+ * robot in motion, so that it has to be stopped when a motion does not end as it should. Thread-safe.
  */
 final class RemoteMotions {
     private static final double FIRST_ANSWER_S = 2;
@@ -210,8 +210,8 @@ final class RemoteMotions {
     }
 
     /**
-     * Stops the robot, if a stop was begun or this program may have set it in motion. Waits for nothing. Otherwise another
-     * user may be moving the robot, which the end of a motion that was refused here must not stop.
+     * Stops the robot, if a stop was begun or this program may have set it in motion. Waits for nothing. Otherwise
+     * another user may be moving the robot, which the end of a motion that was refused here must not stop.
      */
     void halt() {
         if (stop.isAhead() || isActive()) {

@@ -83,7 +83,8 @@ final class RemoteStop {
     }
 
     /**
-     * Waits until the desk has confirmed the last stop, if there is one to be confirmed, and publishes it again each second.
+     * Waits until the desk has confirmed the last stop, if there is one to be confirmed, and publishes it again each
+     * second.
      *
      * @throws BotException if it is not confirmed within 5 s, or failed
      */

@@ -14,8 +14,8 @@ import majic.shared.message.SpeedMessage;
 import majic.shared.message.StopMessage;
 
 /**
- * Publishes what moves, stops and asks one shared robot. Everything that may move it is valid for a short time on the clock
- * of the desk that has it, so that nothing moves a robot that arrives late. No method blocks; all throw a
+ * Publishes what moves, stops and asks one shared robot. Everything that may move it is valid for a short time on the
+ * clock of the desk that has it, so that nothing moves a robot that arrives late. No method blocks; all throw a
  * {@link BotException} while there is no connection to the broker. Thread-safe.
  */
 final class RobotCommands {

@@ -21,8 +21,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What arrives from one shared robot and its desk, from one connection of the driver to the next. Thread-safe; calls its
- * listener on the thread of the broker's connection.
+ * What arrives from one shared robot and its desk, from one connection of the driver to the next. Thread-safe; calls
+ * its listener on the thread of the broker's connection.
  */
 final class RobotFeed {
     private static final Logger LOG = System.getLogger(RobotFeed.class.getName());

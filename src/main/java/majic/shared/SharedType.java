@@ -16,8 +16,8 @@ import majic.shared.panel.SharedReplay;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Robots that another desk shares, among the types of robots. All robots that are made by one object of this class use one
- * connection for each broker.
+ * Robots that another desk shares, among the types of robots. All robots that are made by one object of this class use
+ * one connection for each broker.
  */
 public final class SharedType implements BotType {
     private final BrokerOpener opener;
@@ -63,8 +63,8 @@ public final class SharedType implements BotType {
     }
 
     /**
-     * Sets what is done at each site of which a robot is used. It goes on, with a connection to the broker, when the last
-     * robot of the site is closed, until {@link #leaveSites()}.
+     * Sets what is done at each site of which a robot is used. It goes on, with a connection to the broker, when the
+     * last robot of the site is closed, until {@link #leaveSites()}.
      *
      * @param observer called for the first robot of each site from now on
      */

@@ -15,8 +15,9 @@ import majicsim.net.LineCount;
  * Determines whether no byte is in transit between the drivers and the robots of one lab: every byte that either end
  * wrote has been processed at the other. Used by one thread.
  *
- * <p>Counts only grow, so two equal readings in succession mean that nothing was transferred between them. A stepped clock
- * checks this before each of its steps, so it is written without streams, which take most of the time for so few lines.
+ * <p>Counts only grow, so two equal readings in succession mean that nothing was transferred between them. A stepped
+ * clock checks this before each of its steps, so it is written without streams, which take most of the time for so few
+ * lines.
  */
 public final class TransitCheck implements BooleanSupplier {
     private final Supplier<List<Traffic>> drivers;

@@ -1,6 +1,4 @@
-/**
- * The simulated lab inside this program: it starts the simulators and steps or paces their clock.
- */
+/** The simulated lab inside this program: it starts the simulators and steps or paces their clock. */
 @NullMarked
 package majic.simulation;
 

@@ -39,7 +39,8 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
      * Creates it switched off; {@link #enable} switches it on.
      *
      * @param team the robots
-     * @param changed receives a robot whose {@link #status} has changed; called on a thread of the robot, must not block
+     * @param changed receives a robot whose {@link #status} has changed; called on a thread of the robot, must not
+     *     block
      */
     public AutoReconnect(Team team, Consumer<Member> changed) {
         this.team = team;

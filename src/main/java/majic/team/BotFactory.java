@@ -33,7 +33,10 @@ import org.jspecify.annotations.Nullable;
 public final class BotFactory {
     private static final System.Logger LOG = LateLogger.of(BotFactory.class);
 
-    /** The types in the order of the thesis, then the one of today's robots, those of other desks; others follow by name. */
+    /**
+     * The types in the order of the thesis, then the one of today's robots, those of other desks; others follow by
+     * name.
+     */
     private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros", "mqtt");
 
     private static final Pattern SERVER = Pattern.compile(
@@ -143,7 +146,8 @@ public final class BotFactory {
      *
      * @param text as typed
      * @return the address; its type may be unknown
-     * @throws BotException if it is no address; the message shows a right one, that of the lab's robot if its name was typed
+     * @throws BotException if it is no address; the message shows a right one, that of the lab's robot if its name was
+     *     typed
      */
     public BotAddress parse(String text) {
         LabAccess running = lab;
@@ -155,8 +159,8 @@ public final class BotFactory {
     }
 
     /**
-     * Returns whether two addresses are those of one robot. Upper and lower case, the makers' library, {@code tcp:} and a usual
-     * port that only one of them has make no difference.
+     * Returns whether two addresses are those of one robot. Upper and lower case, the makers' library, {@code tcp:} and
+     * a usual port that only one of them has make no difference.
      *
      * @param one as typed
      * @param other as typed

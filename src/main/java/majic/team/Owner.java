@@ -4,9 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import majic.bot.BotException;
 
-/**
- * An exclusive owner of a robot: a script, an act, manual control, or a user at another desk. Compared by identity.
- */
+/** An exclusive owner of a robot: a script, an act, manual control, or a user at another desk. Compared by identity. */
 public final class Owner {
     /** What kinds of owners there are. */
     public enum Kind {
@@ -92,9 +90,7 @@ public final class Owner {
         status = words;
     }
 
-    /**
-     * Ends this owner, without stopping any robot: the owner does that, or it was done.
-     */
+    /** Ends this owner, without stopping any robot: the owner does that, or it was done. */
     public void end() {
         end.run();
     }

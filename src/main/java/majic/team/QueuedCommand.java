@@ -89,8 +89,8 @@ public final class QueuedCommand {
     /**
      * Returns the same command, not submitted, with a receiver of its end.
      *
-     * @param receiver called once after the command was submitted and has ended, with its answer, whose text is empty if
-     *     the command answers nothing; called on the worker of the robot, or on the thread that ends the command
+     * @param receiver called once after the command was submitted and has ended, with its answer, whose text is empty
+     *     if the command answers nothing; called on the worker of the robot, or on the thread that ends the command
      * @return a new command
      */
     public QueuedCommand endingIn(Consumer<Answer> receiver) {

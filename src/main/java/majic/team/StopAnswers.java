@@ -87,7 +87,9 @@ final class StopAnswers {
         }
     }
 
-    /** The end of the wait, on the system's clock, because a stepped clock passes 2 s at once while it waits for an act. */
+    /**
+     * The end of the wait, on the system's clock, because a stepped clock passes 2 s at once while it waits for an act.
+     */
     private final class Deadline {
         private final Signal ended = TimeSource.system().signal();
         private volatile boolean over;

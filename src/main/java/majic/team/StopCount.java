@@ -5,8 +5,8 @@ import java.util.HashMap;
 import java.util.Map;
 
 /**
- * Counts stops by users, so that a queued line can see later that its robots were stopped since. The team
- * counts a stop on the thread that requests it, before it revokes anything. Thread-safe.
+ * Counts stops by users, so that a queued line can see later that its robots were stopped since. The team counts a stop
+ * on the thread that requests it, before it revokes anything. Thread-safe.
  */
 public final class StopCount {
     /**

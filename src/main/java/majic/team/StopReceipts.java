@@ -26,7 +26,8 @@ final class StopReceipts {
      * @param latched whether the robot counts among those that the latched STOP was meant for
      * @param confirmed whether the robot has confirmed it
      * @param pending whether it is unknown yet whether the robot confirms it
-     * @param problem why this stop, or while it is pending an earlier one, was not confirmed; null if there is no reason
+     * @param problem why this stop, or while it is pending an earlier one, was not confirmed; null if there is no
+     *     reason
      */
     private record Receipt(
             long stop,

@@ -80,8 +80,8 @@ public final class Team implements AutoCloseable {
      * @param bot a connected robot
      * @param wanted its number; empty for the lowest that was never used
      * @return the new member
-     * @throws BotException if the number is taken or out of range, the team is full, or the robot's driver does not extend
-     *     {@link BotDriver}; the robot was not added
+     * @throws BotException if the number is taken or out of range, the team is full, or the robot's driver does not
+     *     extend {@link BotDriver}; the robot was not added
      */
     public Member add(MajicBot bot, OptionalInt wanted) {
         BotDriver driver = BotDriver.of(bot);
@@ -236,8 +236,8 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Sets whether STOP of this team stops robots of other programs too, so that it has robots to stop even while this team
-     * has none.
+     * Sets whether STOP of this team stops robots of other programs too, so that it has robots to stop even while this
+     * team has none.
      *
      * @param shared false in a new team
      */
@@ -246,8 +246,8 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * STOP, if there is a robot here, or STOP is shared with other programs. Otherwise it ends what runs without robots, and
-     * does not latch.
+     * STOP, if there is a robot here, or STOP is shared with other programs. Otherwise it ends what runs without
+     * robots, and does not latch.
      *
      * @return whether it latched
      */

@@ -87,7 +87,9 @@ final class TeamEvents {
         }));
     }
 
-    /** Calls the listeners for the queued events, on this thread; leaves out a listener that another thread is calling. */
+    /**
+     * Calls the listeners for the queued events, on this thread; leaves out a listener that another thread is calling.
+     */
     void deliver() {
         receivers.forEach(receiver -> receiver.events.deliver());
     }

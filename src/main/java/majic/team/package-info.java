@@ -1,6 +1,4 @@
-/**
- * Robots by number: their queues, their owners, manual control, and the STOP for all of them.
- */
+/** Robots by number: their queues, their owners, manual control, and the STOP for all of them. */
 @NullMarked
 package majic.team;
 

@@ -20,8 +20,8 @@ public final class Advice {
     }
 
     /**
-     * Both as one sentence, with a semicolon between them. Behind a question, which asks what to look at already, a second
-     * question is left out, and other advice is a sentence of its own.
+     * Both as one sentence, with a semicolon between them. Behind a question, which asks what to look at already, a
+     * second question is left out, and other advice is a sentence of its own.
      *
      * @param problem what went wrong, without a full stop
      * @param advice begins in lower case or with a quotation mark

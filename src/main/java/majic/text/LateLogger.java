@@ -4,8 +4,8 @@ import java.util.ResourceBundle;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A logger that the JDK creates with the first line. The JDK's first logger initialises its logging, which would delay the
- * window, so classes that are needed for the first painting use this one. Thread-safe.
+ * A logger that the JDK creates with the first line. The JDK's first logger initialises its logging, which would delay
+ * the window, so classes that are needed for the first painting use this one. Thread-safe.
  */
 public final class LateLogger implements System.Logger {
     private final String name;

@@ -17,9 +17,8 @@ import java.util.function.BiFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The texts of a package's windows in the user's language: its resource bundle {@code Texts}, a properties file beside the
- * classes. The language is the default locale; one without a bundle gets English. May be
- * used on any thread.
+ * The texts of a package's windows in the user's language: its resource bundle {@code Texts}, a properties file beside
+ * the classes. The language is the default locale; one without a bundle gets English. May be used on any thread.
  */
 public final class Texts {
     /** Finds the bundle of the package of a class; tests use another function for a while. */
@@ -50,8 +49,9 @@ public final class Texts {
      * Returns a text.
      *
      * @param key its key in the bundle
-     * @param values put in place of {@code {0}}, {@code {1}}, as {@link String#valueOf(Object)} writes them, but numbers as
-     *     {@link NumberText#of}; the patterns are those of {@link MessageFormat}, so an apostrophe is doubled in the file
+     * @param values put in place of {@code {0}}, {@code {1}}, as {@link String#valueOf(Object)} writes them, but
+     *     numbers as {@link NumberText#of}; the patterns are those of {@link MessageFormat}, so an apostrophe is
+     *     doubled in the file
      * @throws MissingResourceException if the bundle has no such text
      */
     public String get(String key, Object... values) {

@@ -4,7 +4,9 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import org.jspecify.annotations.Nullable;
 
-/** Delivers events in the order in which they were added, by one thread at a time and with no lock held. Thread-safe. */
+/**
+ * Delivers events in the order in which they were added, by one thread at a time and with no lock held. Thread-safe.
+ */
 public final class OrderedEvents {
     private final Deque<Runnable> undelivered = new ArrayDeque<>();
     private @Nullable Thread delivering;
@@ -31,8 +33,8 @@ public final class OrderedEvents {
     }
 
     /**
-     * Delivers all undelivered events on this thread. Returns at once while another thread delivers, which then delivers
-     * these too.
+     * Delivers all undelivered events on this thread. Returns at once while another thread delivers, which then
+     * delivers these too.
      */
     public void deliver() {
         if (!begin()) {

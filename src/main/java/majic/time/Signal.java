@@ -2,9 +2,7 @@ package majic.time;
 
 import java.util.function.BooleanSupplier;
 
-/**
- * Lets threads wait until a condition holds; a thread that may have made it true wakes them. Thread-safe.
- */
+/** Lets threads wait until a condition holds; a thread that may have made it true wakes them. Thread-safe. */
 public interface Signal {
     /** No time limit. */
     double FOR_EVER = Double.POSITIVE_INFINITY;

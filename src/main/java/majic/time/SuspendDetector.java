@@ -4,8 +4,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.LongSupplier;
 
 /**
- * Detects that the computer was suspended. On Linux and macOS {@link System#nanoTime} stops meanwhile, so by that clock a
- * suspended program has not lost any time; the wall clock goes on. Thread-safe.
+ * Detects that the computer was suspended. On Linux and macOS {@link System#nanoTime} stops meanwhile, so by that clock
+ * a suspended program has not lost any time; the wall clock goes on. Thread-safe.
  */
 public final class SuspendDetector {
     /** More than a usual correction of the wall clock between two calls, less than the watchdogs of robots, ms. */

@@ -4,9 +4,9 @@ import java.util.function.BooleanSupplier;
 
 /**
  * Determines whether the current thread may wait for a robot's answer or for a listener. A thread must not if it
- * receives all reports of a robot, sends motion commands, or checks the guard condition of a moving robot: there a value
- * that is not available at once is {@code unknown}, and listeners are called on another thread. Drivers check this
- * before they wait in the reader of a parameter.
+ * receives all reports of a robot, sends motion commands, or checks the guard condition of a moving robot: there a
+ * value that is not available at once is {@code unknown}, and listeners are called on another thread. Drivers check
+ * this before they wait in the reader of a parameter.
  */
 public final class WaitPolicy {
     private static final ThreadLocal<Boolean> DENIED = ThreadLocal.withInitial(() -> false);

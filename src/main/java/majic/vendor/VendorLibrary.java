@@ -9,8 +9,8 @@ import majic.environment.Settings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot maker's Java library, by which a robot can be driven instead of by this program's own client. The program has no
- * part of it: it is looked for when it is first needed, and stays loaded until the program ends. Thread-safe.
+ * A robot maker's Java library, by which a robot can be driven instead of by this program's own client. The program has
+ * no part of it: it is looked for when it is first needed, and stays loaded until the program ends. Thread-safe.
  */
 public enum VendorLibrary {
     /** MobileRobots' ARIA, with its Java wrapper. */
@@ -94,13 +94,13 @@ public enum VendorLibrary {
     }
 
     /**
-     * Creates an object of an adapter class, which uses the library. The library is looked for in the folder named by the
-     * command line, the environment or the settings, in this order.
+     * Creates an object of an adapter class, which uses the library. The library is looked for in the folder named by
+     * the command line, the environment or the settings, in this order.
      *
      * @param <T> what the rest of the driver knows of the adapter
      * @param type that interface, which is not in the adapter's package
-     * @param adapter the name of a public class with a public constructor without arguments; all classes of its package are
-     *     loaded together with the library, and must be used by nothing else
+     * @param adapter the name of a public class with a public constructor without arguments; all classes of its package
+     *     are loaded together with the library, and must be used by nothing else
      * @param settings may name the folder
      * @return a new object
      * @throws BotException if the library is missing or cannot be used; the message says what was looked for and where

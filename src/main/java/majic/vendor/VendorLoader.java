@@ -12,9 +12,9 @@ import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Defines the classes of one library and of the adapter that uses it; all others come from the program's class loader. The
- * adapter's classes are part of the program but are defined here from their bytes, so that the library's names in them mean
- * the installed one. The library's classes are never looked for in the program.
+ * Defines the classes of one library and of the adapter that uses it; all others come from the program's class loader.
+ * The adapter's classes are part of the program but are defined here from their bytes, so that the library's names in
+ * them mean the installed one. The library's classes are never looked for in the program.
  */
 final class VendorLoader extends URLClassLoader {
     private static final Pattern OTHER_PROCESSOR =
@@ -43,8 +43,8 @@ final class VendorLoader extends URLClassLoader {
     }
 
     /**
-     * Loads the native parts that are not loaded yet. After a failure it can be called again, and only for the same loader:
-     * Java loads no file for two of them.
+     * Loads the native parts that are not loaded yet. After a failure it can be called again, and only for the same
+     * loader: Java loads no file for two of them.
      *
      * @throws BotException if a part is missing or cannot be loaded
      */
@@ -77,7 +77,10 @@ final class VendorLoader extends URLClassLoader {
         return home.folder();
     }
 
-    /** Loads a file by its absolute path, so that those loaded after it find it although no search path names its folder. */
+    /**
+     * Loads a file by its absolute path, so that those loaded after it find it although no search path names its
+     * folder.
+     */
     @SuppressWarnings("unchecked")
     private void load(Path file) {
         try {

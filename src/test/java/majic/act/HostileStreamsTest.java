@@ -191,7 +191,10 @@ class HostileStreamsTest {
                 Arguments.of("a list that is in itself", cyclic(), "holds itself"));
     }
 
-    /** Every set has two sets, and both sets of a level have the same two; to hash the first takes 2 to the power of levels. */
+    /**
+     * Every set has two sets, and both sets of a level have the same two; to hash the first takes 2 to the power of
+     * levels.
+     */
     private static Serializable setsInSets(int levels) {
         HashSet<Object> root = new HashSet<>();
         HashSet<Object> one = root;

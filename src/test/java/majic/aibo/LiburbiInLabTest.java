@@ -34,8 +34,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Tests the Aibo's driver by liburbi-java with the simulated dog. The library is the one in the
- * folder that {@code -Dliburbi.home} names; without it a small double of it is compiled, with the same weaknesses.
+ * Tests the Aibo's driver by liburbi-java with the simulated dog. The library is the one in the folder that
+ * {@code -Dliburbi.home} names; without it a small double of it is compiled, with the same weaknesses.
  */
 @Tag("vendor")
 class LiburbiInLabTest {

@@ -21,9 +21,10 @@ import majicsim.net.LineCount;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A peer on loopback that answers the commands of the driver. It does not parse URBI: it searches for the words of the sheet
- * in what arrives. Its clock steps, unless a test has threads that do not use it. This class has the settings and records of a test; {@link ScriptedLine} is a connection,
- * {@link ScriptedCommands} what comes of a command, {@link ScriptedErrands} what then goes on.
+ * A peer on loopback that answers the commands of the driver. It does not parse URBI: it searches for the words of the
+ * sheet in what arrives. Its clock steps, unless a test has threads that do not use it. This class has the settings and
+ * records of a test; {@link ScriptedLine} is a connection, {@link ScriptedCommands} what comes of a command,
+ * {@link ScriptedErrands} what then goes on.
  */
 public final class ScriptedDog implements AutoCloseable {
     private final ServerSocket server = Loopback.listen();

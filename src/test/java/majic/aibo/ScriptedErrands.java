@@ -7,7 +7,10 @@ import java.util.stream.Stream;
 import majic.bot.Agenda;
 import majic.time.TimeSource;
 
-/** What goes on in a scripted dog for a time: gaits, postures, reports. A gait goes by its own name, the rest by its tag. */
+/**
+ * What goes on in a scripted dog for a time: gaits, postures, reports. A gait goes by its own name, the rest by its
+ * tag.
+ */
 final class ScriptedErrands {
     private final Agenda agenda;
     private final Map<String, Agenda.Event> running = new ConcurrentHashMap<>();

@@ -19,9 +19,9 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Compares the public API for programs, behaviours and plug-ins with the list in {@code src/test/resources/api.txt}. The
- * list makes each change of the API visible in the commit that makes it. Running this test with {@code -Dapi.write=true}
- * writes the list anew.
+ * Compares the public API for programs, behaviours and plug-ins with the list in {@code src/test/resources/api.txt}.
+ * The list makes each change of the API visible in the commit that makes it. Running this test with
+ * {@code -Dapi.write=true} writes the list anew.
  */
 class ApiTest {
     private static final Path LIST = Path.of("src/test/resources/api.txt");

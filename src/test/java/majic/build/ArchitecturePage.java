@@ -109,8 +109,8 @@ final class ArchitecturePage {
     }
 
     /**
-     * Returns the node that stands for a package in the diagram of another, with all packages below one as one node,
-     * or "" where it is not shown.
+     * Returns the node that stands for a package in the diagram of another, with all packages below one as one node, or
+     * "" where it is not shown.
      */
     private static String node(String name, String diagram) {
         if (name.equals(diagram)) {

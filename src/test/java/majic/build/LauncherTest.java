@@ -145,7 +145,9 @@ class LauncherTest {
         return file.substring(0, file.lastIndexOf('.'));
     }
 
-    /** Creates the program's Java, which does this when it makes the archive of class data, and when it starts MAJIC. */
+    /**
+     * Creates the program's Java, which does this when it makes the archive of class data, and when it starts MAJIC.
+     */
     private void java(String classData, String start) throws IOException {
         program("bin/mvn", MAVEN);
         program("bin/javac", "#!/bin/sh\n");

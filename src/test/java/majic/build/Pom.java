@@ -67,7 +67,9 @@ record Pom(Path file, Element project) {
                 .filter(one -> optional || !text(one, "optional").equals("true"));
     }
 
-    /** Returns whether a dependency without a scope of its own has one of a parent's, by which it is for tests alone. */
+    /**
+     * Returns whether a dependency without a scope of its own has one of a parent's, by which it is for tests alone.
+     */
     boolean isManagedForTests(Element dependency, Path repository) {
         return text(dependency, "scope").isEmpty()
                 && parent(repository)

@@ -30,14 +30,16 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Tests that the jar for programs that embed robots has all that these need beside the two libraries that come with it. */
+/**
+ * Tests that the jar for programs that embed robots has all that these need beside the two libraries that come with it.
+ */
 @Tag("jdk")
 class RobotsJarTest {
     private static final Path CLASSES = Path.of(System.getProperty("majic.target", "target"), "classes");
 
     /**
-     * Loaded only where there is a window, JNA, a robot maker's library, a robot that speaks ROS and so needs JSON, or a
-     * robot of another desk, which needs MQTT, too.
+     * Loaded only where there is a window, JNA, a robot maker's library, a robot that speaks ROS and so needs JSON, or
+     * a robot of another desk, which needs MQTT, too.
      */
     private static final Pattern OPTIONAL = Pattern.compile(
             "majic\\.\\w+\\.panel\\..*|com\\.sun\\.jna\\..*"

@@ -63,8 +63,8 @@ class WindowTextsTest {
     private static final Pattern TAG = Pattern.compile("<[^>]*>");
 
     /**
-     * Calls whose arguments no user sees: names of threads, messages of the log, lines of MAJIC Script, patterns, styles.
-     * The bodies of lambdas among them are looked at.
+     * Calls whose arguments no user sees: names of threads, messages of the log, lines of MAJIC Script, patterns,
+     * styles. The bodies of lambdas among them are looked at.
      */
     private static final Set<String> UNSEEN = Set.of(
             "answered",

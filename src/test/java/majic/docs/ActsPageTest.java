@@ -119,8 +119,10 @@ class ActsPageTest {
         return varies ? line.substring(0, colon) + ": \\S.*" : Pattern.quote(line);
     }
 
-    /** Runs {@code ./majic act …}; the file is written beside its source, on the page into the current folder. Returns what
-     * is printed. */
+    /**
+     * Runs {@code ./majic act …}; the file is written beside its source, on the page into the current folder. Returns
+     * what is printed.
+     */
     private String runInAShell(String line) {
         String[] words = WORD.matcher(
                         (line.contains("make") ? line + " -o There.act" : line).replace("./majic act ", ""))

@@ -23,8 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * Tests the Java on the pages of the documentation. A block is a class, the body of a method, methods of an
- * act, or lines of an example. The line number of a failure is that on the page.
+ * Tests the Java on the pages of the documentation. A block is a class, the body of a method, methods of an act, or
+ * lines of an example. The line number of a failure is that on the page.
  */
 @Tag("jdk")
 class JavaOnPagesTest {

@@ -23,8 +23,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Tests the programs without MAJIC that {@code docs/results.md} compares with those with MAJIC: those for the Aibo and the Hemisson with the simulated
- * robots, those with ARIA by a compiler against its signatures.
+ * Tests the programs without MAJIC that {@code docs/results.md} compares with those with MAJIC: those for the Aibo and
+ * the Hemisson with the simulated robots, those with ARIA by a compiler against its signatures.
  */
 class NativeProgramsTest {
     private static final Path PROGRAMS = Path.of("examples", "native");
@@ -52,7 +52,9 @@ class NativeProgramsTest {
         }
     }
 
-    /** Sends a script to the Aibo and lets lab time pass until it has ended; returns what the Aibo sent, without tags. */
+    /**
+     * Sends a script to the Aibo and lets lab time pass until it has ended; returns what the Aibo sent, without tags.
+     */
     private static List<String> runOnTheAibo(LabRig rig, String script) throws IOException, InterruptedException {
         String address = rig.lab().simulators().addresses().get("aibo");
         int port = Integer.parseInt(address.substring(address.indexOf(':') + 1));
@@ -95,7 +97,10 @@ class NativeProgramsTest {
         }
     }
 
-    /** Waits until the program has asked for readings and set the speeds twice, so that the speeds are by the readings of now. */
+    /**
+     * Waits until the program has asked for readings and set the speeds twice, so that the speeds are by the readings
+     * of now.
+     */
     private static void awaitCommands(LabRig rig, String port, Process program) {
         long enough = consumed(rig, port) + 2 * "N?D,2,4?".length();
         while (consumed(rig, port) < enough && program.isAlive()) {

@@ -28,8 +28,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Tests the programs in Python that use a shared robot. They are run where Mosquitto is installed and Python, or the one
- * that the variable {@code PYTHON} names, has paho-mqtt 2.
+ * Tests the programs in Python that use a shared robot. They are run where Mosquitto is installed and Python, or the
+ * one that the variable {@code PYTHON} names, has paho-mqtt 2.
  */
 class SharedClientsTest {
     private static final Path EXAMPLES = Path.of("examples");

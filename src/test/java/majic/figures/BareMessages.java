@@ -12,8 +12,8 @@ import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.ConnectOptions;
 
 /**
- * Messages from one connection to another through the broker, with nothing else to do: what commands are compared with. They have
- * the size of a command, in the topic, the content and the response topic, and its quality of service.
+ * Messages from one connection to another through the broker, with nothing else to do: what commands are compared with.
+ * They have the size of a command, in the topic, the content and the response topic, and its quality of service.
  */
 final class BareMessages implements AutoCloseable {
     private final BrokerMessage command;

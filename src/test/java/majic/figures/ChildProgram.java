@@ -88,7 +88,9 @@ final class ChildProgram {
         }
     }
 
-    /** Starts the simulators alone, on free ports and without transmission times: an Aibo, a Hemisson and some Pioneers. */
+    /**
+     * Starts the simulators alone, on free ports and without transmission times: an Aibo, a Hemisson and some Pioneers.
+     */
     Lab lab(int pioneers) throws IOException {
         return lab(pioneers, "--exact");
     }

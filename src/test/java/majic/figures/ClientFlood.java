@@ -32,9 +32,9 @@ import majic.server.ListenToken;
 import majic.team.TeamListener;
 
 /**
- * How long STOP takes from one program's socket to the team, alone, beside 300 programs that only hold their connections,
- * of which the server admits 64, and beside 300 that send lines as fast as the system takes them and connect again when
- * they are closed.
+ * How long STOP takes from one program's socket to the team, alone, beside 300 programs that only hold their
+ * connections, of which the server admits 64, and beside 300 that send lines as fast as the system takes them and
+ * connect again when they are closed.
  */
 final class ClientFlood implements AutoCloseable {
     private static final int OTHERS = 300;

@@ -9,9 +9,9 @@ import majic.team.Member;
 import majic.team.QueuedCommand;
 
 /**
- * Commands at a steady rate to the robots of a team, one robot after the other, and the times until they were sent. A time begins
- * before the command is submitted to the robot's queue and ends when the robot's driver has passed all its bytes to the
- * system. Both ends read the clock only, so measuring costs less than a tenth of a microsecond.
+ * Commands at a steady rate to the robots of a team, one robot after the other, and the times until they were sent. A
+ * time begins before the command is submitted to the robot's queue and ends when the robot's driver has passed all its
+ * bytes to the system. Both ends read the clock only, so measuring costs less than a tenth of a microsecond.
  */
 final class CommandTimes {
     /** Turns on the spot, slowly to and fro, so that a robot between walls need not stop, degrees per second. */

@@ -17,8 +17,8 @@ import majic.stop.RecordingRelay;
 import majicsim.LabOptions;
 
 /**
- * Kills a session at random moments while its robots drive, and reports what its files have lost and how long the robots
- * drive on. All rounds use the same folder. The lab is in the program that measures, so that it survives.
+ * Kills a session at random moments while its robots drive, and reports what its files have lost and how long the
+ * robots drive on. All rounds use the same folder. The lab is in the program that measures, so that it survives.
  */
 final class Crashes {
     private static final int ROUNDS = 50;
@@ -56,8 +56,8 @@ final class Crashes {
     }
 
     /**
-     * The Pioneer is at a serial port. This program keeps the port open too, since the wire of a real port stays when the
-     * program at one end of it ends.
+     * The Pioneer is at a serial port. This program keeps the port open too, since the wire of a real port stays when
+     * the program at one end of it ends.
      */
     private void crash(int afterMs) throws IOException, InterruptedException {
         start.forEach(lab::place);

@@ -14,12 +14,13 @@ import majic.link.Loopback;
 import majic.shared.broker.Mosquitto;
 
 /**
- * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed. Each
- * figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
- * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab}, {@code load},
- * {@code crash}, {@code shared}, {@code ros}; without arguments all are measured. {@code shared:10x100} measures one row of
- * {@code shared}, with 10 desks and 100 robots, and {@code lab:500} one row of {@code lab}. The address of a robot behind a rosbridge server, such as
- * {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to 12 degrees.
+ * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed.
+ * Each figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
+ * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab},
+ * {@code load}, {@code crash}, {@code shared}, {@code ros}; without arguments all are measured. {@code shared:10x100}
+ * measures one row of {@code shared}, with 10 desks and 100 robots, and {@code lab:500} one row of {@code lab}. The
+ * address of a robot behind a rosbridge server, such as {@code ros://127.0.0.1:9090}, measures what {@code ros} does
+ * with that robot, which turns to and fro by up to 12 degrees.
  */
 public final class Figures {
     /** The robots of the window that {@code large} measures. */
@@ -240,7 +241,9 @@ public final class Figures {
         }
     }
 
-    /** Returns a row and the kinds of threads of the desks; one sentence instead if the computer is too slow for a row. */
+    /**
+     * Returns a row and the kinds of threads of the desks; one sentence instead if the computer is too slow for a row.
+     */
     private List<String> sharedLoad(Mosquitto broker, int desks, List<ChildProgram.Lab> labs) throws IOException {
         List<String> arguments =
                 new ArrayList<>(List.of("mqtt://127.0.0.1:" + broker.port() + "/lab", "" + broker.pid(), "" + desks));

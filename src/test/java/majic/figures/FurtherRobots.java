@@ -6,10 +6,11 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What a further robot of a team costs while it reports. Teams of all sizes run at the same time, each in a program of its own, so
- * that all of them meet the same speed of the computer, which may change by a quarter from minute to minute. A program takes
- * some processor time however few robots it has, so the cost is the difference from the next smaller team, divided by the number
- * of further robots; of small teams there are several, because one of them takes too little to be measured.
+ * What a further robot of a team costs while it reports. Teams of all sizes run at the same time, each in a program of
+ * its own, so that all of them meet the same speed of the computer, which may change by a quarter from minute to
+ * minute. A program takes some processor time however few robots it has, so the cost is the difference from the next
+ * smaller team, divided by the number of further robots; of small teams there are several, because one of them takes
+ * too little to be measured.
  */
 final class FurtherRobots {
     private static final List<Size> SIZES =

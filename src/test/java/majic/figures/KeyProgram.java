@@ -7,8 +7,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 
 /**
- * Presses F12 from a program of its own, as a keyboard does: over another connection with the display than that on which
- * the measured window draws. A key that the window's own program presses waits until nothing is being drawn.
+ * Presses F12 from a program of its own, as a keyboard does: over another connection with the display than that on
+ * which the measured window draws. A key that the window's own program presses waits until nothing is being drawn.
  */
 final class KeyProgram implements AutoCloseable {
     private static final String JAVA =

@@ -17,8 +17,9 @@ import javax.swing.SwingUtilities;
 import majic.gui.kit.ClosesByEsc;
 
 /**
- * How long each action of the command line keeps the event dispatch thread busy: from the key until the window is painted
- * and nothing that follows is left. The processor time of that thread is measured, which other programs do not change.
+ * How long each action of the command line keeps the event dispatch thread busy: from the key until the window is
+ * painted and nothing that follows is left. The processor time of that thread is measured, which other programs do not
+ * change.
  */
 final class LineTimes {
     private static final int SETTLING_MS = 5000;
@@ -29,8 +30,8 @@ final class LineTimes {
     /**
      * One action.
      *
-     * @param before what is typed first; {@code \t} is Tab, {@code \n} Enter, {@code ^} Up, {@code _} Down, {@code #} Esc,
-     *     {@code @} Ctrl R
+     * @param before what is typed first; {@code \t} is Tab, {@code \n} Enter, {@code ^} Up, {@code _} Down, {@code #}
+     *     Esc, {@code @} Ctrl R
      * @param key the measured key, of the same kind
      */
     private record Action(String name, String before, char key) {}

@@ -6,9 +6,9 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * The figures of {@link TeamLoad} for teams of growing size. The program itself takes some memory however few robots it has, so
- * that of a robot is the difference from the smaller team before, divided by the number of further robots; {@link FurtherRobots}
- * does the same for the processor time.
+ * The figures of {@link TeamLoad} for teams of growing size. The program itself takes some memory however few robots it
+ * has, so that of a robot is the difference from the smaller team before, divided by the number of further robots;
+ * {@link FurtherRobots} does the same for the processor time.
  */
 final class LoadTable {
     private static final String[] HEADS = {

@@ -12,8 +12,8 @@ import java.util.Objects;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**
- * The plainest clients that a Pioneer can have, all on one thread: they shake hands, open the session, read the reports and
- * send a PULSE each second.
+ * The plainest clients that a Pioneer can have, all on one thread: they shake hands, open the session, read the reports
+ * and send a PULSE each second.
  */
 final class PioneerClients implements AutoCloseable {
     private static final int OPEN = 1;

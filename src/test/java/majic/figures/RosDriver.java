@@ -5,9 +5,9 @@ import majic.environment.Settings;
 import majic.team.BotFactory;
 
 /**
- * A program that drives one robot through its driver alone. It prints its processor time while the robot only reports and
- * while it is driven, percent of a core, and the moment before each command, {@link System#nanoTime}. Its counterpart for
- * roslibpy is {@code roslibpy_client.py}.
+ * A program that drives one robot through its driver alone. It prints its processor time while the robot only reports
+ * and while it is driven, percent of a core, and the moment before each command, {@link System#nanoTime}. Its
+ * counterpart for roslibpy is {@code roslibpy_client.py}.
  */
 final class RosDriver {
     static final int SETTLING_MS = 15_000;

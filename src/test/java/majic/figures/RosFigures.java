@@ -14,9 +14,9 @@ import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 
 /**
- * One robot behind a rosbridge server, driven by MAJIC's driver and then by roslibpy, the usual client of Python, with the
- * subscriptions that the driver made: processor time of each program, and the time from a command to the arrival of its
- * bytes at a port in front of the server. The three programs read the same clock of the system.
+ * One robot behind a rosbridge server, driven by MAJIC's driver and then by roslibpy, the usual client of Python, with
+ * the subscriptions that the driver made: processor time of each program, and the time from a command to the arrival of
+ * its bytes at a port in front of the server. The three programs read the same clock of the system.
  */
 final class RosFigures {
     private static final Path CLIENT = Path.of("src", "test", "resources", "majic", "figures", "roslibpy_client.py");
@@ -127,7 +127,10 @@ final class RosFigures {
                 .orElse(Double.NaN);
     }
 
-    /** Returns the times of the measured rounds, which are the last ones, from a command to the first velocity of its kind, ms. */
+    /**
+     * Returns the times of the measured rounds, which are the last ones, from a command to the first velocity of its
+     * kind, ms.
+     */
     private static double[] times(List<String> lines, String key, List<RosTap.Velocity> velocities, boolean zero) {
         List<Long> commands = lines.stream()
                 .filter(line -> line.startsWith(key))

@@ -35,9 +35,10 @@ import majic.team.Team;
 import majic.time.TimeSource;
 
 /**
- * A program with many desks that share robots, and one that uses some of them over the broker. Measures what all desks use while
- * nothing is commanded, the times from a command at the using desk to its bytes at the robot's end of the link, those of bare
- * messages of the same size meanwhile, and the time from STOP until every desk has stopped all its robots.
+ * A program with many desks that share robots, and one that uses some of them over the broker. Measures what all desks
+ * use while nothing is commanded, the times from a command at the using desk to its bytes at the robot's end of the
+ * link, those of bare messages of the same size meanwhile, and the time from STOP until every desk has stopped all its
+ * robots.
  */
 final class SharedLoad {
     private static final int MOST_USED = 20;
@@ -91,8 +92,8 @@ final class SharedLoad {
     /**
      * Measures, prints one line of figures and one line with the processor time of its threads, and ends.
      *
-     * @param arguments the broker's address, its process, the number of desks, the processes of the robots, the addresses of
-     *     the robots
+     * @param arguments the broker's address, its process, the number of desks, the processes of the robots, the
+     *     addresses of the robots
      */
     public static void main(String[] arguments) {
         BrokerAddress broker = BrokerAddress.parse(arguments[0]);
@@ -188,7 +189,9 @@ final class SharedLoad {
         }
     }
 
-    /** Returns the processor time of all desks, of the broker and of the robots, and the bytes of each robot and second. */
+    /**
+     * Returns the processor time of all desks, of the broker and of the robots, and the bytes of each robot and second.
+     */
     private double[] idle(long brokerPid, List<Long> labPids, int robots) throws InterruptedException {
         ProcessTimes broker = ProcessTimes.of(List.of(brokerPid));
         ProcessTimes labs = ProcessTimes.of(labPids);
@@ -222,8 +225,8 @@ final class SharedLoad {
     }
 
     /**
-     * Returns the median of the first commands, median and 99 of 100 of those after the warm-up, then of the bare messages beside
-     * them, and how many did not arrive.
+     * Returns the median of the first commands, median and 99 of 100 of those after the warm-up, then of the bare
+     * messages beside them, and how many did not arrive.
      */
     private double[] commands(BrokerMessage like, int count, Commands commands) throws InterruptedException {
         try (BareMessages bare = new BareMessages(broker, like)) {
@@ -320,8 +323,8 @@ final class SharedLoad {
     }
 
     /**
-     * Returns the times from STOP to its bytes at the used robots, then at one robot of each desk: median, 99 of 100; and how
-     * many did not arrive.
+     * Returns the times from STOP to its bytes at the used robots, then at one robot of each desk: median, 99 of 100;
+     * and how many did not arrive.
      */
     private double[] stops() throws InterruptedException {
         List<Double> used = new ArrayList<>();

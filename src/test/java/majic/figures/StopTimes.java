@@ -45,7 +45,9 @@ final class StopTimes {
     private static final int FIRST_STUCK = 11;
     private static final int SETTLING_MS = 300;
 
-    /** What the buffers of the stuck robots take to fill: copying it would delay the stop on a computer with two cores. */
+    /**
+     * What the buffers of the stuck robots take to fill: copying it would delay the stop on a computer with two cores.
+     */
     private static final int FILLING_MS = 300;
 
     private static final int MOST_MS = 8000;

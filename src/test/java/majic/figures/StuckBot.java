@@ -19,7 +19,9 @@ import majic.environment.BotEnvironment;
 import majic.link.Link;
 import majic.link.Links;
 
-/** A robot that accepts a connection and never reads from it, so that it confirms no stop. Owns both ends of the line. */
+/**
+ * A robot that accepts a connection and never reads from it, so that it confirms no stop. Owns both ends of the line.
+ */
 final class StuckBot extends BotDriver {
     private static final int CONNECT_TIMEOUT_MS = 3000;
     private static final double CONFIRM_S = 4;
@@ -48,7 +50,9 @@ final class StuckBot extends BotDriver {
         return bot;
     }
 
-    /** Fills the buffers, as a motion in progress: the write ends only with its time limit. Returns when it has begun. */
+    /**
+     * Fills the buffers, as a motion in progress: the write ends only with its time limit. Returns when it has begun.
+     */
     StuckBot flood() throws InterruptedException {
         Thread writing = new Thread(() -> move(1000), "flooding " + link.address());
         writing.setDaemon(true);

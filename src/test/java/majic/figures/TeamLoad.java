@@ -7,8 +7,8 @@ import java.util.stream.DoubleStream;
 import majic.team.Team;
 
 /**
- * A program that commands a team through {@link Team} and nothing else of MAJIC. Measures what it uses while all robots report
- * and nothing is commanded, then the time from a command to its bytes on the link.
+ * A program that commands a team through {@link Team} and nothing else of MAJIC. Measures what it uses while all robots
+ * report and nothing is commanded, then the time from a command to its bytes on the link.
  */
 final class TeamLoad {
     private static final int SETTLING_S = 15;

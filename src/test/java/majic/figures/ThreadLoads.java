@@ -44,7 +44,10 @@ final class ThreadLoads {
         return nanos;
     }
 
-    /** Lists the kinds of threads, the busiest first, in one line: threads whose names differ in numbers and addresses are one kind. */
+    /**
+     * Lists the kinds of threads, the busiest first, in one line: threads whose names differ in numbers and addresses
+     * are one kind.
+     */
     String byKindSince(ThreadLoads before) {
         Map<String, Double> kinds = new HashMap<>();
         threadNanos.forEach((name, spent) -> kinds.merge(

@@ -8,8 +8,9 @@ import java.awt.event.AWTEventListener;
 import java.util.concurrent.atomic.AtomicIntegerArray;
 
 /**
- * Counts the events of keys and of the mouse that arrive in the program. A display delivers them later than it takes the
- * input if its window manager is asked first, as with every click, and the window manager of a busy computer is late.
+ * Counts the events of keys and of the mouse that arrive in the program. A display delivers them later than it takes
+ * the input if its window manager is asked first, as with every click, and the window manager of a busy computer is
+ * late.
  */
 final class ArrivedInput implements AutoCloseable {
     private final AtomicIntegerArray arrived = new AtomicIntegerArray(AWTEvent.RESERVED_ID_MAX);

@@ -7,8 +7,8 @@ import majic.gui.kit.RobotSharing;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Pretends to share robots at any broker, except at one that is called {@code nowhere}; one that is called {@code strict}
- * requires the user anna with the password secret.
+ * Pretends to share robots at any broker, except at one that is called {@code nowhere}; one that is called
+ * {@code strict} requires the user anna with the password secret.
  */
 public final class FakeSharing implements RobotSharing {
     private volatile @Nullable Place place;

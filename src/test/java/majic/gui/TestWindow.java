@@ -54,8 +54,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Opens a real window with toy robots, and operates it. The only class that uses the library for window tests. Without
- * a display it cannot be opened, and the test fails. Using Swing off its thread, and keeping that thread busy for a second,
- * fail the test too, and so does a component that interprets HTML.
+ * a display it cannot be opened, and the test fails. Using Swing off its thread, and keeping that thread busy for a
+ * second, fail the test too, and so does a component that interprets HTML.
  */
 public final class TestWindow implements AutoCloseable {
     private static final String MARKED = "test.marked";
@@ -127,8 +127,8 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /**
-     * Waits until the window system has delivered all input and Swing has handled it, with all that follows from it. The
-     * library would wait for a fixed time instead.
+     * Waits until the window system has delivered all input and Swing has handled it, with all that follows from it.
+     * The library would wait for a fixed time instead.
      */
     private void settle() {
         input.waitForIdle();
@@ -259,8 +259,8 @@ public final class TestWindow implements AutoCloseable {
     }
 
     /**
-     * Waits until a dialog is shown and has the keyboard focus. Requests the focus, as a click on the dialog does: a window
-     * manager can leave it to another window when a previous dialog has just closed.
+     * Waits until a dialog is shown and has the keyboard focus. Requests the focus, as a click on the dialog does: a
+     * window manager can leave it to another window when a previous dialog has just closed.
      */
     public void awaitDialogWithKeys(String title) {
         Dialog dialog = awaitDialog(title);

@@ -151,7 +151,8 @@ public final class WindowAudit {
     }
 
     /**
-     * Lists the texts that do not come from a resource bundle; to be called while texts are in {@link MarkedTexts#LANGUAGE}.
+     * Lists the texts that do not come from a resource bundle; to be called while texts are in
+     * {@link MarkedTexts#LANGUAGE}.
      *
      * @param data what is no text: names, numbers, addresses, words of MAJIC Script
      */

@@ -16,8 +16,8 @@ import majic.time.WaitLimit;
 import majicsim.net.LineCount;
 
 /**
- * A Hemisson at the other end of a serial port of the system; records what it received. Its clock is stepped: no time passes
- * while it or the driver has bytes to handle.
+ * A Hemisson at the other end of a serial port of the system; records what it received. Its clock is stepped: no time
+ * passes while it or the driver has bytes to handle.
  */
 final class PortHemisson implements AutoCloseable {
     private final PseudoTerminal plug = new PseudoTerminal();

@@ -25,8 +25,8 @@ import majicsim.net.LineCount;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A peer behind a loopback socket that answers commands by a script, and records what it received and when. Its clock steps,
- * unless a window is to be used with it.
+ * A peer behind a loopback socket that answers commands by a script, and records what it received and when. Its clock
+ * steps, unless a window is to be used with it.
  */
 final class ScriptedHemisson implements AutoCloseable {
     private static final long ANSWERS_AFTER_MS = 4;

@@ -9,8 +9,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /**
- * Lines that delay everything, as a radio link does: when a stop is confirmed, the commands to drive that were still under way
- * have been obeyed.
+ * Lines that delay everything, as a radio link does: when a stop is confirmed, the commands to drive that were still
+ * under way have been obeyed.
  */
 class StopOnADelayingLineTest {
     /** A ROS robot that is silent for nearly a second counts as lost. */

@@ -24,8 +24,8 @@ public final class Loopback {
     }
 
     /**
-     * Returns a port at which nothing listens. The system gives ports of this range to no program that asks for any free
-     * one, so no other test takes it meanwhile.
+     * Returns a port at which nothing listens. The system gives ports of this range to no program that asks for any
+     * free one, so no other test takes it meanwhile.
      */
     public static int freePort() {
         while (true) {

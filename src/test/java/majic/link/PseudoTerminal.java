@@ -8,7 +8,9 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
-/** A pseudo-terminal in place of an adapter with a robot: this side is the robot's, {@link #name()} the computer's port. */
+/**
+ * A pseudo-terminal in place of an adapter with a robot: this side is the robot's, {@link #name()} the computer's port.
+ */
 public final class PseudoTerminal implements AutoCloseable {
     private static final int READ_WRITE = 2;
     private static final int NO_CONTROLLING_TERMINAL = 0x100;

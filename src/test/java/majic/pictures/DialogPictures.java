@@ -17,7 +17,9 @@ import majic.gui.MajicFrame;
 import majic.gui.kit.LoginDialog;
 import majic.program.Program;
 
-/** Opens every dialog that the menus of the window open, the one after Load Act, and the login, for pictures of them. */
+/**
+ * Opens every dialog that the menus of the window open, the one after Load Act, and the login, for pictures of them.
+ */
 final class DialogPictures {
     private final Program program;
     private final MajicFrame frame;

@@ -31,7 +31,9 @@ public final class PictureWindow {
 
     private PictureWindow() {}
 
-    /** Gives the windows that are opened from now on the title bar of the look, so that pictures have it on any system. */
+    /**
+     * Gives the windows that are opened from now on the title bar of the look, so that pictures have it on any system.
+     */
     public static void decorate() {
         JFrame.setDefaultLookAndFeelDecorated(true);
         JDialog.setDefaultLookAndFeelDecorated(true);

@@ -10,8 +10,8 @@ import majicsim.ros.options.RosOptions;
 import org.junit.jupiter.api.Test;
 
 /**
- * Makes the pictures of the panel of a ROS robot, driving on a stepped clock: {@code mvn -Pscreenshots test}, on a machine
- * with a display.
+ * Makes the pictures of the panel of a ROS robot, driving on a stepped clock: {@code mvn -Pscreenshots test}, on a
+ * machine with a display.
  */
 class RosPictures {
     @Test

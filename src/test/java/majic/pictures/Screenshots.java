@@ -43,7 +43,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Makes the pictures of the documents from a running lab: {@code mvn -Pscreenshots test}, on a machine with a display. */
+/**
+ * Makes the pictures of the documents from a running lab: {@code mvn -Pscreenshots test}, on a machine with a display.
+ */
 class Screenshots {
     private static final Path IMAGES = Path.of("docs", "images");
     private static final LabOptions OPTIONS =

@@ -38,12 +38,12 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Makes pictures of the window with each robot in each state and with each dialog, light and dark, to look at: {@code mvn -Pstates test}, on a
- * machine with a display. {@code -Dmajic.language=de} sets the language, {@code -Dmajic.scale=2} the scale of the
- * system, a whole number where Java takes no other from it (X11), {@code -Dflatlaf.uiScale=1.5} that of the texts. Both
- * need a display as much larger than 1280 × 800. If Mosquitto is installed, one of the robots is that of another desk.
- * {@code -Dstates="2-act plot"} makes only the pictures with one of these words in their names, and {@code -Dmajic.states}
- * names the folder in {@code target}.
+ * Makes pictures of the window with each robot in each state and with each dialog, light and dark, to look at:
+ * {@code mvn -Pstates test}, on a machine with a display. {@code -Dmajic.language=de} sets the language,
+ * {@code -Dmajic.scale=2} the scale of the system, a whole number where Java takes no other from it (X11),
+ * {@code -Dflatlaf.uiScale=1.5} that of the texts. Both need a display as much larger than 1280 × 800. If Mosquitto is
+ * installed, one of the robots is that of another desk. {@code -Dstates="2-act plot"} makes only the pictures with one
+ * of these words in their names, and {@code -Dmajic.states} names the folder in {@code target}.
  */
 class StatePictures {
     private static final Path FOLDER =

@@ -32,9 +32,9 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Tests the Pioneer's driver through ARIA, loaded as users have it, at the pace of the wall clock. The library is the one in the
- * folder that {@code -Daria.home} names, with the lab's Pioneer; without it a small double of it is compiled, which moves a
- * robot of its own. Its native library is any one that Java has.
+ * Tests the Pioneer's driver through ARIA, loaded as users have it, at the pace of the wall clock. The library is the
+ * one in the folder that {@code -Daria.home} names, with the lab's Pioneer; without it a small double of it is
+ * compiled, which moves a robot of its own. Its native library is any one that Java has.
  */
 @Tag("vendor")
 class AriaInLabTest {

@@ -16,8 +16,8 @@ import majic.pioneer.state.Scaling;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A Pioneer for tests behind a {@link SteppedPeer}: answers the handshake and sends SIPs from a model with ramps; tests can
- * add faults.
+ * A Pioneer for tests behind a {@link SteppedPeer}: answers the handshake and sends SIPs from a model with ramps; tests
+ * can add faults.
  */
 public final class ScriptedPioneer implements SteppedPeer.Robot {
     private static final int LOST_STEP = 0xFF;

@@ -10,7 +10,9 @@ import java.util.TreeMap;
 import majic.file.FuzzedFile;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Arbitrary settings files: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see CONTRIBUTING.md). */
+/**
+ * Arbitrary settings files: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see CONTRIBUTING.md).
+ */
 class UserSettingsFuzzTest {
     @TempDir
     private Path folder;

@@ -88,7 +88,9 @@ class RosFaultsInMotionTest {
         assertThat(robot.truePose().xMm()).isCloseTo(1500, within(10.0));
     }
 
-    /** On ROS 2 the robot cuts velocities to steps of 0.01 m/s and 0.01 rad/s, which the calculation does not include. */
+    /**
+     * On ROS 2 the robot cuts velocities to steps of 0.01 m/s and 0.01 rad/s, which the calculation does not include.
+     */
     @Test
     void aRobotWithoutOdometryIsMovedByCalculation() {
         List<String> notices = new CopyOnWriteArrayList<>();

@@ -19,9 +19,9 @@ import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 
 /**
- * A base behind a rosbridge server of ROS 1, on a stepped clock, as a turtlebot3_fake with rosapi answers in the recorded
- * session: it follows velocities with limited acceleration, stops 0.5 s after the last one, and reports its odometry 30 times
- * a second.
+ * A base behind a rosbridge server of ROS 1, on a stepped clock, as a turtlebot3_fake with rosapi answers in the
+ * recorded session: it follows velocities with limited acceleration, stops 0.5 s after the last one, and reports its
+ * odometry 30 times a second.
  */
 final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
     static final ObjectMapper JSON = new ObjectMapper();

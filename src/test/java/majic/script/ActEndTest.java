@@ -105,7 +105,9 @@ class ActEndTest {
         assertThat(owners).containsExactly(Optional.empty());
     }
 
-    /** Two sources stop a robot whose act ends only after it was reported to be slow: the robot is free at each answer. */
+    /**
+     * Two sources stop a robot whose act ends only after it was reported to be slow: the robot is free at each answer.
+     */
     @Test
     void stopIsDoneWhenAnActThatIsSlowToEndHasReleasedTheRobot() throws Exception {
         List<Optional<Owner>> ownersAtDone = new CopyOnWriteArrayList<>();

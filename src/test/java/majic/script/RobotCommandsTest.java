@@ -7,7 +7,9 @@ import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
-/** Tests the effect of one line and its answers. Robot 1 is an Aibo, 2 a Pioneer; both move at 300 mm/s and 90 deg/s. */
+/**
+ * Tests the effect of one line and its answers. Robot 1 is an Aibo, 2 a Pioneer; both move at 300 mm/s and 90 deg/s.
+ */
 class RobotCommandsTest {
     @AutoClose
     private final ScriptFixture fixture = ScriptFixture.withTwo();

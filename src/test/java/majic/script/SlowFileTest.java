@@ -25,7 +25,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A file that a line names and that cannot be read for the time being holds up that line and those behind it, no stop. */
+/**
+ * A file that a line names and that cannot be read for the time being holds up that line and those behind it, no stop.
+ */
 class SlowFileTest {
     @TempDir
     private static Path folder;

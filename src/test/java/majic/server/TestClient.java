@@ -54,7 +54,9 @@ final class TestClient implements AutoCloseable {
         return answers.ready();
     }
 
-    /** Returns the first answer that contains a text; null if the connection ends before. Fails if none comes in time. */
+    /**
+     * Returns the first answer that contains a text; null if the connection ends before. Fails if none comes in time.
+     */
     String await(String part) throws IOException {
         String last = "none";
         try {

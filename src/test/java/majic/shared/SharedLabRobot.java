@@ -19,7 +19,9 @@ import majic.shared.desk.DeskOptions;
 import majic.shared.desk.DeskSharing;
 import majic.team.Team;
 
-/** A robot of an exact lab, which a desk shares over a broker in memory, and the driver by which another desk uses it. */
+/**
+ * A robot of an exact lab, which a desk shares over a broker in memory, and the driver by which another desk uses it.
+ */
 final class SharedLabRobot implements TestedRobot {
     private final LabRobot local;
     private final BotEnvironment environment;

@@ -29,8 +29,8 @@ import majic.team.Member;
 import majic.team.Team;
 
 /**
- * The desk desk2 of Bert with the Pioneer of a stepped lab, which it shares over a broker in memory, and other desks that use
- * it, each with a team and a session of its own.
+ * The desk desk2 of Bert with the Pioneer of a stepped lab, which it shares over a broker in memory, and other desks
+ * that use it, each with a team and a session of its own.
  */
 final class TwoDesks implements AutoCloseable {
     final LabRig desk2 = LabRig.exact();

@@ -15,8 +15,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Compares the lines that were sent with a session log: every command to a robot must have ended exactly once. A line ends as a
- * whole if it is refused or dropped; otherwise each of its robots answers it.
+ * Compares the lines that were sent with a session log: every command to a robot must have ended exactly once. A line
+ * ends as a whole if it is refused or dropped; otherwise each of its robots answers it.
  */
 final class Account {
     private static final Pattern LOGGED = Pattern.compile("\\S+ \\S+ (\\w+) +(.*)");

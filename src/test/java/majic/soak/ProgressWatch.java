@@ -6,7 +6,10 @@ import java.lang.management.ThreadMXBean;
 import java.util.function.Consumer;
 import java.util.function.LongSupplier;
 
-/** Reports all threads if some of them block each other, or if nothing has advanced for two minutes. Uses a daemon thread. */
+/**
+ * Reports all threads if some of them block each other, or if nothing has advanced for two minutes. Uses a daemon
+ * thread.
+ */
 final class ProgressWatch implements AutoCloseable {
     private static final long LOOK_MS = 1000;
     private static final int MOST_LOOKS = 120;

@@ -13,9 +13,9 @@ import java.util.logging.Logger;
 import java.util.stream.Collectors;
 
 /**
- * Sends commands to teams in labs whose connections fail, round by round, until there are as many as were asked for, and prints
- * how they ended. The arguments are {@code commands=1000000} and {@code seed=1}, the seed of the first round; each further round
- * has the next one. Ends with status 1 after the first round that finds a problem.
+ * Sends commands to teams in labs whose connections fail, round by round, until there are as many as were asked for,
+ * and prints how they ended. The arguments are {@code commands=1000000} and {@code seed=1}, the seed of the first
+ * round; each further round has the next one. Ends with status 1 after the first round that finds a problem.
  */
 public final class Soak {
     private static final int LINES_OF_A_ROUND = 6000;

@@ -22,8 +22,8 @@ import majic.time.TimeSource.Membership;
 import majicsim.LabOptions;
 
 /**
- * A stepped lab with noise, and a team of its robots that connects lost ones again, with a session and its log. The creating thread is
- * registered with the lab's clock.
+ * A stepped lab with noise, and a team of its robots that connects lost ones again, with a session and its log. The
+ * creating thread is registered with the lab's clock.
  */
 final class SoakLab implements AutoCloseable {
     static final String ACT_FILE = "Soak.majic";

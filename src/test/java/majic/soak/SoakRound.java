@@ -22,8 +22,9 @@ import majic.time.TimeSource;
 import majicsim.net.Faults;
 
 /**
- * One lab and one team: three sources send lines at the same time, a prompt, a pipe and a socket, while each robot's connection
- * fails again and again. No robot may move after it has confirmed a STOP. Afterwards all faults end, and each robot must obey again. For one use.
+ * One lab and one team: three sources send lines at the same time, a prompt, a pipe and a socket, while each robot's
+ * connection fails again and again. No robot may move after it has confirmed a STOP. Afterwards all faults end, and
+ * each robot must obey again. For one use.
  */
 final class SoakRound {
     /** How long everything that was sent may take to end, seconds of the lab. */
@@ -150,8 +151,8 @@ final class SoakRound {
     }
 
     /**
-     * Does what the driver's message asks for. A garbled line deafens a Hemisson until it is switched off and on if it fills
-     * the command buffer (Hemisson sheet 4.2) or begins to load a program (sheet 15).
+     * Does what the driver's message asks for. A garbled line deafens a Hemisson until it is switched off and on if it
+     * fills the command buffer (Hemisson sheet 4.2) or begins to load a program (sheet 15).
      */
     private static void switchOnAgainIfDeaf(SoakLab soak) {
         soak.lab().simulators().besideHemisson(hemisson -> {

@@ -12,8 +12,8 @@ import majic.team.Team;
 import majic.team.TeamListener;
 
 /**
- * Checks that no robot moves from the confirmation of a STOP to its release. It compares where the robots truly are with
- * where they were then. Used by one thread.
+ * Checks that no robot moves from the confirmation of a STOP to its release. It compares where the robots truly are
+ * with where they were then. Used by one thread.
  */
 final class StopCheck implements TeamListener {
     private static final double MOST_MM = 5;

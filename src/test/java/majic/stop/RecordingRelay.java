@@ -152,7 +152,9 @@ public final class RecordingRelay implements AutoCloseable {
         }
     }
 
-    /** Returns when a text arrived that was sent after the first bytes, ns of the system's clock; empty if it was not. */
+    /**
+     * Returns when a text arrived that was sent after the first bytes, ns of the system's clock; empty if it was not.
+     */
     public OptionalLong arrivalNanos(String text, int from) {
         synchronized (sent) {
             int at = sent.indexOf(text, from);

@@ -8,8 +8,8 @@ import java.util.function.BiFunction;
 import java.util.regex.Pattern;
 
 /**
- * The texts of windows in an invented language, until it is closed: the English ones between two marks. What a window shows
- * without marks does not come from a resource bundle.
+ * The texts of windows in an invented language, until it is closed: the English ones between two marks. What a window
+ * shows without marks does not come from a resource bundle.
  */
 public final class MarkedTexts implements AutoCloseable {
     /** The invented language. */

@@ -8,9 +8,9 @@ import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 
 /**
- * How long a test waits on the wall clock for something that has to happen. Long, because a busy computer is slow; a wait
- * ends as soon as it has happened. Shorter than the time after which a hanging test is ended, so that the failure names
- * what did not happen.
+ * How long a test waits on the wall clock for something that has to happen. Long, because a busy computer is slow; a
+ * wait ends as soon as it has happened. Shorter than the time after which a hanging test is ended, so that the failure
+ * names what did not happen.
  */
 public final class WaitLimit {
     public static final int SECONDS = 120;

@@ -208,8 +208,8 @@ class VendorLibraryTest {
     }
 
     /**
-     * The head of a library. Where Java looks whether a 64-bit library runs code on the stack, it finds that this one does
-     * not, so that Java prints no warning.
+     * The head of a library. Where Java looks whether a 64-bit library runs code on the stack, it finds that this one
+     * does not, so that Java prints no warning.
      *
      * @param wordSize 1 for 32 bits, 2 for 64
      * @param type 3 for a library that can be loaded

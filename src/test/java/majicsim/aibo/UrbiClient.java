@@ -11,7 +11,10 @@ import java.nio.charset.StandardCharsets;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** A client that reads as the original libraries do (URBI sheet, section 4, reader algorithm); it blocks, with a time-out. */
+/**
+ * A client that reads as the original libraries do (URBI sheet, section 4, reader algorithm); it blocks, with a
+ * time-out.
+ */
 final class UrbiClient implements AutoCloseable {
     private static final Pattern MESSAGE = Pattern.compile("\\[(\\d{8,}):([A-Za-z0-9_.]*)] (.*)");
     private static final Pattern BINARY = Pattern.compile("BIN (\\d+).*");

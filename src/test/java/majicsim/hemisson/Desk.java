@@ -12,7 +12,10 @@ import majicsim.world.Room;
 import majicsim.world.World;
 import org.jspecify.annotations.Nullable;
 
-/** A Hemisson and its client in one thread: what it answers is there at once, or after a step. In text, ␍ and ␊ are CR and LF. */
+/**
+ * A Hemisson and its client in one thread: what it answers is there at once, or after a step. In text, ␍ and ␊ are CR
+ * and LF.
+ */
 public final class Desk implements Line {
     public static final Pose START = new Pose(-2000, -2000, 0);
     private static final double STEP_SECONDS = 0.004;

@@ -13,7 +13,9 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Clients like those of other projects come one after the other to the same port, and half of them go without CLOSE. */
+/**
+ * Clients like those of other projects come one after the other to the same port, and half of them go without CLOSE.
+ */
 @Timeout(value = 180, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
 class AgainAndAgainTest {
     private static final int SESSIONS = 40;

@@ -9,8 +9,8 @@ import majicsim.pioneer.packet.Packet;
 import majicsim.pioneer.packet.PacketWriter;
 
 /**
- * What Player's driver does in a session, and ROS's, which comes from it (ARCOS sheet 13.3): bare commands, one for each
- * SIP, wheels by raw bytes. {@code ros} drives by VEL and RVEL.
+ * What Player's driver does in a session, and ROS's, which comes from it (ARCOS sheet 13.3): bare commands, one for
+ * each SIP, wheels by raw bytes. {@code ros} drives by VEL and RVEL.
  */
 final class P2osClient implements VendorClient {
     private static final int OPEN = 1;

@@ -4,7 +4,9 @@ import com.fazecast.jSerialComm.SerialPort;
 import java.io.IOException;
 import java.util.Arrays;
 
-/** A client that has opened the robot's pseudo-terminal as a serial port, at the 9600 baud of a robot just switched on. */
+/**
+ * A client that has opened the robot's pseudo-terminal as a serial port, at the 9600 baud of a robot just switched on.
+ */
 final class SerialClientWire implements Wire {
     private static final int TIMEOUT_MS = 60_000;
 

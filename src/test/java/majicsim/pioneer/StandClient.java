@@ -16,7 +16,10 @@ import majicsim.pioneer.packet.Packet;
 import majicsim.pioneer.packet.PacketReader;
 import majicsim.pioneer.packet.PacketWriter;
 
-/** A client of a {@link Stand} as a test sees it: it writes, lets lab time pass, and has then read all there was to read. */
+/**
+ * A client of a {@link Stand} as a test sees it: it writes, lets lab time pass, and has then read all there was to
+ * read.
+ */
 final class StandClient {
     private static final double STEP_SECONDS = 0.004;
 
@@ -30,8 +33,8 @@ final class StandClient {
     private long received;
 
     /**
-     * A client that throws away what an earlier one has left unread, as every client does first. How much that is the line
-     * says; what it has at hand says nothing, for the system may still be busy passing it on.
+     * A client that throws away what an earlier one has left unread, as every client does first. How much that is the
+     * line says; what it has at hand says nothing, for the system may still be busy passing it on.
      */
     StandClient(Stand stand, Port port, Wire wire, long takenBefore, LongConsumer taken) throws IOException {
         this.stand = stand;

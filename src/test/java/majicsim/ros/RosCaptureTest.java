@@ -19,8 +19,8 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
 /**
- * Replays a session with a real server: the same messages are sent, and the replies must have the same form. What clients
- * themselves published and what the server said about errors must be the same in content too.
+ * Replays a session with a real server: the same messages are sent, and the replies must have the same form. What
+ * clients themselves published and what the server said about errors must be the same in content too.
  */
 class RosCaptureTest {
     /** What the robot publishes by itself: only the form of a first message can be compared. */
@@ -129,7 +129,10 @@ class RosCaptureTest {
                         && !captured.path("result").booleanValue();
     }
 
-    /** Whether both have the same names in the same order with the same types; null fits any number, an empty list any other. */
+    /**
+     * Whether both have the same names in the same order with the same types; null fits any number, an empty list any
+     * other.
+     */
     private static boolean fits(JsonNode captured, JsonNode reply) {
         if (captured.isObject()) {
             return reply.isObject()

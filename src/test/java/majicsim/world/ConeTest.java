@@ -8,7 +8,9 @@ import java.util.Random;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/** Tests that a sensor with a cone measures in the part of the room that it looks up what it would measure in all of it. */
+/**
+ * Tests that a sensor with a cone measures in the part of the room that it looks up what it would measure in all of it.
+ */
 class ConeTest {
     private static final int ROBOTS = 60;
     private static final double HALF_DEG = 15;

@@ -21,8 +21,8 @@ import org.openjdk.jmh.annotations.Warmup;
  * Measures how many camera frames a second one core converts from the connection's chunks to the pictures' bytes.
  *
  * <p>Result: frames a second times {@code bytes}, the largest data rate that the decoder can process; compare the
- * largest with the smallest size, whose quotient must stay near 1 or above. A dog sends about 30 frames a second; a JPEG
- * of 208 × 160 has about 5 KB (URBI sheet 12), the same picture raw 99,840 bytes, the largest frame here 1 MB.
+ * largest with the smallest size, whose quotient must stay near 1 or above. A dog sends about 30 frames a second; a
+ * JPEG of 208 × 160 has about 5 KB (URBI sheet 12), the same picture raw 99,840 bytes, the largest frame here 1 MB.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.Throughput)

@@ -17,9 +17,9 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the object of an act. It creates objects of the act's own classes and {@link PlainValues} only, and no collection
- * that contains itself. For an act without code, to which the user gives no consent, it also limits the data, so that
- * reading takes a bounded time: a set that is contained in many sets is hashed again for each of them.
+ * Reads the object of an act. It creates objects of the act's own classes and {@link PlainValues} only, and no
+ * collection that contains itself. For an act without code, to which the user gives no consent, it also limits the
+ * data, so that reading takes a bounded time: a set that is contained in many sets is hashed again for each of them.
  */
 public final class ActObjectInput extends ObjectInputStream {
     /** The greatest nesting depth: a list of lists in a field of the act. Superclasses count as well. */

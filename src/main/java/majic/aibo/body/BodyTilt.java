@@ -3,8 +3,8 @@ package majic.aibo.body;
 import java.util.Optional;
 
 /**
- * The tilt of the dog, from the direction of gravity in its acceleration sensors; on its feet gravity is along z, downwards
- * (URBI sheet 13). Immutable.
+ * The tilt of the dog, from the direction of gravity in its acceleration sensors; on its feet gravity is along z,
+ * downwards (URBI sheet 13). Immutable.
  *
  * @param pitchDeg nose up positive, −90 to 90
  * @param rollDeg right side down positive, −180 to 180

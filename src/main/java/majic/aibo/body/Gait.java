@@ -56,7 +56,10 @@ public enum Gait {
         return key;
     }
 
-    /** Milliseconds for one mm or one degree at the usual pace of the legs, without a calibration (URBI sheet 15, "Calibration"). */
+    /**
+     * Milliseconds for one mm or one degree at the usual pace of the legs, without a calibration (URBI sheet 15,
+     * "Calibration").
+     */
     double usualMsPerUnit() {
         return usualMsPerUnit;
     }

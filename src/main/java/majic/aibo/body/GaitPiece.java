@@ -4,9 +4,7 @@ import majic.aibo.urbi.UrbiRequest;
 import majic.bot.Pose;
 import majic.driver.DeadReckoning;
 
-/**
- * One piece of a gait: the commanded amount, and the amount covered by the time stamps of the server. Thread-safe.
- */
+/** One piece of a gait: the commanded amount, and the amount covered by the time stamps of the server. Thread-safe. */
 public final class GaitPiece implements DeadReckoning.Segment {
     /** The longest walk that is sent to the dog, ms: it would go on for this time if all connections failed. */
     public static final double LONGEST_MS = 2000;

@@ -3,8 +3,8 @@ package majic.aibo.body;
 import java.util.List;
 
 /**
- * How a body lies on the ground, seen from the side: on two of its lowest points, with its middle between them. Left and
- * right rest on the same height. Immutable.
+ * How a body lies on the ground, seen from the side: on two of its lowest points, with its middle between them. Left
+ * and right rest on the same height. Immutable.
  *
  * @param pitchDeg how far the body is raised in front
  * @param heightMm of the body's origin

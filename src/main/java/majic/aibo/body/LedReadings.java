@@ -12,7 +12,10 @@ import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 
-/** Holds the brightness of the dog's LEDs and the position of its ears, polled only while the panel is shown. Thread-safe. */
+/**
+ * Holds the brightness of the dog's LEDs and the position of its ears, polled only while the panel is shown.
+ * Thread-safe.
+ */
 public final class LedReadings {
     private static final String SUFFIX = "_led";
     private static final Pattern TAG = Pattern.compile("\\w+" + SUFFIX + "(\\d{1,2})");

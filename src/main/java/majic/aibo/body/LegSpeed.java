@@ -11,8 +11,8 @@ import majic.aibo.urbi.UrbiValue;
 import majic.aibo.urbi.UrbiVersion;
 
 /**
- * The variables on the dog that hold the pace of its legs. All its clients share them, so their former values are restored; if
- * a connection breaks, by the next one. Thread-safe.
+ * The variables on the dog that hold the pace of its legs. All its clients share them, so their former values are
+ * restored; if a connection breaks, by the next one. Thread-safe.
  */
 public final class LegSpeed {
     private static final Gait[] ONE_FOR_EACH_VARIABLE = {Gait.FORWARD, Gait.LEFT};

@@ -42,7 +42,9 @@ public enum Limb {
      */
     public record Bones(BodyPoint top, BodyPoint middle, BodyPoint foot) {}
 
-    /** Where the bones are, in the body's frame. Fore legs bend their elbows to the rear, hind legs their knees ahead. */
+    /**
+     * Where the bones are, in the body's frame. Fore legs bend their elbows to the rear, hind legs their knees ahead.
+     */
     Bones bones(SensorReadings senses) {
         double swingDeg = ahead * senses.number(swing).orElse(fore() ? -20.0 : -25.0);
         double spreadDeg = left * senses.number(spread).orElse(fore() ? 25.0 : 10.0);

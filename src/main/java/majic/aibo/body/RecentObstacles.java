@@ -7,9 +7,9 @@ import java.util.Optional;
 import majic.bot.Pose;
 
 /**
- * The obstacles that the infra-red sensors detected recently, and the distance of the nearest one ahead of the hull. Each beam
- * is much narrower than the dog, so obstacles are kept for the time of a sweep of the head, in the frame of the dead reckoning,
- * and all in the corridor that the dog needs count. Thread-safe.
+ * The obstacles that the infra-red sensors detected recently, and the distance of the nearest one ahead of the hull.
+ * Each beam is much narrower than the dog, so obstacles are kept for the time of a sweep of the head, in the frame of
+ * the dead reckoning, and all in the corridor that the dog needs count. Thread-safe.
  */
 final class RecentObstacles {
     /** The beams start here, ahead of the turning centre. */
@@ -28,7 +28,10 @@ final class RecentObstacles {
 
     private final Deque<Hit> hits = new ArrayDeque<>();
 
-    /** Adds the reading of one beam: the pose of the dog, the direction of the beam, and its range if it detected an obstacle. */
+    /**
+     * Adds the reading of one beam: the pose of the dog, the direction of the beam, and its range if it detected an
+     * obstacle.
+     */
     synchronized void add(Pose dog, double panDeg, Optional<Double> rangeMm, long serverMs) {
         forget(serverMs);
         rangeMm.ifPresent(range -> {

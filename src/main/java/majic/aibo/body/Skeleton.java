@@ -7,7 +7,8 @@ import java.util.Map;
 
 /**
  * The positions of the dog's parts, calculated from its measured joints, with the dog on the ground: x ahead of its
- * middle, y left, z up from the floor, mm. Joints without a reading are taken as in a standing dog. Lengths are rounded. Immutable.
+ * middle, y left, z up from the floor, mm. Joints without a reading are taken as in a standing dog. Lengths are
+ * rounded. Immutable.
  */
 public final class Skeleton {
     private static final BodyPoint NECK_FOOT = new BodyPoint(72, 0, 22);

@@ -10,7 +10,9 @@ package majic.aibo.body;
 public record Stride(Gait gait, int cycleMs, double msPerUnit) {
     static final int USUAL_CYCLE_MS = 1000;
 
-    /** The fastest cycle that is known to have carried a real dog (URBI sheet 15, "Calibration"); above it feet slip. */
+    /**
+     * The fastest cycle that is known to have carried a real dog (URBI sheet 15, "Calibration"); above it feet slip.
+     */
     static final int FASTEST_CYCLE_MS = 650;
 
     /** Slower legs would carry it no better; it stands on two of them for over a second then. */

@@ -1,6 +1,4 @@
-/**
- * The dog's joints, sensors, gaits and LEDs, their readings, and the position estimated from them.
- */
+/** The dog's joints, sensors, gaits and LEDs, their readings, and the position estimated from them. */
 @NullMarked
 package majic.aibo.body;
 

@@ -9,9 +9,9 @@ import liburbi.call.UCallbackSupport;
 import liburbi.call.URBIEvent;
 
 /**
- * Puts the library's client on a socket that is connected already, with one listener for all messages. The library itself would
- * connect without a time limit, print failures instead of reporting them, never close its socket, and print the messages
- * that come before a listener is set.
+ * Puts the library's client on a socket that is connected already, with one listener for all messages. The library
+ * itself would connect without a time limit, print failures instead of reporting them, never close its socket, and
+ * print the messages that come before a listener is set.
  */
 final class LiburbiClient {
     private LiburbiClient() {}

@@ -20,12 +20,12 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Carries the messages of one connection by liburbi-java. The library's thread only puts them into a queue, from which a
- * thread of this transport delivers them, so no receiver can delay or end the library's reading.
+ * Carries the messages of one connection by liburbi-java. The library's thread only puts them into a queue, from which
+ * a thread of this transport delivers them, so no receiver can delay or end the library's reading.
  *
- * <p>The library does not notice that a server has closed. On a connection without messages an empty command is written, to which
- * no server replies: each second, and every {@value #LOOK_MS} ms while there is something that the library does not read.
- * Writing to a closed connection fails at the second time at the latest.
+ * <p>The library does not notice that a server has closed. On a connection without messages an empty command is
+ * written, to which no server replies: each second, and every {@value #LOOK_MS} ms while there is something that the
+ * library does not read. Writing to a closed connection fails at the second time at the latest.
  */
 final class LiburbiTransport implements UrbiTransport {
     private static final Logger LOG = System.getLogger(LiburbiTransport.class.getName());

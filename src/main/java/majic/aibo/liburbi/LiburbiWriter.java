@@ -14,9 +14,9 @@ import liburbi.UClient;
 import majic.link.Link;
 
 /**
- * Creates a client of the library and writes by it, both on a thread of its own: a write of the library does not return while
- * the peer takes no data, and the interruption of a thread that writes would close the socket. The library's thread is in the
- * group of this one, where its death is noticed.
+ * Creates a client of the library and writes by it, both on a thread of its own: a write of the library does not return
+ * while the peer takes no data, and the interruption of a thread that writes would close the socket. The library's
+ * thread is in the group of this one, where its death is noticed.
  */
 final class LiburbiWriter {
     private final ExecutorService thread;

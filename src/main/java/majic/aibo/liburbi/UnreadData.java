@@ -6,8 +6,8 @@ import java.nio.channels.Selector;
 import java.nio.channels.SocketChannel;
 
 /**
- * Whether the system holds something for a socket that the library has not read: data, which it reads at once, or the end of
- * the stream, which it never does.
+ * Whether the system holds something for a socket that the library has not read: data, which it reads at once, or the
+ * end of the stream, which it never does.
  */
 final class UnreadData {
     private final Selector selector;

@@ -16,8 +16,8 @@ import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * Shows one dog: the picture of its camera, a drawing with its joints, LEDs and touch sensors, and its readings. Only the sliders
- * of the head move it; everything else only reads.
+ * Shows one dog: the picture of its camera, a drawing with its joints, LEDs and touch sensors, and its readings. Only
+ * the sliders of the head move it; everything else only reads.
  */
 public final class AiboPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;
@@ -91,7 +91,8 @@ public final class AiboPanel extends RefreshingPanel {
      * Makes the panel; on the event dispatch thread.
      *
      * @param dog what is drawn
-     * @param pictures takes what the panel shows pictures with, and returns what is called when they begin or cease to be visible
+     * @param pictures takes what the panel shows pictures with, and returns what is called when they begin or cease to
+     *     be visible
      */
     public static JComponent create(
             MajicBot bot, DogState dog, Function<PanelPoller.PictureReceiver, Consumer<Boolean>> pictures) {

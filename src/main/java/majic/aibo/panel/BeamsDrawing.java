@@ -16,9 +16,9 @@ import majic.bot.Value;
 import majic.panel.DrawingColors;
 
 /**
- * What the distance sensors see, around the point where the head turns: rings at every half metre, the head's beam where
- * it looks, the chest's straight ahead, and a bar at what is nearest in the way. The dog is drawn larger than the rings
- * are, so distances count from its nose on.
+ * What the distance sensors see, around the point where the head turns: rings at every half metre, the head's beam
+ * where it looks, the chest's straight ahead, and a bar at what is nearest in the way. The dog is drawn larger than the
+ * rings are, so distances count from its nose on.
  */
 final class BeamsDrawing {
     private static final int FARTHEST_MM = 1500;
@@ -159,8 +159,8 @@ final class BeamsDrawing {
     }
 
     /**
-     * Returns the place of a label: beside a hit, away from the head; above the hit at the edge of the room where there is no
-     * room beside it; above the dog where it would cover the dog.
+     * Returns the place of a label: beside a hit, away from the head; above the hit at the edge of the room where there
+     * is no room beside it; above the dog where it would cover the dog.
      *
      * @param hit from where the head turns, y down
      * @param roomPx how far the room extends to each side

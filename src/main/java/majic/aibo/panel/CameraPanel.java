@@ -12,8 +12,8 @@ import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The camera's pictures on their way to the screen: decoded on the poller's thread, then shown on the event thread, also
- * while only a larger copy of the view is visible. For the event thread, except what a poller calls.
+ * The camera's pictures on their way to the screen: decoded on the poller's thread, then shown on the event thread,
+ * also while only a larger copy of the view is visible. For the event thread, except what a poller calls.
  */
 final class CameraPanel implements PanelPoller.PictureReceiver {
     private static final Texts TEXTS = Texts.of(CameraPanel.class);

@@ -13,7 +13,10 @@ import majic.text.NumberText;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
-/** Sliders that turn the head. They move the dog, so they are refused while a script or an act owns it or STOP is active. For the event thread. */
+/**
+ * Sliders that turn the head. They move the dog, so they are refused while a script or an act owns it or STOP is
+ * active. For the event thread.
+ */
 final class HeadPanel extends JPanel {
     private static final long serialVersionUID = 1;
     private static final Texts TEXTS = Texts.of(HeadPanel.class);

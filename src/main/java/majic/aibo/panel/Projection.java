@@ -5,7 +5,10 @@ import majic.aibo.body.BodyPoint;
 
 /** Where the drawn dog is looked at from; lengths in mm. */
 enum Projection {
-    /** From its right and a little from behind and above, so that the legs do not hide each other; it looks to the right. */
+    /**
+     * From its right and a little from behind and above, so that the legs do not hide each other; it looks to the
+     * right.
+     */
     SIDE(spot -> spot.x() + 0.3 * spot.y(), spot -> spot.z() + 0.05 * spot.y(), BodyPoint::y),
     /** From above; it looks upwards. */
     ABOVE(spot -> -spot.y(), BodyPoint::x, spot -> -spot.z());

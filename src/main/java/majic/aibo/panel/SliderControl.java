@@ -7,8 +7,8 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Moves joints of one robot as the user drags sliders: takes manual control when a drag begins, by the same rules as every
- * other control, and releases it when the last joint has arrived. A stop ends it until the next drag. Never
+ * Moves joints of one robot as the user drags sliders: takes manual control when a drag begins, by the same rules as
+ * every other control, and releases it when the last joint has arrived. A stop ends it until the next drag. Never
  * waits; used by one thread.
  */
 final class SliderControl {

@@ -1,6 +1,4 @@
-/**
- * The dog's panel in the window: camera picture, drawing, head sliders and readings.
- */
+/** The dog's panel in the window: camera picture, drawing, head sliders and readings. */
 @NullMarked
 package majic.aibo.panel;
 

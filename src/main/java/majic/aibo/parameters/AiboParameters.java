@@ -8,8 +8,8 @@ import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
 /**
- * The parameters of an Aibo besides those that every robot has, theme by theme.
- * Distances are in mm, angles in degrees. Before the first connection they are those of URBI 1.0.
+ * The parameters of an Aibo besides those that every robot has, theme by theme. Distances are in mm, angles in degrees.
+ * Before the first connection they are those of URBI 1.0.
  */
 public final class AiboParameters {
     private final ParameterTable table;

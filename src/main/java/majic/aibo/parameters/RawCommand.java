@@ -15,8 +15,8 @@ import majic.driver.DriverCommand;
 import majic.driver.Motion;
 
 /**
- * Passes a typed command to the dog unchanged, for functions without a parameter. It may move the dog, so only its owner
- * may send it. It runs as a block with a tag, so that its end is reported and a stop ends everything it does.
+ * Passes a typed command to the dog unchanged, for functions without a parameter. It may move the dog, so only its
+ * owner may send it. It runs as a block with a tag, so that its end is reported and a stop ends everything it does.
  */
 public final class RawCommand {
     private static final double LONGEST_S = 30;

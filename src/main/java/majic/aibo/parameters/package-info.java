@@ -1,6 +1,4 @@
-/**
- * The parameters of the dog and the raw URBI command.
- */
+/** The parameters of the dog and the raw URBI command. */
 @NullMarked
 package majic.aibo.parameters;
 

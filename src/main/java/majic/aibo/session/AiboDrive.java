@@ -11,9 +11,9 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Drives the dog at a speed or a turn rate. The dog has one gait at a time, so it uses the gait of the greater part, at that
- * speed as far as the legs allow, in short pieces. Each piece begins when the one before has ended, as long as the drive is
- * renewed. An error ends the drive and is thrown at the next renewal. Never blocks.
+ * Drives the dog at a speed or a turn rate. The dog has one gait at a time, so it uses the gait of the greater part, at
+ * that speed as far as the legs allow, in short pieces. Each piece begins when the one before has ended, as long as the
+ * drive is renewed. An error ends the drive and is thrown at the next renewal. Never blocks.
  */
 public final class AiboDrive {
     private static final double PIECE_MS = 600;

@@ -17,7 +17,9 @@ import majic.bot.LinkLost;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
-/** One connection to a dog, from connect to its end: creates the parts, connects them, and runs their periodic tasks. */
+/**
+ * One connection to a dog, from connect to its end: creates the parts, connects them, and runs their periodic tasks.
+ */
 public final class AiboSession {
     private static final double FIRST_READINGS_S = 4;
 
@@ -156,7 +158,10 @@ public final class AiboSession {
         return questions;
     }
 
-    /** Passes all messages that are neither a reading nor an answer to a listener on the reader threads, until the result is run. */
+    /**
+     * Passes all messages that are neither a reading nor an answer to a listener on the reader threads, until the
+     * result is run.
+     */
     public Runnable listen(Consumer<UrbiMessage> listener) {
         return router.listen(listener);
     }
@@ -168,8 +173,8 @@ public final class AiboSession {
     }
 
     /**
-     * Sends that stop on the stop connection while a command may be stuck on another. The sweep still counts as running,
-     * because the command that begins it may not have arrived yet.
+     * Sends that stop on the stop connection while a command may be stuck on another. The sweep still counts as
+     * running, because the command that begins it may not have arrived yet.
      */
     public void haltAhead() {
         drive.forget();

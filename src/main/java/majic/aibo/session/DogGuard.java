@@ -12,16 +12,19 @@ import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The guard that runs on the dog itself (URBI sheet 19): it ends a walk that was not renewed for {@value #PATIENCE_MS} ms. It runs
- * on the motion connection and is renewed on the sensor connection; each renewal contains the time of the dog's clock at which it
- * was sent, and one that arrives late renews nothing. While no motion of this driver runs, the guard is disarmed, so that it
- * ends no walk of another program.
+ * The guard that runs on the dog itself (URBI sheet 19): it ends a walk that was not renewed for {@value #PATIENCE_MS}
+ * ms. It runs on the motion connection and is renewed on the sensor connection; each renewal contains the time of the
+ * dog's clock at which it was sent, and one that arrives late renews nothing. While no motion of this driver runs, the
+ * guard is disarmed, so that it ends no walk of another program.
  */
 public final class DogGuard {
     private static final Logger LOG = System.getLogger(DogGuard.class.getName());
     private static final int PATIENCE_MS = 1500;
 
-    /** With replies up to 2 s late, the estimate of the dog's clock is off by up to 1 s; renewals must fit into the remaining 0.5 s. */
+    /**
+     * With replies up to 2 s late, the estimate of the dog's clock is off by up to 1 s; renewals must fit into the
+     * remaining 0.5 s.
+     */
     private static final double RENEWAL_S = 0.2;
 
     private static final String FAR_AHEAD = "1000000000000";
@@ -70,7 +73,9 @@ public final class DogGuard {
         return installed;
     }
 
-    /** Arms it, or renews it: to be sent before anything walks. It then stays armed for as long as one renewal holds. */
+    /**
+     * Arms it, or renews it: to be sent before anything walks. It then stays armed for as long as one renewal holds.
+     */
     public synchronized void renew() {
         if (installed) {
             armed = true;

@@ -6,8 +6,8 @@ import majic.aibo.body.Stride;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Starts and stops pieces of gaits, with everything that belongs to them: the guard on the dog, which is armed before each, and the
- * sweep of the head. Thread-safe.
+ * Starts and stops pieces of gaits, with everything that belongs to them: the guard on the dog, which is armed before
+ * each, and the sweep of the head. Thread-safe.
  */
 final class GaitControl {
     /** The failure when a piece ended early and no stop was sent. */

@@ -42,7 +42,8 @@ public final class JointControl {
     }
 
     /**
-     * Turns joints, all in the same time; blocks until they arrive. After a leg was moved, the dog stands up before it walks.
+     * Turns joints, all in the same time; blocks until they arrive. After a leg was moved, the dog stands up before it
+     * walks.
      *
      * @param targets the angles, degrees
      * @param givenMs how long it takes; if empty, the longest way determines it

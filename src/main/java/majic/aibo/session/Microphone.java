@@ -13,8 +13,8 @@ import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The command by which the dog sends its microphone's sound, one block of 32 ms each cycle (URBI sheet 8, 13). It ends by itself
- * on the dog if no stop arrives. Safe from any thread.
+ * The command by which the dog sends its microphone's sound, one block of 32 ms each cycle (URBI sheet 8, 13). It ends
+ * by itself on the dog if no stop arrives. Safe from any thread.
  */
 public final class Microphone {
     private static final Logger LOG = System.getLogger(Microphone.class.getName());

@@ -20,8 +20,8 @@ import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs one motion command at a time and confirms its end. A stop is sent on the stop connection at once; whether it arrived
- * after the command that it stops is checked afterwards, see {@link RunningMotion#continueStop}. Thread-safe.
+ * Runs one motion command at a time and confirms its end. A stop is sent on the stop connection at once; whether it
+ * arrived after the command that it stops is checked afterwards, see {@link RunningMotion#continueStop}. Thread-safe.
  */
 public final class MotionExecutor {
     private static final double CONFIRM_S = 5;

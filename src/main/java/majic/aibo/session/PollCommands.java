@@ -9,7 +9,9 @@ import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiVersion;
 import org.jspecify.annotations.Nullable;
 
-/** The commands by which the dog reports its sensors periodically, and the way back from tags to sensors (URBI sheet 8). */
+/**
+ * The commands by which the dog reports its sensors periodically, and the way back from tags to sensors (URBI sheet 8).
+ */
 final class PollCommands {
     private final Tags tags;
     private final Map<String, Sensor> byTag = new HashMap<>();

@@ -105,8 +105,8 @@ public final class PostureControl {
     }
 
     /**
-     * Lays the dog down where it is up, then lets its joints go loose. A dog that did not lie down keeps its motors on, for
-     * it would fall; a second request switches them off all the same.
+     * Lays the dog down where it is up, then lets its joints go loose. A dog that did not lie down keeps its motors on,
+     * for it would fall; a second request switches them off all the same.
      */
     public void loosen(Motion motion) {
         executor.awaitFree(motion);

@@ -7,8 +7,8 @@ import majic.aibo.urbi.UrbiRequest;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A command under way that moves the dog: a piece of a gait, a posture, a timed joint. There is never
- * more than one. Safe from any thread.
+ * A command under way that moves the dog: a piece of a gait, a posture, a timed joint. There is never more than one.
+ * Safe from any thread.
  */
 public final class RunningMotion {
     private final UrbiConnection on;
@@ -80,9 +80,9 @@ public final class RunningMotion {
     }
 
     /**
-     * Takes the next step to make sure that it has ended. The stop is sent on another connection and may overtake the command
-     * that it stops. So a ping behind the command shows when the command has arrived; a stop sent after that takes effect, and a
-     * ping behind this stop shows when.
+     * Takes the next step to make sure that it has ended. The stop is sent on another connection and may overtake the
+     * command that it stops. So a ping behind the command shows when the command has arrived; a stop sent after that
+     * takes effect, and a ping behind this stop shows when.
      */
     synchronized void continueStop(UrbiConnection stopping, Tags tags, String stopAll) {
         if (isOver() || !written) {

@@ -13,8 +13,8 @@ import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Walks distances and turns angles: one piece of a gait after the other, none longer than two seconds, each begun when the dog has
- * reported the end of the one before. Thread-safe; {@code MajicBot} runs one motion at a time.
+ * Walks distances and turns angles: one piece of a gait after the other, none longer than two seconds, each begun when
+ * the dog has reported the end of the one before. Thread-safe; {@code MajicBot} runs one motion at a time.
  */
 public final class Walker {
     /** An engine may answer two seconds late, and a gait may last two cycles longer than commanded. */

@@ -8,8 +8,8 @@ import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The sound recorded so far. The dog's time stamps give the place of each block: a repeated block is dropped and missing ones are
- * replaced by silence, so that the timing stays correct. Filled by the reader thread; thread-safe.
+ * The sound recorded so far. The dog's time stamps give the place of each block: a repeated block is dropped and
+ * missing ones are replaced by silence, so that the timing stays correct. Filled by the reader thread; thread-safe.
  */
 final class SoundRecording {
     private final double seconds;

@@ -3,8 +3,8 @@ package majic.aibo.sound;
 import java.util.Arrays;
 
 /**
- * A sound as the dog's speaker takes it: one channel, 16 kHz, 16 bits (URBI sheet 12), in pieces that it can be sent in.
- * Immutable.
+ * A sound as the dog's speaker takes it: one channel, 16 kHz, 16 bits (URBI sheet 12), in pieces that it can be sent
+ * in. Immutable.
  */
 final class SpeakerSound {
     static final int RATE_HZ = 16_000;

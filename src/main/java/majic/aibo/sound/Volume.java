@@ -1,8 +1,8 @@
 package majic.aibo.sound;
 
 /**
- * The volume of sounds sent to the dog. The dog has no such setting (URBI sheet 13), so the samples are reduced before they are
- * sent. Thread-safe.
+ * The volume of sounds sent to the dog. The dog has no such setting (URBI sheet 13), so the samples are reduced before
+ * they are sent. Thread-safe.
  */
 public final class Volume {
     public static final double FULL_PERCENT = 100;

@@ -1,6 +1,4 @@
-/**
- * The dog's loudspeaker and microphone, and the sound files on the computer.
- */
+/** The dog's loudspeaker and microphone, and the sound files on the computer. */
 @NullMarked
 package majic.aibo.sound;
 

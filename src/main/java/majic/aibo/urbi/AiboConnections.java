@@ -17,9 +17,9 @@ import majic.text.Advice;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The three connections to one dog: for motion, for sensors and settings, and for stops only, so that a stop never waits
- * behind another command. If one breaks, all end: commands that are not yet sent are discarded, so that no walk reaches
- * the dog late, and a stop is sent over a remaining connection.
+ * The three connections to one dog: for motion, for sensors and settings, and for stops only, so that a stop never
+ * waits behind another command. If one breaks, all end: commands that are not yet sent are discarded, so that no walk
+ * reaches the dog late, and a stop is sent over a remaining connection.
  */
 public final class AiboConnections implements UrbiConnection.Owner {
     private static final Logger LOG = System.getLogger(AiboConnections.class.getName());
@@ -96,7 +96,10 @@ public final class AiboConnections implements UrbiConnection.Owner {
         return all().stream().filter(UrbiConnection::isIdentified).count();
     }
 
-    /** If the dog has identified itself on one connection, the address is right, but the dog has no room for another client. */
+    /**
+     * If the dog has identified itself on one connection, the address is right, but the dog has no room for another
+     * client.
+     */
     private ConnectFailed tooFew(@Nullable IOException cause) {
         return new ConnectFailed(
                 Reason.BUSY,

@@ -4,8 +4,8 @@ import majic.driver.RobotWait;
 
 /**
  * Estimates what the dog's clock shows now. A message was sent before it was received, and an answer was sent after its
- * question; so the offset of the dog's clock lies between two bounds, and the estimate is the middle. Its error is at most
- * half of the shortest recent round trip, however slowly the dog answers. Thread-safe.
+ * question; so the offset of the dog's clock lies between two bounds, and the estimate is the middle. Its error is at
+ * most half of the shortest recent round trip, however slowly the dog answers. Thread-safe.
  */
 public final class DogClock {
     /** Bounds are discarded after one to two of these, because clocks drift. */
@@ -90,7 +90,9 @@ public final class DogClock {
         return now.and(before.leastMs(), before.mostMs());
     }
 
-    /** Returns the time stamp that a message sent now would carry; before the first answer, the newest that is certain. */
+    /**
+     * Returns the time stamp that a message sent now would carry; before the first answer, the newest that is certain.
+     */
     public synchronized double estimateMs() {
         Bounds known = known();
         double aheadMs = Double.isInfinite(known.mostMs()) ? known.leastMs() : (known.leastMs() + known.mostMs()) / 2;

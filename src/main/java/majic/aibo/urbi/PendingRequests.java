@@ -9,8 +9,8 @@ import org.jspecify.annotations.Nullable;
 /** The commands of one connection that still wait for an answer, oldest first. Thread-safe. */
 public final class PendingRequests {
     /**
-     * A syntax error names a place; other errors under the same tag answer no command (URBI sheet 11). Of the two lines about
-     * a command that found the server's queue full, the first one answers it (URBI sheet 2).
+     * A syntax error names a place; other errors under the same tag answer no command (URBI sheet 11). Of the two lines
+     * about a command that found the server's queue full, the first one answers it (URBI sheet 2).
      */
     private static final Pattern ANSWERS_A_COMMAND = Pattern.compile("\\d+\\.\\d.*|Receive buffer full.*");
 

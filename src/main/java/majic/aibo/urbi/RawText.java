@@ -6,8 +6,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Checks a raw command before it may be sent. Besides the commands that {@link CommandFilter} refuses, it refuses those that
- * would leave the server waiting for the rest, and those that close connections (URBI sheet 3, 9, 12).
+ * Checks a raw command before it may be sent. Besides the commands that {@link CommandFilter} refuses, it refuses those
+ * that would leave the server waiting for the rest, and those that close connections (URBI sheet 3, 9, 12).
  */
 public final class RawText {
     private static final Pattern CLOSES = Pattern.compile("(?<![\\w.])(?:quit|disconnect|killall)(?![\\w.])");

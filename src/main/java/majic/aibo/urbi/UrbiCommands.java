@@ -15,8 +15,8 @@ public final class UrbiCommands {
     }
 
     /**
-     * Returns a command to a group of devices such that it ends once, under its own tag. Without the braces a 1.0 kernel
-     * reports an end for each member, some or all of them under the tag {@code __system__} (URBI sheet 21).
+     * Returns a command to a group of devices such that it ends once, under its own tag. Without the braces a 1.0
+     * kernel reports an end for each member, some or all of them under the tag {@code __system__} (URBI sheet 21).
      */
     public static String toGroup(String command) {
         return "{ " + command + " }";

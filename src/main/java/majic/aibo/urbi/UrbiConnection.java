@@ -171,7 +171,10 @@ public final class UrbiConnection {
         return send(ask, version.labelled(ask.tag(), expression) + ";");
     }
 
-    /** Sends a ping; its answer shows that all commands sent before have arrived (URBI sheet 9). Throws as {@link #send} does. */
+    /**
+     * Sends a ping; its answer shows that all commands sent before have arrived (URBI sheet 9). Throws as {@link #send}
+     * does.
+     */
     public UrbiRequest ping(Tags tags) {
         UrbiRequest pong = new UrbiRequest(tags.next(), UrbiRequest.Expects.PONG);
         return send(pong, pong.tag() + ": ping;");

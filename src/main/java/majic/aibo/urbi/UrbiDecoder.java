@@ -12,8 +12,9 @@ import org.jspecify.annotations.Nullable;
  * Cuts what an URBI server sends into messages (URBI sheet 4). Messages end with a line feed, except that a line feed
  * inside the quotes of a value belongs to it, that {@code BIN n} is followed by n raw bytes, and that nothing follows
  * these bytes unless they stand in a list. A text of more than {@value #MAX_TEXT} bytes or a binary of more than
- * {@value #MAX_BINARY} is dropped up to the next line feed. Where bytes were lost, a quote that does not close is given up
- * at the next line with a prefix, a binary when its reader gives it up. No socket, thread or clock; used by one thread.
+ * {@value #MAX_BINARY} is dropped up to the next line feed. Where bytes were lost, a quote that does not close is given
+ * up at the next line with a prefix, a binary when its reader gives it up. No socket, thread or clock; used by one
+ * thread.
  */
 public final class UrbiDecoder {
     static final int MAX_TEXT = 64 * 1024;
@@ -56,8 +57,8 @@ public final class UrbiDecoder {
     }
 
     /**
-     * Discards the unfinished binary if the bytes received for it contain a message, because then it was cut short; returns
-     * that message and those after it. Otherwise keeps the binary: the link may only be slow.
+     * Discards the unfinished binary if the bytes received for it contain a message, because then it was cut short;
+     * returns that message and those after it. Otherwise keeps the binary: the link may only be slow.
      */
     public List<UrbiMessage> giveUpCutBinary() {
         int next = isInBinary() ? UrbiPrefix.find(bytes, bodyStart, length) : -1;

@@ -6,7 +6,10 @@ import majic.time.TimeSource;
 
 /** Decodes one connection, and discards a binary that was cut short. Used by the connection's reader thread. */
 final class UrbiReader {
-    /** A binary without progress for so long may be cut short, seconds; less than the silence at which a walking dog is stopped. */
+    /**
+     * A binary without progress for so long may be cut short, seconds; less than the silence at which a walking dog is
+     * stopped.
+     */
     private static final double STALLED_S = 1;
 
     private final TimeSource time;

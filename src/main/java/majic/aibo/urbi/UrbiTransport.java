@@ -3,8 +3,8 @@ package majic.aibo.urbi;
 import java.io.IOException;
 
 /**
- * Carries commands to an URBI server and messages from it, over one connection. Any thread may write; each write is sent in
- * one piece, and takes no longer than that of a {@link majic.link.Link}.
+ * Carries commands to an URBI server and messages from it, over one connection. Any thread may write; each write is
+ * sent in one piece, and takes no longer than that of a {@link majic.link.Link}.
  */
 public interface UrbiTransport {
     /** Receives what a transport delivers, on one thread of its own, which must not wait for an answer. */

@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** Parses one printed value (URBI sheet 4, "How values print"). Text that is no value is kept as text; throws nothing. */
+/**
+ * Parses one printed value (URBI sheet 4, "How values print"). Text that is no value is kept as text; throws nothing.
+ */
 final class UrbiValueParser {
     private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+(\\.\\d*)?|\\.\\d+)");
     private static final int MAX_NESTING = 64;

@@ -10,8 +10,8 @@ import majic.script.ActOffers;
 import majic.script.Session;
 
 /**
- * Guides through loading an act onto one or several robots: choice of the act, consent to its code, further robots, and finally the
- * command that loads it. Until that command nothing is changed, and none of the act's code is loaded.
+ * Guides through loading an act onto one or several robots: choice of the act, consent to its code, further robots, and
+ * finally the command that loads it. Until that command nothing is changed, and none of the act's code is loaded.
  */
 public final class ActLoader {
     private final Window owner;

@@ -13,7 +13,10 @@ import majic.team.Member;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
-/** Chooses the robot, or the selected robots, onto which an act is loaded; asks first if one of them runs an act or a script. */
+/**
+ * Chooses the robot, or the selected robots, onto which an act is loaded; asks first if one of them runs an act or a
+ * script.
+ */
 public final class LoadActDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(LoadActDialog.class);

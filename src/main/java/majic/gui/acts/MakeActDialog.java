@@ -104,7 +104,9 @@ public final class MakeActDialog extends MajicDialog {
                 file -> target.setText(file.toString()));
     }
 
-    /** Finds the acts in the source if another path was entered, or if none was found before: the file may be mended. */
+    /**
+     * Finds the acts in the source if another path was entered, or if none was found before: the file may be mended.
+     */
     private void look() {
         String path = from.getText().strip();
         if (path.equals(looked) && source != null) {

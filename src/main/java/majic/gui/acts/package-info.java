@@ -1,6 +1,4 @@
-/**
- * Dialogs for behaviours: choosing, consent, roles, making.
- */
+/** Dialogs for behaviours: choosing, consent, roles, making. */
 @NullMarked
 package majic.gui.acts;
 

@@ -1,6 +1,4 @@
-/**
- * The dialog that adds a robot.
- */
+/** The dialog that adds a robot. */
 @NullMarked
 package majic.gui.add;
 

@@ -93,8 +93,8 @@ final class BotPanel extends PlottedPanel {
     }
 
     /**
-     * Creates the robot's own display; null if that fails, since a robot's class may come from a plug-in. The panel
-     * is shown without it then.
+     * Creates the robot's own display; null if that fails, since a robot's class may come from a plug-in. The panel is
+     * shown without it then.
      */
     private @Nullable JComponent ownDisplay() {
         try {

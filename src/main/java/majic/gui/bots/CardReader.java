@@ -12,7 +12,10 @@ import majic.team.Team;
 import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
-/** Reads what the cards show of the robots' parameters, on a thread of its own, because a robot may have to be waited for. */
+/**
+ * Reads what the cards show of the robots' parameters, on a thread of its own, because a robot may have to be waited
+ * for.
+ */
 final class CardReader implements AutoCloseable {
     private static final Logger LOG = LateLogger.of(CardReader.class);
     private static final int PERIOD_S = 1;

@@ -280,7 +280,9 @@ final class RobotCard extends PlottedPanel {
         return new Dimension(0, 0);
     }
 
-    /** Paints the card: tinted with a thick frame if selected, framed in the alarm colour if a stop is not confirmed. */
+    /**
+     * Paints the card: tinted with a thick frame if selected, framed in the alarm colour if a stop is not confirmed.
+     */
     @Override
     protected void paintComponent(Graphics graphics) {
         Graphics2D g = (Graphics2D) graphics.create();

@@ -22,8 +22,8 @@ import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * Shows one robot's name and make, state, owner and position in three lines, with the buttons that stop and reconnect it, and
- * its act.
+ * Shows one robot's name and make, state, owner and position in three lines, with the buttons that stop and reconnect
+ * it, and its act.
  */
 final class StatusStrip extends JPanel {
     private static final long serialVersionUID = 1L;

@@ -14,9 +14,9 @@ import majic.team.Member;
 
 /**
  * The keys of the team strip. In the whole window Alt and a digit selects the robot of that number, 0 the tenth; digits
- * that follow within a second continue the number. On a card the arrow keys select the previous or the next robot, up and
- * down the one above or below where cards are in rows, and with Ctrl they only go there; Space adds the robot to the
- * selection or removes it, Ctrl A selects all, F2 renames the robot, and the menu key opens its menu.
+ * that follow within a second continue the number. On a card the arrow keys select the previous or the next robot, up
+ * and down the one above or below where cards are in rows, and with Ctrl they only go there; Space adds the robot to
+ * the selection or removes it, Ctrl A selects all, F2 renames the robot, and the menu key opens its menu.
  */
 final class StripKeys {
     private static final int DIGITS = 10;
@@ -77,7 +77,9 @@ final class StripKeys {
                         .ifPresent(action));
     }
 
-    /** Selects the robot of the number typed so far, or of the digit alone if there is no robot of the longer number. */
+    /**
+     * Selects the robot of the number typed so far, or of the digit alone if there is no robot of the longer number.
+     */
     private void typed(String digit, long atMs) {
         boolean continued = atMs - digitMs <= CONTINUED_MS && digits.length() < LONGEST_NUMBER;
         digits = continued && numbered(digits + digit).isPresent() ? digits + digit : digit;

@@ -10,8 +10,8 @@ import javax.swing.JViewport;
 
 /**
  * Places the cards of all robots in the room there is: in one column, each as large as possible; in more columns where
- * one has no room for all. The cards of a large team show numbers and states only, in rows that may be higher than the room
- * together.
+ * one has no room for all. The cards of a large team show numbers and states only, in rows that may be higher than the
+ * room together.
  */
 final class StripLayout implements LayoutManager {
     private static final int WIDTH = 268;

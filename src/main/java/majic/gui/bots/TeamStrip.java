@@ -88,7 +88,9 @@ public final class TeamStrip extends JPanel implements TeamListener, Scrollable 
         return cards().stream().filter(card -> card.member() == member).findFirst();
     }
 
-    /** Adds a card; selects the robot only if it is the only one, because a selected one may be driven at the moment. */
+    /**
+     * Adds a card; selects the robot only if it is the only one, because a selected one may be driven at the moment.
+     */
     @Override
     public void added(Member member) {
         if (!team.members().contains(member) || card(member).isPresent()) {

@@ -1,6 +1,4 @@
-/**
- * The team strip with a card for each robot, and the panels of the selected robots.
- */
+/** The team strip with a card for each robot, and the panels of the selected robots. */
 @NullMarked
 package majic.gui.bots;
 

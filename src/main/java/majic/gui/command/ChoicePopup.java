@@ -21,8 +21,9 @@ import majic.script.help.Completion;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A list of choices below a text field; where the screen ends, above it and to the right of the newest messages. It never
- * takes the focus. Nothing is chosen until {@link #move} or {@link #choose}. Must be used on the event dispatch thread.
+ * A list of choices below a text field; where the screen ends, above it and to the right of the newest messages. It
+ * never takes the focus. Nothing is chosen until {@link #move} or {@link #choose}. Must be used on the event dispatch
+ * thread.
  */
 final class ChoicePopup {
     private static final int MOST_ROWS = 8;
@@ -80,7 +81,9 @@ final class ChoicePopup {
         shown.setVisible(true);
     }
 
-    /** Returns the list, which is created for the first entries, because the start of the program need not wait for it. */
+    /**
+     * Returns the list, which is created for the first entries, because the start of the program need not wait for it.
+     */
     private ChoiceList list() {
         ChoiceList made = list;
         if (made == null) {

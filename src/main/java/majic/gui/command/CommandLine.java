@@ -153,7 +153,10 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         }
     }
 
-    /** Brings a line back that was refused after its files were read, unless another one has been begun; Up recalls it then. */
+    /**
+     * Brings a line back that was refused after its files were read, unless another one has been begun; Up recalls it
+     * then.
+     */
     private void refusedLater(String line, Refusal why) {
         if (edited || !getText().isEmpty()) {
             history.add(line);

@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * Holds the lines typed before, each once, to be recalled and searched. The unfinished line from which recalling started
- * is kept at its newer end. Must be used on one thread.
+ * Holds the lines typed before, each once, to be recalled and searched. The unfinished line from which recalling
+ * started is kept at its newer end. Must be used on one thread.
  */
 final class History {
     static final int LONGEST = 500;

@@ -6,8 +6,8 @@ import majic.script.MajicParser;
 import majic.script.help.Completion;
 
 /**
- * What the popup of the command line shows: completions while a line is typed, or the earlier lines of a search until one
- * is taken. Must be used on the event dispatch thread.
+ * What the popup of the command line shows: completions while a line is typed, or the earlier lines of a search until
+ * one is taken. Must be used on the event dispatch thread.
  */
 final class LineChoices {
     private final ChoicePopup popup;

@@ -26,8 +26,9 @@ import majic.panel.RefreshTicks;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows the lines of the session that a filter accepts: the newest one at the bottom, in view unless the area is scrolled
- * up. Lines may arrive from any thread and at any rate; they are shown ten times a second, and the oldest are removed.
+ * Shows the lines of the session that a filter accepts: the newest one at the bottom, in view unless the area is
+ * scrolled up. Lines may arrive from any thread and at any rate; they are shown ten times a second, and the oldest are
+ * removed.
  */
 public final class MessageArea extends JScrollPane implements SessionListener {
     private static final long serialVersionUID = 1L;

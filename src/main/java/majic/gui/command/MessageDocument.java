@@ -14,8 +14,8 @@ import majic.gui.kit.Palette;
 import majic.log.Line;
 
 /**
- * The text of the message area: a limited number of messages with one line each, marked by its kind with a sign in front
- * and a colour. Must be used on the event dispatch thread.
+ * The text of the message area: a limited number of messages with one line each, marked by its kind with a sign in
+ * front and a colour. Must be used on the event dispatch thread.
  */
 final class MessageDocument extends DefaultStyledDocument {
     static final int MOST_LINES = 2000;
@@ -80,8 +80,8 @@ final class MessageDocument extends DefaultStyledDocument {
     }
 
     /**
-     * Inserts consecutive messages of one kind as one text, so that the event dispatch thread can handle a click on STOP
-     * during a flood of messages.
+     * Inserts consecutive messages of one kind as one text, so that the event dispatch thread can handle a click on
+     * STOP during a flood of messages.
      */
     private void appendRun(List<Message> run) throws BadLocationException {
         String text = run.stream().map(message -> message.text(withTimes)).collect(Collectors.joining("\n"));

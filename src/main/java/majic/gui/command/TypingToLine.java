@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Passes letters and digits that are typed on another component of the window to a text field, and gives it the focus.
- * What is typed until it has the focus, spaces too, goes to the field. A key that the component uses stays there, and so
- * does everything typed into an editable text, a list or a table. Must be used on the event dispatch thread.
+ * What is typed until it has the focus, spaces too, goes to the field. A key that the component uses stays there, and
+ * so does everything typed into an editable text, a list or a table. Must be used on the event dispatch thread.
  */
 final class TypingToLine implements KeyEventPostProcessor, KeyEventDispatcher {
     private final JTextComponent field;

@@ -1,6 +1,4 @@
-/**
- * Command line and message area.
- */
+/** Command line and message area. */
 @NullMarked
 package majic.gui.command;
 

@@ -9,8 +9,8 @@ import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One of the robots that are driven manually: takes it with the first command, renews its speed, and releases it.
- * Must be used on the event dispatch thread; never blocks there.
+ * One of the robots that are driven manually: takes it with the first command, renews its speed, and releases it. Must
+ * be used on the event dispatch thread; never blocks there.
  */
 final class DrivenRobot {
     private static final long RENEWAL_MS = 150;

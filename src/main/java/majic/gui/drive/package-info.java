@@ -1,6 +1,4 @@
-/**
- * Driving robots by hand: the pad, the held keys, the game controller.
- */
+/** Driving robots by hand: the pad, the held keys, the game controller. */
 @NullMarked
 package majic.gui.drive;
 

@@ -50,8 +50,8 @@ final class EditorMenu extends JMenuBar {
     }
 
     /**
-     * Returns an entry for an action of the library, which has names in the language of the system. The text handles the
-     * key itself; the entry shows it.
+     * Returns an entry for an action of the library, which has names in the language of the system. The text handles
+     * the key itself; the entry shows it.
      */
     private static JMenuItem text(int action, String name, int keyCode) {
         JMenuItem item = new JMenuItem(RTextArea.getAction(action));

@@ -32,8 +32,8 @@ import majic.team.TeamListener;
 import majic.text.Texts;
 
 /**
- * The script editor: opens, edits, checks, runs and saves scripts and saved sessions, each in a tab. Must be used on the
- * event dispatch thread.
+ * The script editor: opens, edits, checks, runs and saves scripts and saved sessions, each in a tab. Must be used on
+ * the event dispatch thread.
  */
 public final class EditorWindow extends JFrame {
     private static final long serialVersionUID = 1L;

@@ -25,8 +25,8 @@ final class WordHints implements ToolTipSupplier {
     }
 
     /**
-     * Returns one line on the word at the caret; empty if nothing is known of it. While a deletion is reported to listeners,
-     * the caret may still be behind the end of the text.
+     * Returns one line on the word at the caret; empty if nothing is known of it. While a deletion is reported to
+     * listeners, the caret may still be behind the end of the text.
      */
     String atCaret() {
         return at(Math.min(text.getCaretPosition(), text.getDocument().getLength()));

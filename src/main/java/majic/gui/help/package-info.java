@@ -1,6 +1,4 @@
-/**
- * Help: the tables of commands, parameters and keys, the pages of the documents, and the program's version.
- */
+/** Help: the tables of commands, parameters and keys, the pages of the documents, and the program's version. */
 @NullMarked
 package majic.gui.help;
 

@@ -223,7 +223,10 @@ public final class ChooseFile extends MajicDialog {
         return component instanceof Container container ? textFields(container) : Stream.empty();
     }
 
-    /** Keeps the words of a dialog that saves when the look and feel changes: each look and feel begins with those of opening. */
+    /**
+     * Keeps the words of a dialog that saves when the look and feel changes: each look and feel begins with those of
+     * opening.
+     */
     private static final class Chooser extends JFileChooser {
         private static final long serialVersionUID = 1L;
 

@@ -21,8 +21,8 @@ import majic.script.help.Completion;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Paints a completion in three columns: the word, what it takes, and its explanation. Must be used on the event dispatch
- * thread.
+ * Paints a completion in three columns: the word, what it takes, and its explanation. Must be used on the event
+ * dispatch thread.
  */
 public final class CompletionCell extends JLabel implements ListCellRenderer<Completion> {
     private static final long serialVersionUID = 1L;

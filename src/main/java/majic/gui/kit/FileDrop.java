@@ -43,8 +43,8 @@ public final class FileDrop extends TransferHandler {
     }
 
     /**
-     * Makes a window accept files everywhere. Its texts are the targets of what is dropped on them, so each accepts files too,
-     * also one that is added later.
+     * Makes a window accept files everywhere. Its texts are the targets of what is dropped on them, so each accepts
+     * files too, also one that is added later.
      *
      * @param root the window's root pane
      * @param dropped receives the files
@@ -63,9 +63,9 @@ public final class FileDrop extends TransferHandler {
     }
 
     /**
-     * Removes the targets for dropped texts that the look and feel has given to the texts of a window, so that the window
-     * is visible sooner: the first target makes the toolkit ask the display for everything that it needs for dragging.
-     * {@link #installInside} makes them anew.
+     * Removes the targets for dropped texts that the look and feel has given to the texts of a window, so that the
+     * window is visible sooner: the first target makes the toolkit ask the display for everything that it needs for
+     * dragging. {@link #installInside} makes them anew.
      *
      * @param root the window's root pane; not shown yet
      */

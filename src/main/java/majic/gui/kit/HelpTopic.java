@@ -15,7 +15,8 @@ public final class HelpTopic {
     /**
      * Sets the section of a component and of all parts of it that have none; of a window, if it is its root pane.
      *
-     * @param section the heading as in links: lower case, words joined by {@code -}, for instance {@code the-main-screen}
+     * @param section the heading as in links: lower case, words joined by {@code -}, for instance
+     *     {@code the-main-screen}
      */
     public static void set(JComponent component, String section) {
         component.putClientProperty(KEY, section);

@@ -18,8 +18,8 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Asks for the user name and the password of a broker that refuses those it was given. They are kept in memory until the
- * program ends, and are shown and written nowhere.
+ * Asks for the user name and the password of a broker that refuses those it was given. They are kept in memory until
+ * the program ends, and are shown and written nowhere.
  */
 public final class LoginDialog extends MajicDialog {
     private static final long serialVersionUID = 1L;

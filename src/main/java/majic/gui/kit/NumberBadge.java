@@ -11,7 +11,8 @@ import javax.swing.UIManager;
 import majic.panel.ScaledIcon;
 
 /**
- * A robot's number on its colour: a disc for the numbers up to 10, a rounded square for larger ones, which is wider from 100.
+ * A robot's number on its colour: a disc for the numbers up to 10, a rounded square for larger ones, which is wider
+ * from 100.
  *
  * @param number the robot's number
  * @param size height in pixels at the normal font size, and width of a number below 100

@@ -7,10 +7,10 @@ import javax.swing.plaf.ComponentUI;
 import javax.swing.plaf.basic.BasicHTML;
 
 /**
- * Makes labels, buttons, menu items, cells of tables and lists, and tooltips show their texts as they are. Swing interprets
- * a text that begins with {@code <html>}, so that a text of a robot, a file or another computer could load pictures
- * over the network and imitate other parts of the window. A component that shows HTML of the program itself sets the
- * client property {@code html.disable} to false. Must be used on the event dispatch thread.
+ * Makes labels, buttons, menu items, cells of tables and lists, and tooltips show their texts as they are. Swing
+ * interprets a text that begins with {@code <html>}, so that a text of a robot, a file or another computer could load
+ * pictures over the network and imitate other parts of the window. A component that shows HTML of the program itself
+ * sets the client property {@code html.disable} to false. Must be used on the event dispatch thread.
  */
 public final class PlainTextUi extends ComponentUI {
     private static final String DISABLE = "html.disable";

@@ -4,8 +4,8 @@ import com.formdev.flatlaf.FlatLaf;
 import java.awt.Color;
 
 /**
- * Assigns a colour to each robot number: twenty that differ visibly in the light and in the dark look, the first five by
- * colour-blind users too. A robot is never identified by its colour alone; its number is always drawn with it.
+ * Assigns a colour to each robot number: twenty that differ visibly in the light and in the dark look, the first five
+ * by colour-blind users too. A robot is never identified by its colour alone; its number is always drawn with it.
  */
 public final class RobotColors {
     private static final int[] LIGHT = {

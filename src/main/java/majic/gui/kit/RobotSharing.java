@@ -2,7 +2,9 @@ package majic.gui.kit;
 
 import java.util.Optional;
 
-/** Sharing of the team's robots with other desks over a broker, as the program provides it to the window. Thread-safe. */
+/**
+ * Sharing of the team's robots with other desks over a broker, as the program provides it to the window. Thread-safe.
+ */
 public interface RobotSharing {
     /**
      * Where robots are shared, and under which names.
@@ -25,8 +27,8 @@ public interface RobotSharing {
     /**
      * Begins to share all robots of the team. Blocks for at most 13 s.
      *
-     * @throws majic.bot.BotException if the broker cannot be reached or another desk has the name, or the robots are shared
-     *     already; nothing is shared then
+     * @throws majic.bot.BotException if the broker cannot be reached or another desk has the name, or the robots are
+     *     shared already; nothing is shared then
      */
     void start(Place place);
 
@@ -38,6 +40,9 @@ public interface RobotSharing {
      */
     void useLogin(String broker, String user, char[] password);
 
-    /** Ends the sharing; robots that others move are halted first. Blocks for about a second. No effect if there is none. */
+    /**
+     * Ends the sharing; robots that others move are halted first. Blocks for about a second. No effect if there is
+     * none.
+     */
     void stop();
 }

@@ -165,8 +165,8 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     }
 
     /**
-     * Returns the start of a robot. It is determined again when the robot was placed, and one beside the room when a lab
-     * with another room starts.
+     * Returns the start of a robot. It is determined again when the robot was placed, and one beside the room when a
+     * lab with another room starts.
      */
     private Start start(Member member) {
         List<Wall> walls = factory.lab().map(LabAccess::walls).orElse(List.of());
@@ -190,7 +190,9 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         return new Start(truth.originOf(member.bot().state().pose()), true, true, null, walls, new Trail());
     }
 
-    /** Returns a place for a robot whose start is not known: in columns to the right of the room, clear of its walls. */
+    /**
+     * Returns a place for a robot whose start is not known: in columns to the right of the room, clear of its walls.
+     */
     private static Pose besideRoom(int index, List<Wall> walls) {
         if (walls.isEmpty()) {
             return new Pose(0, -index * GUESSED_APART_MM, 0);

@@ -11,8 +11,8 @@ import majic.team.Member;
 import majic.team.Team;
 
 /**
- * Selects the robot that is clicked on the map; with Ctrl, adds it to the selection or removes it. Where robots overlap,
- * each further click selects the next one. A right click opens the menu of the robot.
+ * Selects the robot that is clicked on the map; with Ctrl, adds it to the selection or removes it. Where robots
+ * overlap, each further click selects the next one. A right click opens the menu of the robot.
  */
 public final class MapSelection extends MouseAdapter {
     /** Opens the context menu of a robot. */

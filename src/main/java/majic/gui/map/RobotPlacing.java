@@ -17,10 +17,10 @@ import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sets where a robot is: with Shift, dragging a robot on the map moves its picture; with Shift and Ctrl, the robot looks
- * to the mouse. On release the pose is set by a command: a robot of the simulated lab is put down there, any other one
- * does not move and reports the new pose. While a robot moves or is owned, placing is refused. Must be used on the event
- * dispatch thread.
+ * Sets where a robot is: with Shift, dragging a robot on the map moves its picture; with Shift and Ctrl, the robot
+ * looks to the mouse. On release the pose is set by a command: a robot of the simulated lab is put down there, any
+ * other one does not move and reports the new pose. While a robot moves or is owned, placing is refused. Must be used
+ * on the event dispatch thread.
  */
 final class RobotPlacing extends MouseAdapter {
     private static final Texts TEXTS = Texts.of(RobotPlacing.class);

@@ -1,6 +1,4 @@
-/**
- * The map of the team.
- */
+/** The map of the team. */
 @NullMarked
 package majic.gui.map;
 

@@ -114,7 +114,9 @@ final class AddCurvesDialog extends MajicDialog {
         dispose();
     }
 
-    /** Shows the explanation behind the name. All rows have one height, so that the list asks for the visible ones only. */
+    /**
+     * Shows the explanation behind the name. All rows have one height, so that the list asks for the visible ones only.
+     */
     private static final class Cell extends JPanel implements ListCellRenderer<Entry> {
         private static final long serialVersionUID = 1L;
 

@@ -16,8 +16,8 @@ import majic.panel.DrawingColors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The cursor of a chart: a line with the values under it, moved by mouse or keys. The wheel zooms the time around it, with
- * Shift the values; dragging zooms to a rectangle; a double click shows the newest readings again.
+ * The cursor of a chart: a line with the values under it, moved by mouse or keys. The wheel zooms the time around it,
+ * with Shift the values; dragging zooms to a rectangle; a double click shows the newest readings again.
  */
 final class ChartCursor {
     private static final double ZOOM_STEP = 1.25;

@@ -18,9 +18,9 @@ import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows the chart of a plot, with a cursor. The chart is painted on another thread, at most ten times a second, and only
- * while the view is visible and something in it may have changed; this thread only copies the picture. Must be used on
- * the event dispatch thread.
+ * Shows the chart of a plot, with a cursor. The chart is painted on another thread, at most ten times a second, and
+ * only while the view is visible and something in it may have changed; this thread only copies the picture. Must be
+ * used on the event dispatch thread.
  */
 final class PlotView extends JComponent {
     private static final long serialVersionUID = 1L;

@@ -110,7 +110,10 @@ final class ReplayControls extends JPanel {
         timeline.follow(seconds);
     }
 
-    /** Has room for both of its texts, also in the bold type of a default button, so that it stays the same while playing. */
+    /**
+     * Has room for both of its texts, also in the bold type of a default button, so that it stays the same while
+     * playing.
+     */
     private static final class PlayButton extends JButton {
         private static final long serialVersionUID = 1L;
 

@@ -74,7 +74,10 @@ public final class StartPage extends JPanel {
         column.add(part, row);
     }
 
-    /** Shows the explanations of the buttons as long as there is room for all buttons; otherwise their tool tips have them. */
+    /**
+     * Shows the explanations of the buttons as long as there is room for all buttons; otherwise their tool tips have
+     * them.
+     */
     @Override
     public void doLayout() {
         int details = buttons.stream().mapToInt(StartButton::hiddenHeight).sum();

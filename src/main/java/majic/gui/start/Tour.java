@@ -19,8 +19,8 @@ import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 
 /**
- * The tour: a small window beside the main window that asks for one thing after the other, to be done in the main window
- * with the robots of the lab. It waits until each is done, and can be closed at any time.
+ * The tour: a small window beside the main window that asks for one thing after the other, to be done in the main
+ * window with the robots of the lab. It waits until each is done, and can be closed at any time.
  */
 public final class Tour extends MajicDialog {
     private static final long serialVersionUID = 1L;

@@ -105,7 +105,9 @@ public final class Conversation {
         }
     }
 
-    /** Whether a stop is confirmed, and since then no answer was missed and nothing was sent that could move the robot. */
+    /**
+     * Whether a stop is confirmed, and since then no answer was missed and nothing was sent that could move the robot.
+     */
     boolean isCertainlyStopped() {
         synchronized (lock) {
             return state.isStopped() && !state.motion().isDoubtful();

@@ -3,8 +3,8 @@ package majic.hemisson.line;
 import java.io.IOException;
 
 /**
- * Receives the events of a conversation; called by the reader thread, or by the thread that calls {@link
- * Conversation#tick}.
+ * Receives the events of a conversation; called by the reader thread, or by the thread that calls
+ * {@link Conversation#tick}.
  */
 public interface ConversationListener {
     /** An exchange was answered. */

@@ -7,8 +7,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Processes questions, answers and timeouts of one conversation; a stop is sent before all other questions and again until
- * it is confirmed, nothing long while the robot may move. Sends nothing itself. Guarded by its owner.
+ * Processes questions, answers and timeouts of one conversation; a stop is sent before all other questions and again
+ * until it is confirmed, nothing long while the robot may move. Sends nothing itself. Guarded by its owner.
  *
  * <p>A line that stalls may deliver a question and the stop behind it together, and the stop would deafen a robot that
  * answers the question. So a question to a moving robot carries the arguments of a stop, "N,0,0", which the robot
@@ -108,8 +108,8 @@ final class ConversationState {
     }
 
     /**
-     * Adds a stop before all other questions, unless one is being sent or verified already: nothing that moves the robot is sent
-     * before the verification is answered, and if it is not answered with zeros, another stop follows.
+     * Adds a stop before all other questions, unless one is being sent or verified already: nothing that moves the
+     * robot is sent before the verification is answered, and if it is not answered with zeros, another stop follows.
      */
     void stop() {
         if (ended != null) {

@@ -49,8 +49,8 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
     static final Question VERIFY = new Question("E", SPEEDS.answer, Purpose.VERIFY, SPEEDS.lineMs);
 
     /**
-     * Shows at connecting that the robot ignores what follows a letter; those behind it are the {@link
-     * #STOP_ARGUMENTS}.
+     * Shows at connecting that the robot ignores what follows a letter; those behind it are the
+     * {@link #STOP_ARGUMENTS}.
      */
     static final Question CARRYING_A_STOP = ask(SPEEDS.carryingAStop(), SPEEDS.answer.pattern(), SPEEDS.lineMs);
 
@@ -97,7 +97,9 @@ public record Question(String text, Pattern answer, Purpose purpose, double line
         return new Question(text, Pattern.compile(answer), Purpose.ASK, lineMs);
     }
 
-    /** How long an answer of so many characters is on the line, its end and the robot's processing time included, ms. */
+    /**
+     * How long an answer of so many characters is on the line, its end and the robot's processing time included, ms.
+     */
     public static double msFor(int characters) {
         return 0.4 + (characters + 2) * MS_PER_CHARACTER;
     }

@@ -4,8 +4,8 @@ import majic.hemisson.line.Question.Purpose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Determines which question is sent next, when and in which wording: one question at a time, a stop before all others, nothing
- * long while the robot may move. Guarded by its owner.
+ * Determines which question is sent next, when and in which wording: one question at a time, a stop before all others,
+ * nothing long while the robot may move. Guarded by its owner.
  */
 final class SendOrder {
     /** The failure of a question that takes the line for too long while the robot moves. */

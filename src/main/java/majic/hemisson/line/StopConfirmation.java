@@ -85,8 +85,8 @@ public final class StopConfirmation {
     }
 
     /**
-     * Ends the connection with a stop (Hemisson sheet 11), unless the last one is certainly in effect. Blocks for {@value
-     * #CLOSING_S} s at most. Nothing may be sent any more that moves the robot.
+     * Ends the connection with a stop (Hemisson sheet 11), unless the last one is certainly in effect. Blocks for
+     * {@value #CLOSING_S} s at most. Nothing may be sent any more that moves the robot.
      *
      * @return a message for the user if the stop was not confirmed, else null
      */
@@ -98,8 +98,8 @@ public final class StopConfirmation {
     }
 
     /**
-     * Stops the robot and waits for the confirmation. Checks for overdue answers on the calling thread, because the robot's
-     * timer thread may have ended. A further stop by another thread does not undo a confirmation.
+     * Stops the robot and waits for the confirmation. Checks for overdue answers on the calling thread, because the
+     * robot's timer thread may have ended. A further stop by another thread does not undo a confirmation.
      */
     private boolean stop(HemissonSession open) {
         Conversation conversation = open.conversation();

@@ -3,8 +3,8 @@ package majic.hemisson.line;
 import majic.hemisson.line.Question.Purpose;
 
 /**
- * Determines by which command the robot is stopped, and what is sent after each answer until it is known to be stopped. Guarded by
- * its owner.
+ * Determines by which command the robot is stopped, and what is sent after each answer until it is known to be stopped.
+ * Guarded by its owner.
  *
  * <p>The answer to a stop is one letter. After missed answers it could be a late one to an earlier command, and it does
  * not show whether the digits arrived whole. So a robot that may have moved is asked for its speeds as well.

@@ -7,8 +7,8 @@ import java.util.Iterator;
 /**
  * The commands that were sent and not answered, and what may be sent behind them without deafening the robot if the
  * line delivers all of them together. The receiver holds two characters while the robot answers; a third one deafens it
- * (Hemisson sheet 4.4). Some commands are answered so briefly that any command survives behind them ({@link ReceiverLimits}).
- * Guarded by its owner.
+ * (Hemisson sheet 4.4). Some commands are answered so briefly that any command survives behind them
+ * ({@link ReceiverLimits}). Guarded by its owner.
  */
 final class UnansweredCommands {
     private static final int RECEIVER_HOLDS = 2;

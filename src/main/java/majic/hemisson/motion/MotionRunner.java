@@ -15,8 +15,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs motions without feedback: timed ones (Hemisson sheet 13), and drives until they expire. Thread-safe; {@code
- * MajicBot} runs one motion at a time.
+ * Runs motions without feedback: timed ones (Hemisson sheet 13), and drives until they expire. Thread-safe;
+ * {@code MajicBot} runs one motion at a time.
  */
 public final class MotionRunner {
     private final CurrentSession sessions;

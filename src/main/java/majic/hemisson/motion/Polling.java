@@ -8,8 +8,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sends the polls: one at a time, more often while the robot may move, and none shortly before the end of a timed motion, so that
- * the line is free for its stop. Used by the timer thread.
+ * Sends the polls: one at a time, more often while the robot may move, and none shortly before the end of a timed
+ * motion, so that the line is free for its stop. Used by the timer thread.
  */
 final class Polling {
     private static final int IDLE_TICKS_PER_POLL = 2;

@@ -8,8 +8,8 @@ import majic.hemisson.line.Question;
 import majic.hemisson.line.Reply;
 
 /**
- * Holds the identity of the robot, which changes with a restart: the robot reads its switches again, so it may run in another mode
- * from then on (Hemisson sheet 4.3). Called by the timer thread and the reader; never blocks.
+ * Holds the identity of the robot, which changes with a restart: the robot reads its switches again, so it may run in
+ * another mode from then on (Hemisson sheet 4.3). Called by the timer thread and the reader; never blocks.
  */
 final class RestartCheck {
     private final Consumer<String> notices;

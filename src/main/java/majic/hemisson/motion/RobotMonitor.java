@@ -237,8 +237,8 @@ public final class RobotMonitor implements ConversationListener {
     }
 
     /**
-     * Handles a restart. During connecting the greeting may be an old one from a buffer; later the robot is asked for its switches
-     * and its speeds.
+     * Handles a restart. During connecting the greeting may be an old one from a buffer; later the robot is asked for
+     * its switches and its speeds.
      */
     @Override
     public void wasReset() {

@@ -15,8 +15,8 @@ import majic.panel.map.TrailContent;
 import majic.text.Texts;
 
 /**
- * The floor with the estimated way of the robot: dashed and marked as an estimate, because nothing measures it. {@link
- * #poseReported} is for the driver's threads, everything else for the event thread.
+ * The floor with the estimated way of the robot: dashed and marked as an estimate, because nothing measures it.
+ * {@link #poseReported} is for the driver's threads, everything else for the event thread.
  */
 final class FloorDrawing extends TrailContent {
     private static final Reach REACH = new Reach(0.18, 400, 900, 200);

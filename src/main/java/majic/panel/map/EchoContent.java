@@ -7,9 +7,9 @@ import majic.panel.DrawingColors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A robot on its floor, to scale: its start, its path, the echoes of its sensors along that path, what they sense now, and its
- * body. {@link #addEcho} and {@link #poseReported} may be called on the driver's threads, everything else on the event dispatch
- * thread.
+ * A robot on its floor, to scale: its start, its path, the echoes of its sensors along that path, what they sense now,
+ * and its body. {@link #addEcho} and {@link #poseReported} may be called on the driver's threads, everything else on
+ * the event dispatch thread.
  *
  * @param <S> a snapshot of the robot
  */

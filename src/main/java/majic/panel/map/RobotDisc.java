@@ -7,8 +7,8 @@ import java.awt.geom.Path2D;
 import majic.panel.DrawingColors;
 
 /**
- * A robot in its own frame, mm: a disc of its size with an arrow ahead; the disc is outlined in the alarm colour while it
- * touches something. In a map at a small scale only the arrow is drawn, large enough to be found. Immutable.
+ * A robot in its own frame, mm: a disc of its size with an arrow ahead; the disc is outlined in the alarm colour while
+ * it touches something. In a map at a small scale only the arrow is drawn, large enough to be found. Immutable.
  *
  * @param radiusMm above 0
  * @param touches whether it touches something

@@ -13,8 +13,8 @@ import majic.panel.DrawingColors;
 import majic.text.Texts;
 
 /**
- * Marks the start of a robot's trail by a ring with a label below it; below the robot while that covers the label. The label
- * is left out where the robot or the edge of the map would cut it. Immutable.
+ * Marks the start of a robot's trail by a ring with a label below it; below the robot while that covers the label. The
+ * label is left out where the robot or the edge of the map would cut it. Immutable.
  *
  * @param view from the floor to the pixels
  * @param robot where the robot is on the floor

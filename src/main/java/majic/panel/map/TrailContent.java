@@ -8,8 +8,8 @@ import majic.panel.DrawingColors;
 import majic.text.Texts;
 
 /**
- * The part of the map that all robots share: the robot's start, its trail, and the visible area. {@link #poseReported} may be
- * called on the driver's threads, everything else on the event dispatch thread.
+ * The part of the map that all robots share: the robot's start, its trail, and the visible area. {@link #poseReported}
+ * may be called on the driver's threads, everything else on the event dispatch thread.
  */
 public abstract class TrailContent implements RobotContent {
     private static final Texts TEXTS = Texts.of(TrailContent.class);

@@ -3,11 +3,11 @@ package majic.pioneer.arcos;
 import java.util.Arrays;
 
 /**
- * The commands of a Pioneer with their numbers, arguments, units and ranges, under the manual's names (ARCOS sheet 6.1).
- * Those of arms (70 to 81) and of simulators (6.2) are left out.
+ * The commands of a Pioneer with their numbers, arguments, units and ranges, under the manual's names (ARCOS sheet
+ * 6.1). Those of arms (70 to 81) and of simulators (6.2) are left out.
  *
- * <p>Of rarely needed commands the sheet lists only the numbers. Their arguments are taken here from commands of the same
- * kind, and their names may be ours; check the robot's own manual before sending one.
+ * <p>Of rarely needed commands the sheet lists only the numbers. Their arguments are taken here from commands of the
+ * same kind, and their names may be ours; check the robot's own manual before sending one.
  */
 public enum ArcosCommand {
     /** Only restarts the watchdog. */

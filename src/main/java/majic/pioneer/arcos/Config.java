@@ -5,8 +5,8 @@ import java.util.EnumMap;
 import java.util.Map;
 
 /**
- * The answer to CONFIG: how the robot is built and set (ARCOS sheet 10). Older firmware sends fewer fields; those that did
- * not come are zero or empty. A library may give access to some fields only. Immutable.
+ * The answer to CONFIG: how the robot is built and set (ARCOS sheet 10). Older firmware sends fewer fields; those that
+ * did not come are zero or empty. A library may give access to some fields only. Immutable.
  */
 public final class Config {
     /** The type of the packet. */

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Reads a packet's data field by field, low byte first (ARCOS sheet 3). Fields beyond the end read as zero or as what the
- * caller names, so a short packet is not an error.
+ * Reads a packet's data field by field, low byte first (ARCOS sheet 3). Fields beyond the end read as zero or as what
+ * the caller names, so a short packet is not an error.
  */
 final class FieldReader {
     private final byte[] data;

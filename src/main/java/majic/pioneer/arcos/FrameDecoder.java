@@ -5,8 +5,8 @@ import java.util.function.Consumer;
 
 /**
  * Finds packets in a stream of bytes that may come in any pieces and with anything between them (ARCOS sheet 2, 14.1).
- * After a wrong checksum the search continues right after the header, so a packet inside the damaged one is not lost. Has
- * no socket, thread or clock. For one thread, except {@link #counts}.
+ * After a wrong checksum the search continues right after the header, so a packet inside the damaged one is not lost.
+ * Has no socket, thread or clock. For one thread, except {@link #counts}.
  */
 public final class FrameDecoder {
     /** Type and checksum. */
@@ -33,8 +33,8 @@ public final class FrameDecoder {
     }
 
     /**
-     * Drops a packet whose rest is overdue. Its bytes are searched for whole packets; partial ones among them are dropped
-     * too, because they would swallow the valid packets that follow.
+     * Drops a packet whose rest is overdue. Its bytes are searched for whole packets; partial ones among them are
+     * dropped too, because they would swallow the valid packets that follow.
      */
     public void dropFragment(Consumer<Packet> sink) {
         while (filled > 0) {

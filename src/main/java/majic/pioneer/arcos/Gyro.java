@@ -4,7 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The gyro's samples since the last such packet (ARCOS sheet 11.6; their spacing and sign as ARIA reads them). Immutable.
+ * The gyro's samples since the last such packet (ARCOS sheet 11.6; their spacing and sign as ARIA reads them).
+ * Immutable.
  *
  * @param samples the oldest first, 25 ms apart
  */

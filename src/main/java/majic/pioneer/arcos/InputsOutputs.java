@@ -3,8 +3,8 @@ package majic.pioneer.arcos;
 import java.util.List;
 
 /**
- * The controller's ports, as many as it reports (ARCOS sheet 11.2). On a Pioneer 3 the inputs are the user's eight,
- * the front bumpers, the rear bumpers and the infra-reds, and the last analog value is the battery. Immutable.
+ * The controller's ports, as many as it reports (ARCOS sheet 11.2). On a Pioneer 3 the inputs are the user's eight, the
+ * front bumpers, the rear bumpers and the infra-reds, and the last analog value is the battery. Immutable.
  *
  * @param digitalIn bytes of eight inputs each, active low
  * @param digitalOut bytes of eight outputs each

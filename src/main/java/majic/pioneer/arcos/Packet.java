@@ -4,8 +4,8 @@ import java.util.Arrays;
 import java.util.HexFormat;
 
 /**
- * A packet in either direction: its type, which is the number of a command on the way to the robot, and its data
- * (ARCOS sheet 2, 3). Immutable.
+ * A packet in either direction: its type, which is the number of a command on the way to the robot, and its data (ARCOS
+ * sheet 2, 3). Immutable.
  */
 public final class Packet {
     static final int HEADER_1 = 0xFA;
@@ -133,8 +133,8 @@ public final class Packet {
     }
 
     /**
-     * The sum over a packet's type and data (ARCOS sheet 2.1): bytes in pairs, the first of each pair high; a last single
-     * byte is XORed in.
+     * The sum over a packet's type and data (ARCOS sheet 2.1): bytes in pairs, the first of each pair high; a last
+     * single byte is XORed in.
      *
      * @param from index of the packet's type
      * @param end index behind the last data byte

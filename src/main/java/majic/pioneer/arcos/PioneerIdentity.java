@@ -14,7 +14,10 @@ public record PioneerIdentity(String name, String robotClass, String subclass) {
         return new PioneerIdentity(fields.string(), fields.string(), fields.string());
     }
 
-    /** The model and name as they follow the make in a sentence: {@code , model p3dx-sh, named "Rosa"}; names that are empty are left out. */
+    /**
+     * The model and name as they follow the make in a sentence: {@code , model p3dx-sh, named "Rosa"}; names that are
+     * empty are left out.
+     */
     public String details() {
         String model = subclass.isEmpty() ? "" : ", model " + subclass;
         return name.isEmpty() ? model : model + ", named \"" + name + "\"";

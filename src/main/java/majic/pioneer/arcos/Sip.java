@@ -88,8 +88,8 @@ public record Sip(
     }
 
     /**
-     * A count that the packet cannot hold is ignored: the vendor's simulator sends one such SIP after SONAR 1
-     * (ARCOS sheet 8.2), with its tail right behind the count.
+     * A count that the packet cannot hold is ignored: the vendor's simulator sends one such SIP after SONAR 1 (ARCOS
+     * sheet 8.2), with its tail right behind the count.
      */
     private static SonarReadings sonar(FieldReader fields) {
         int count = fields.ubyte();

@@ -1,8 +1,8 @@
 package majic.pioneer.arcos;
 
 /**
- * What may follow the sonar readings in a SIP; older firmware sends less of it (ARCOS sheet 8). A field that did not come
- * is {@link #ABSENT}. Immutable.
+ * What may follow the sonar readings in a SIP; older firmware sends less of it (ARCOS sheet 8). A field that did not
+ * come is {@link #ABSENT}. Immutable.
  *
  * @param gripState gripper, bits
  * @param analogPort which port {@code analog} is of

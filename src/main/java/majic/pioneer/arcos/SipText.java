@@ -8,8 +8,8 @@ import java.util.stream.Collectors;
 import java.util.stream.LongStream;
 
 /**
- * A SIP as a line of text, for recordings: its fields in the order of the packet, then those of its tail, {@code -}
- * for one that did not come, then number and range of each sonar reading.
+ * A SIP as a line of text, for recordings: its fields in the order of the packet, then those of its tail, {@code -} for
+ * one that did not come, then number and range of each sonar reading.
  */
 public final class SipText {
     private static final String ABSENT = "-";

@@ -7,8 +7,8 @@ import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Packet;
 
 /**
- * Executes commands with ARIA's lock held. Those that ARIA repeats or limits by itself are set in ARIA, which sends them in its
- * next cycle; all others are sent at once.
+ * Executes commands with ARIA's lock held. Those that ARIA repeats or limits by itself are set in ARIA, which sends
+ * them in its next cycle; all others are sent at once.
  */
 final class AriaCommands {
     /** ARIA's wrapper cannot pass on texts with other bytes than these. */
@@ -73,7 +73,9 @@ final class AriaCommands {
         }
     }
 
-    /** Calls a method that an installed ARIA may have with other parameters; then only these commands cannot be sent. */
+    /**
+     * Calls a method that an installed ARIA may have with other parameters; then only these commands cannot be sent.
+     */
     private static boolean isSent(ArRobot robot, ArcosCommand command, Packet packet) {
         short number = (short) command.number();
         try {

@@ -25,8 +25,8 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One connection through ARIA. A thread of its own looks every 10 ms whether ARIA has received another SIP, and reports it;
- * commands are passed on by the calling thread. ARIA's blocking calls run on threads of their own.
+ * One connection through ARIA. A thread of its own looks every 10 ms whether ARIA has received another SIP, and reports
+ * it; commands are passed on by the calling thread. ARIA's blocking calls run on threads of their own.
  */
 final class AriaConnection implements PioneerConnection, RobotLine {
     private static final Logger LOG = System.getLogger(AriaConnection.class.getName());
@@ -121,7 +121,10 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         return new BotException("ARIA failed while connecting to " + address() + ": " + cause, cause);
     }
 
-    /** Reports the end, whichever thread has caused it; any error ends the connection, which nothing would watch after it. */
+    /**
+     * Reports the end, whichever thread has caused it; any error ends the connection, which nothing would watch after
+     * it.
+     */
     private void pollUntilTheEnd(Listener listener) {
         try {
             while (!hasEnded()) {

@@ -7,8 +7,8 @@ import java.util.function.IntSupplier;
 import java.util.function.Supplier;
 
 /**
- * One of ARIA's own connections to a robot, made when it is opened. Kept as long as ARIA uses it, because ARIA's wrapper keeps
- * no reference to it. For one thread.
+ * One of ARIA's own connections to a robot, made when it is opened. Kept as long as ARIA uses it, because ARIA's
+ * wrapper keeps no reference to it. For one thread.
  */
 final class AriaDevice {
     private static final String SERIAL = "serial:";

@@ -31,7 +31,8 @@ final class AriaMethods {
     private AriaMethods() {}
 
     /**
-     * Looks for the methods before any of them is needed: a robot must not start to move by an ARIA that cannot stop it.
+     * Looks for the methods before any of them is needed: a robot must not start to move by an ARIA that cannot stop
+     * it.
      *
      * @throws NoSuchMethodException naming the first one that is missing, or has other parameters or another result
      */

@@ -24,8 +24,8 @@ import majic.pioneer.state.Models;
 import majic.pioneer.state.Scaling;
 
 /**
- * Makes reports from the values that ARIA has of a robot, as if they had come in packets. All methods must be called with
- * ARIA's lock held. For one thread and one session.
+ * Makes reports from the values that ARIA has of a robot, as if they had come in packets. All methods must be called
+ * with ARIA's lock held. For one thread and one session.
  */
 final class AriaReports {
     private static final int BYTE = 0xFF;
@@ -71,8 +71,8 @@ final class AriaReports {
     }
 
     /**
-     * Reads a value without which the robot can be driven all the same. An installed ARIA may have no such method, or may not
-     * know the value that the robot has sent.
+     * Reads a value without which the robot can be driven all the same. An installed ARIA may have no such method, or
+     * may not know the value that the robot has sent.
      */
     private static <T> T told(Supplier<T> getter, T otherwise) {
         try {

@@ -13,8 +13,8 @@ import majic.bot.LinkLost;
 import org.jspecify.annotations.Nullable;
 
 /**
- * ARIA's object for a robot, which is used by one connection at a time and again by the next. Everything but connecting and
- * disconnecting is done while its lock is held, and nothing waits meanwhile.
+ * ARIA's object for a robot, which is used by one connection at a time and again by the next. Everything but connecting
+ * and disconnecting is done while its lock is held, and nothing waits meanwhile.
  */
 final class AriaRobot {
     /** ARIA's own thread holds the lock for a few ms of its cycle; after this time it is taken to hang. */
@@ -93,7 +93,10 @@ final class AriaRobot {
         robot.runAsync(true);
     }
 
-    /** Ends the robot's session and the connection, whatever state they are in, and the reservation. Blocks for more than 1 s. */
+    /**
+     * Ends the robot's session and the connection, whatever state they are in, and the reservation. Blocks for more
+     * than 1 s.
+     */
     void disconnect() {
         try {
             robot.stopRunning(true);

@@ -4,8 +4,8 @@ import com.mobilerobots.Aria.ArRobot;
 import com.mobilerobots.Aria.ArTime;
 
 /**
- * Detects that ARIA has received another SIP, by the time since the last one. An ARIA that does not tell this time counts the
- * SIPs of the last second; then each of its cycles counts as a SIP while there are any. For one thread.
+ * Detects that ARIA has received another SIP, by the time since the last one. An ARIA that does not tell this time
+ * counts the SIPs of the last second; then each of its cycles counts as a SIP while there are any. For one thread.
  */
 final class SipDetector {
     /** SIPs are farther apart, and their times are less exact, nanoseconds. */

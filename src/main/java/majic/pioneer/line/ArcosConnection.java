@@ -19,8 +19,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A connection by ARCOS packets: handshake, OPEN, CONFIG, speed of the line (ARCOS sheet 13.1). Packets are decoded on the
- * reader thread of the line.
+ * A connection by ARCOS packets: handshake, OPEN, CONFIG, speed of the line (ARCOS sheet 13.1). Packets are decoded on
+ * the reader thread of the line.
  */
 public final class ArcosConnection implements PioneerConnection, ArcosLine.Listener {
     private static final double FIRST_SIP_S = 2;

@@ -53,8 +53,8 @@ public final class ArcosHandshake {
      * Runs the handshake.
      *
      * @throws SessionClosed if the line ended because an old session was closed
-     * @throws BotException if there is no answer, or none of a Pioneer, within {@value #LIMIT_S} s, on a
-     *     serial port {@value #SERIAL_LIMIT_S} s
+     * @throws BotException if there is no answer, or none of a Pioneer, within {@value #LIMIT_S} s, on a serial port
+     *     {@value #SERIAL_LIMIT_S} s
      */
     PioneerIdentity run() {
         try {
@@ -80,8 +80,8 @@ public final class ArcosHandshake {
     }
 
     /**
-     * A robot that sends before the first SYNC is still in a session, perhaps with a velocity in force that it would resume
-     * at the SYNC as at any packet. So it is stopped, and the session closed, before.
+     * A robot that sends before the first SYNC is still in a session, perhaps with a velocity in force that it would
+     * resume at the SYNC as at any packet. So it is stopped, and the session closed, before.
      */
     private void endOpenSession() {
         long started = time.nanos();

@@ -19,8 +19,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sends and receives the packets of one connection. Any thread may send, each packet in one write; packets are received one
- * after the other on the reader thread, which also reports the end, once.
+ * Sends and receives the packets of one connection. Any thread may send, each packet in one write; packets are received
+ * one after the other on the reader thread, which also reports the end, once.
  */
 final class ArcosLine implements RobotLine {
     private static final Logger LOG = System.getLogger(ArcosLine.class.getName());

@@ -10,9 +10,9 @@ import majic.pioneer.arcos.Config;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Raises the speed of a serial line where the robot allows it: at {@value BaudRates#POWER_UP} baud one SIP with 16 readings
- * fills the whole cycle (ARCOS sheet 1). A robot that receives no valid packet for 500 ms falls back to the earlier speed;
- * then this side falls back too.
+ * Raises the speed of a serial line where the robot allows it: at {@value BaudRates#POWER_UP} baud one SIP with 16
+ * readings fills the whole cycle (ARCOS sheet 1). A robot that receives no valid packet for 500 ms falls back to the
+ * earlier speed; then this side falls back too.
  */
 final class Autobaud {
     private static final Logger LOG = System.getLogger(Autobaud.class.getName());

@@ -4,7 +4,9 @@ import java.util.function.BooleanSupplier;
 import majic.driver.RobotWait;
 import majic.time.WaitPolicy;
 
-/** Counts the SIPs of one connection, and waits for more of them. Counted by the reader thread, awaited by any other. */
+/**
+ * Counts the SIPs of one connection, and waits for more of them. Counted by the reader thread, awaited by any other.
+ */
 final class SipCounter {
     private final RobotWait waiting;
     private volatile int count;

@@ -11,8 +11,8 @@ import majic.pioneer.state.Hull;
 import majic.pioneer.state.SonarDisc;
 
 /**
- * The robot itself in its own frame, mm: hull, bumpers, wheels, an arrow ahead; wheels are crossed where they are stalled.
- * In a map at a small scale only the arrow is drawn, large enough to be found.
+ * The robot itself in its own frame, mm: hull, bumpers, wheels, an arrow ahead; wheels are crossed where they are
+ * stalled. In a map at a small scale only the arrow is drawn, large enough to be found.
  */
 final class PioneerBodyDrawing {
     private static final double CORNER = 0.3;

@@ -20,8 +20,8 @@ import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows one Pioneer: a map with the robot, its sonar cones, echoes and path; gauges, lights and readings. Sends the robot
- * nothing, so that a slip of the mouse has no effect.
+ * Shows one Pioneer: a map with the robot, its sonar cones, echoes and path; gauges, lights and readings. Sends the
+ * robot nothing, so that a slip of the mouse has no effect.
  */
 public final class PioneerPanel extends RefreshingPanel {
     private static final long serialVersionUID = 1;

@@ -12,8 +12,8 @@ import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Gripper;
 
 /**
- * The commands that move gripper and lift. Both can pinch, so the commands need permission to move, run one at a time, and
- * end at a stop. Thread-safe.
+ * The commands that move gripper and lift. Both can pinch, so the commands need permission to move, run one at a time,
+ * and end at a stop. Thread-safe.
  */
 final class GripperCommands {
     /** Longer than the lift takes all the way, seconds. */

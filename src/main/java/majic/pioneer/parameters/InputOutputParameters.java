@@ -14,7 +14,9 @@ import majic.pioneer.arcos.Packet;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.RequestedReport;
 
-/** The controller's digital and analog ports, for equipment of a lab. Setting them moves no part of the robot itself. */
+/**
+ * The controller's digital and analog ports, for equipment of a lab. Setting them moves no part of the robot itself.
+ */
 final class InputOutputParameters implements ParameterTheme<Equipment> {
     private static final int LINES = 8;
     private static final int BYTE = 0xFF;

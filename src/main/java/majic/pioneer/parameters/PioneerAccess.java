@@ -19,7 +19,10 @@ import majic.pioneer.state.RequestedReport;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
-/** Connects parameters with the robot: reads its last reports, sends commands and waits for their effect. For all sessions. Thread-safe. */
+/**
+ * Connects parameters with the robot: reads its last reports, sends commands and waits for their effect. For all
+ * sessions. Thread-safe.
+ */
 public final class PioneerAccess {
     static final Value NOTHING_YET = Value.unknown("no reading yet");
     static final Value NOTHING_RECENT = Value.unknown("no reading of late");
@@ -56,8 +59,8 @@ public final class PioneerAccess {
     }
 
     /**
-     * Reads from a report that comes beside the SIPs. Without a recent report one is requested and, if the thread may wait,
-     * awaited.
+     * Reads from a report that comes beside the SIPs. Without a recent report one is requested and, if the thread may
+     * wait, awaited.
      */
     Supplier<Value> report(RequestedReport kind, Function<PioneerState, Optional<Value>> reader) {
         return session(open -> {

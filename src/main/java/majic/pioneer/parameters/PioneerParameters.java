@@ -9,9 +9,9 @@ import majic.pioneer.state.Equipment;
 /**
  * The parameters of a Pioneer besides those that every robot has, theme by theme in the order of the listing.
  *
- * <p>Parameters of equipment that a robot does not have by its model or its CONFIG packet are not described, so a script that
- * uses them is refused before anything moves. Parameters whose values depend on readings, or on packets that not every robot
- * sends, are described and {@code unknown} with the reason.
+ * <p>Parameters of equipment that a robot does not have by its model or its CONFIG packet are not described, so a
+ * script that uses them is refused before anything moves. Parameters whose values depend on readings, or on packets
+ * that not every robot sends, are described and {@code unknown} with the reason.
  */
 public final class PioneerParameters {
     private final ParameterTable table;

@@ -1,6 +1,4 @@
-/**
- * The parameters and extra commands of a Pioneer, grouped by theme.
- */
+/** The parameters and extra commands of a Pioneer, grouped by theme. */
 @NullMarked
 package majic.pioneer.parameters;
 

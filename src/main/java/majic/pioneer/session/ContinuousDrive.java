@@ -9,8 +9,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A drive at a given velocity until the next command, which ends by itself at the same faults as a motion. The reason is
- * thrown by the next call of {@link #drive}, or given as a notice by {@link #stop}. For one session; thread-safe.
+ * A drive at a given velocity until the next command, which ends by itself at the same faults as a motion. The reason
+ * is thrown by the next call of {@link #drive}, or given as a notice by {@link #stop}. For one session; thread-safe.
  */
 public final class ContinuousDrive {
     private final WheelMotors motors;

@@ -6,8 +6,8 @@ import java.util.Iterator;
 
 /**
  * Predicts where the robot will be when a command sent now takes effect. A report is old when it arrives and a command
- * takes effect late; meanwhile the robot follows earlier commands. The delay is learned from the first report that shows
- * motion. Has no clock. For one motion.
+ * takes effect late; meanwhile the robot follows earlier commands. The delay is learned from the first report that
+ * shows motion. Has no clock. For one motion.
  */
 final class LatencyModel {
     private static final double USUAL_S = 0.05;

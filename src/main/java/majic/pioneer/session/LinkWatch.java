@@ -8,9 +8,10 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Monitors both directions of the link: sends a pulse before the robot's watchdog expires, and acts when the robot stops
- * reporting. The watchdog stops the robot after 2 s without a packet but lets it resume its last velocities at the next
- * one, so a moving robot that has stopped reporting is sent zero velocities and then nothing more (ARCOS sheet 5.3).
+ * Monitors both directions of the link: sends a pulse before the robot's watchdog expires, and acts when the robot
+ * stops reporting. The watchdog stops the robot after 2 s without a packet but lets it resume its last velocities at
+ * the next one, so a moving robot that has stopped reporting is sent zero velocities and then nothing more (ARCOS sheet
+ * 5.3).
  */
 public final class LinkWatch {
     /** How often {@link #check} is called while it may find anything but a pulse that is due, seconds. */
@@ -82,8 +83,8 @@ public final class LinkWatch {
     }
 
     /**
-     * When to check again. A robot that is stationary and reports needs no check before the next pulse is due: should it begin
-     * to move at once, that is still earlier than its silence counts.
+     * When to check again. A robot that is stationary and reports needs no check before the next pulse is due: should
+     * it begin to move at once, that is still earlier than its silence counts.
      *
      * @param last the last state that the robot reported
      * @return seconds, positive

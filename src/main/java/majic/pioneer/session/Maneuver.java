@@ -6,8 +6,8 @@ import majic.driver.Motion;
 import majic.pioneer.state.PioneerState;
 
 /**
- * Moves the robot by a distance or an angle, with a new velocity at each SIP. The robot's own MOVE and HEAD are not used:
- * depending on the server they overshoot, creep or turn the short target round (ARCOS sheet 7.3). For one motion.
+ * Moves the robot by a distance or an angle, with a new velocity at each SIP. The robot's own MOVE and HEAD are not
+ * used: depending on the server they overshoot, creep or turn the short target round (ARCOS sheet 7.3). For one motion.
  */
 public final class Maneuver {
     /** Longer than a moving robot may go without a SIP before the connection is given up, seconds. */

@@ -5,7 +5,10 @@ import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 import org.jspecify.annotations.Nullable;
 
-/** Finds what ends a motion from the robot's side: stall, bumper, a step down, motors off, the STOP button. For one motion. */
+/**
+ * Finds what ends a motion from the robot's side: stall, bumper, a step down, motors off, the STOP button. For one
+ * motion.
+ */
 public final class MotionFaults {
     /** Stall bits of an earlier motion may remain set until the wheels turn again (ARCOS sheet 7.5), seconds. */
     private static final double OLD_STALL_S = 1;

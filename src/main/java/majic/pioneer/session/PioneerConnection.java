@@ -10,8 +10,8 @@ import majic.pioneer.arcos.Sip;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The connection of one session with a robot, over a link or through a library. What is above it does not depend on which of
- * them is used.
+ * The connection of one session with a robot, over a link or through a library. What is above it does not depend on
+ * which of them is used.
  */
 public interface PioneerConnection {
     /** Is notified of what the robot reports, on one thread of the connection. Must not wait for anything. */

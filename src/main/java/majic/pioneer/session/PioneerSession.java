@@ -92,9 +92,11 @@ public final class PioneerSession implements PioneerConnection.Listener {
     }
 
     /**
-     * Connects and begins the session, without moving anything or switching motors on. Leaves nothing open when it throws.
+     * Connects and begins the session, without moving anything or switching motors on. Leaves nothing open when it
+     * throws.
      *
-     * @param requested the ramps that a user has set; null for the careful ones. Reduced to the robot's limits, then sent
+     * @param requested the ramps that a user has set; null for the careful ones. Reduced to the robot's limits, then
+     *     sent
      * @throws BotException if there is no Pioneer, or it sends no SIP
      */
     public void open(@Nullable Ramps requested) {
@@ -194,8 +196,8 @@ public final class PioneerSession implements PioneerConnection.Listener {
     }
 
     /**
-     * Requests reports that are due, unless the robot has stopped reporting: it would resume its motion at the request. To be
-     * called every {@link Subscriptions#PERIOD_S} or more often.
+     * Requests reports that are due, unless the robot has stopped reporting: it would resume its motion at the request.
+     * To be called every {@link Subscriptions#PERIOD_S} or more often.
      */
     public void requestReports() {
         PioneerState now = reported.last();
@@ -204,7 +206,10 @@ public final class PioneerSession implements PioneerConnection.Listener {
         }
     }
 
-    /** Stops the robot, switches its motors off, ends its session and the connection; takes little over a second at most. */
+    /**
+     * Stops the robot, switches its motors off, ends its session and the connection; takes little over a second at
+     * most.
+     */
     public void close() {
         if (tracker != null) {
             line.sendIfPossible(
@@ -289,8 +294,8 @@ public final class PioneerSession implements PioneerConnection.Listener {
     }
 
     /**
-     * Waits for a SIP that shows the robot stationary, and that it sent after it had received the stop. A robot that does not
-     * answer CONFIG, or a library that keeps the answers, cannot tell the latter; the next SIP decides then.
+     * Waits for a SIP that shows the robot stationary, and that it sent after it had received the stop. A robot that
+     * does not answer CONFIG, or a library that keeps the answers, cannot tell the latter; the next SIP decides then.
      *
      * @param seconds the longest wait
      * @return whether one came in time

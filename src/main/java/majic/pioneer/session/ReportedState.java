@@ -59,8 +59,8 @@ public final class ReportedState {
     }
 
     /**
-     * Waits until the reported state meets a condition, or the line ends. A thread that must not wait only tests the last
-     * state.
+     * Waits until the reported state meets a condition, or the line ends. A thread that must not wait only tests the
+     * last state.
      *
      * @param seconds the longest wait
      * @return whether the last state meets it

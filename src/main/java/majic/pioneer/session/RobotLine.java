@@ -12,7 +12,8 @@ public interface RobotLine {
     /**
      * Sends commands, in this order.
      *
-     * @throws LinkLost if the line has ended, a command takes longer than 1 s, or the computer was suspended since the last one
+     * @throws LinkLost if the line has ended, a command takes longer than 1 s, or the computer was suspended since the
+     *     last one
      */
     void send(Packet... commands);
 

@@ -32,7 +32,10 @@ final class RoundTrip {
         this.waiting = waiting;
     }
 
-    /** Notes that an answer came; not more than there were requests, of which there are others while a robot is connected. */
+    /**
+     * Notes that an answer came; not more than there were requests, of which there are others while a robot is
+     * connected.
+     */
     synchronized void answered() {
         answers = Math.min(answers + 1, requests);
     }

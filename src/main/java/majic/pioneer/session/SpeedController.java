@@ -3,9 +3,9 @@ package majic.pioneer.session;
 import majic.pioneer.state.Ramps;
 
 /**
- * Computes the rate of a motion at each SIP from the part covered so far: cruise, then constant braking, then proportional
- * to the rest. The robot approaches the end from one side, and once at most from the other. Distances and rates are in one
- * unit, mm or degrees. Has no link or clock. For one motion.
+ * Computes the rate of a motion at each SIP from the part covered so far: cruise, then constant braking, then
+ * proportional to the rest. The robot approaches the end from one side, and once at most from the other. Distances and
+ * rates are in one unit, mm or degrees. Has no link or clock. For one motion.
  */
 final class SpeedController {
     /** Near the end the rate is at most this times the rest (1/s). */

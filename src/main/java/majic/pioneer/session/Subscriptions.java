@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
  * Requests the reports that a robot sends only on demand, beside its SIPs. For one session.
  *
  * <p>On a fast line the reports that the robot has are requested once at connecting, as streams. Others are requested
- * while something reads them. A request is repeated until a report comes, because requests are not acknowledged and may be
- * lost. A slow line is nearly filled by SIPs alone (ARCOS sheet 1), so nothing is streamed: one packet a second is
+ * while something reads them. A request is repeated until a report comes, because requests are not acknowledged and may
+ * be lost. A slow line is nearly filled by SIPs alone (ARCOS sheet 1), so nothing is streamed: one packet a second is
  * requested of each kind that is being read.
  */
 public final class Subscriptions {
@@ -61,7 +61,10 @@ public final class Subscriptions {
         }
     }
 
-    /** Notes that a report is being read, unless the thread only observes; to be called with each reading. Sends nothing. */
+    /**
+     * Notes that a report is being read, unless the thread only observes; to be called with each reading. Sends
+     * nothing.
+     */
     public void read(RequestedReport kind) {
         if (!WaitPolicy.isObserving()) {
             read.record(kind);
@@ -83,12 +86,18 @@ public final class Subscriptions {
         return received.secondsSince(kind) < STALE_S;
     }
 
-    /** Whether the line does not deliver the report, or the robot left so many requests unanswered that it counts as missing. */
+    /**
+     * Whether the line does not deliver the report, or the robot left so many requests unanswered that it counts as
+     * missing.
+     */
     public boolean isMissing(RequestedReport kind) {
         return !line.delivers(kind) || unanswered.getOrDefault(kind, 0) >= TRIES;
     }
 
-    /** Sends the requests that are due; to be called every {@link #PERIOD_S} or more often, by one thread, while the robot reports. */
+    /**
+     * Sends the requests that are due; to be called every {@link #PERIOD_S} or more often, by one thread, while the
+     * robot reports.
+     */
     void requestDue() {
         for (RequestedReport kind : KINDS) {
             if (isRead(kind) && isDue(kind) && !isMissing(kind)) {

@@ -10,8 +10,8 @@ import majic.time.TimeSource;
 
 /**
  * The power of the motors, and the speed and turn rate that were last sent to the robot. When its reports stop while it
- * moves, both are set to zero and held there until it reports again that it is stationary: it would resume any other velocity
- * as soon as the line works again. For one session; thread-safe.
+ * moves, both are set to zero and held there until it reports again that it is stationary: it would resume any other
+ * velocity as soon as the line works again. For one session; thread-safe.
  */
 public final class WheelMotors {
     /** Time enough for ENABLE and the SIP that shows its effect, seconds. */
@@ -103,7 +103,10 @@ public final class WheelMotors {
         line.send(ArcosCommand.STOP.packet(), ArcosCommand.VEL.packet(0), ArcosCommand.RVEL.packet(0));
     }
 
-    /** Sends zero velocities if others are in force, as for a robot that is stationary at its target but still has a low speed to follow. */
+    /**
+     * Sends zero velocities if others are in force, as for a robot that is stationary at its target but still has a low
+     * speed to follow.
+     */
     synchronized void zero() {
         if (isMoving()) {
             stop();

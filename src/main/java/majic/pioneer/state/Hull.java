@@ -12,8 +12,8 @@ import java.util.List;
 public record Hull(double frontMm, double rearMm, double halfWidthMm) {
 
     /**
-     * A hull of known length, placed by the sonar arrays: it protrudes by the same length in front of them and behind. For a
-     * P3-DX that gives the 210 and 301 mm of ARCOS sheet 12.
+     * A hull of known length, placed by the sonar arrays: it protrudes by the same length in front of them and behind.
+     * For a P3-DX that gives the 210 and 301 mm of ARCOS sheet 12.
      */
     static Hull around(List<SonarDisc> discs, double lengthMm, double widthMm) {
         double front = discs.stream().mapToDouble(SonarDisc::xMm).max().orElse(0);

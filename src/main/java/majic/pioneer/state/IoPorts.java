@@ -7,14 +7,15 @@ import majic.pioneer.arcos.InputsOutputs;
 import majic.pioneer.arcos.SipTail;
 
 /**
- * The controller's inputs and outputs for equipment (ARCOS sheet 8, 11.2). The user's eight digital ones are in every SIP of
- * all but the oldest firmware; all others come with the IO packet. Immutable.
+ * The controller's inputs and outputs for equipment (ARCOS sheet 8, 11.2). The user's eight digital ones are in every
+ * SIP of all but the oldest firmware; all others come with the IO packet. Immutable.
  *
  * @param digitalIn the user's inputs as bits, input 0 lowest; active low
  * @param digitalOut the user's outputs as bits, output 0 lowest
  * @param analogPort the analog input the SIP shows, as chosen with ADSEL
  * @param analogVolts what that input reads, 0 to 5
- * @param allDigitalIn all bytes of inputs: the user's, front bumpers, rear bumpers, infra-reds; empty before the first report
+ * @param allDigitalIn all bytes of inputs: the user's, front bumpers, rear bumpers, infra-reds; empty before the first
+ *     report
  * @param allAnalogVolts all analog inputs, 0 to 5, the battery last; empty before the first report
  */
 public record IoPorts(

@@ -12,7 +12,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 
-/** The models by the subclass they announce in the handshake (ARCOS sheet 4, 9, 12), from two tables beside this class. */
+/**
+ * The models by the subclass they announce in the handshake (ARCOS sheet 4, 9, 12), from two tables beside this class.
+ */
 public final class Models {
     /** Used until a robot has reported its model: by far the most common one. */
     public static final Model USUAL;

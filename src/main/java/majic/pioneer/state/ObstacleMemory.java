@@ -9,12 +9,12 @@ import majic.pioneer.arcos.SonarReadings;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The recent echoes of the sonars at one SIP, as points in the frame of the odometry, and their distances from the hull. The
- * distances are computed when they are read first, because those of most SIPs are never read. Immutable.
+ * The recent echoes of the sonars at one SIP, as points in the frame of the odometry, and their distances from the
+ * hull. The distances are computed when they are read first, because those of most SIPs are never read. Immutable.
  *
- * <p>A disc fires only every third of a second, gets no echo of walls at more than about 30° from square, and loses an echo
- * now and then. So every echo is kept for {@value #MEMORY_S} s at its place on the floor, and every point counts on each
- * side, whichever disc detected it. In return an obstacle that was removed is reported for that long.
+ * <p>A disc fires only every third of a second, gets no echo of walls at more than about 30° from square, and loses an
+ * echo now and then. So every echo is kept for {@value #MEMORY_S} s at its place on the floor, and every point counts
+ * on each side, whichever disc detected it. In return an obstacle that was removed is reported for that long.
  */
 final class ObstacleMemory {
     /** How long an echo is kept, seconds: four firings of a disc. */
@@ -23,7 +23,10 @@ final class ObstacleMemory {
     /** A disc without a reading for so long counts as off, seconds. */
     private static final double DISC_SILENCE_S = MEMORY_S;
 
-    /** Added to the path for the width of the cones: a wall detected at the edge of a cone seems farther aside than it is. */
+    /**
+     * Added to the path for the width of the cones: a wall detected at the edge of a cone seems farther aside than it
+     * is.
+     */
     private static final double MARGIN_MM = 40;
 
     private static final Side[] SIDES = Side.values();
@@ -118,7 +121,9 @@ final class ObstacleMemory {
         return null;
     }
 
-    /** The distance from the hull to the nearest obstacle, mm, on every side whose discs have all had a recent reading. */
+    /**
+     * The distance from the hull to the nearest obstacle, mm, on every side whose discs have all had a recent reading.
+     */
     Map<Side, Double> gaps() {
         Map<Side, Double> known = gaps;
         if (known == null) {

@@ -11,8 +11,8 @@ import majic.pioneer.arcos.Sip;
 import majic.pioneer.arcos.SipTail;
 
 /**
- * The state that a Pioneer last reported: its latest SIP in usual units, and the latest of each report that comes beside the
- * SIPs. Immutable.
+ * The state that a Pioneer last reported: its latest SIP in usual units, and the latest of each report that comes
+ * beside the SIPs. Immutable.
  *
  * @param sip as sent
  * @param reports the latest of each other report

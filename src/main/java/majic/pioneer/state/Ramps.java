@@ -30,8 +30,8 @@ public record Ramps(
     public static final int GENTLEST = 20;
 
     /**
-     * The ramps that are sent unless a user sets others: gentle, yet sharp enough to stop within the range of the sonars.
-     * From the usual 300 mm/s the robot stops within 90 mm.
+     * The ramps that are sent unless a user sets others: gentle, yet sharp enough to stop within the range of the
+     * sonars. From the usual 300 mm/s the robot stops within 90 mm.
      */
     public static Ramps careful(Limits limits) {
         return new Ramps(

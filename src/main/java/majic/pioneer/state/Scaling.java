@@ -4,8 +4,7 @@ import majic.pioneer.arcos.Sip;
 import majic.pioneer.arcos.SipTail;
 
 /**
- * The units of the counts in a SIP (ARCOS sheet 9.1). The heading has 4096 units a turn in every model.
- * Immutable.
+ * The units of the counts in a SIP (ARCOS sheet 9.1). The heading has 4096 units a turn in every model. Immutable.
  *
  * @param mmPerCount of x and y
  * @param mmPerSecPerCount of the wheels' velocities

@@ -45,8 +45,8 @@ public enum Side {
     }
 
     /**
-     * The distance from the hull to a point that is an obstacle on this side. In front and behind, obstacles are all points in
-     * the path that the robot needs to drive and turn on the spot; left and right, those level with the hull.
+     * The distance from the hull to a point that is an obstacle on this side. In front and behind, obstacles are all
+     * points in the path that the robot needs to drive and turn on the spot; left and right, those level with the hull.
      *
      * @param x of the point in the robot's frame, mm
      * @param y of the point in the robot's frame, mm

@@ -4,7 +4,10 @@ import majic.bot.Pose;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 
-/** Makes a state of each SIP of one session: adds up odometry, keeps sonar readings, measures the SIP rate. For one thread. */
+/**
+ * Makes a state of each SIP of one session: adds up odometry, keeps sonar readings, measures the SIP rate. For one
+ * thread.
+ */
 public final class StateTracker {
     /** The weight of a new interval in the SIP rate. */
     private static final double RATE_SMOOTHING = 0.1;
@@ -46,7 +49,10 @@ public final class StateTracker {
                 nanos);
     }
 
-    /** Drops the readings of an array that was switched off, which a guard condition must not use; no effect on firmware without these flags. */
+    /**
+     * Drops the readings of an array that was switched off, which a guard condition must not use; no effect on firmware
+     * without these flags.
+     */
     private void forgetSwitchedOff(int flags) {
         int switchedOff = lastFlags & ~flags;
         for (int array = 1; array <= Equipment.SONAR_ARRAYS; array++) {

@@ -6,8 +6,8 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Joins the fragments of messages. MAJIC asks for none, but ROS 2 servers fragment long messages unasked (rosbridge sheet 2).
- * Bounded: the oldest incomplete message is given up when there are too many or too much. Used by one thread.
+ * Joins the fragments of messages. MAJIC asks for none, but ROS 2 servers fragment long messages unasked (rosbridge
+ * sheet 2). Bounded: the oldest incomplete message is given up when there are too many or too much. Used by one thread.
  */
 final class Fragments {
     private static final int MOST_MESSAGES = 4;

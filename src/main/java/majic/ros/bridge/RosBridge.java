@@ -18,9 +18,9 @@ import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 
 /**
- * One connection to a rosbridge server. Everything is sent on the calling thread, in the order of the calls, within the write
- * deadline of the link: a stop waits for at most one message that is being written. Errors of most operations are silent
- * (rosbridge sheet 1): only calls of services report them. Thread-safe.
+ * One connection to a rosbridge server. Everything is sent on the calling thread, in the order of the calls, within the
+ * write deadline of the link: a stop waits for at most one message that is being written. Errors of most operations are
+ * silent (rosbridge sheet 1): only calls of services report them. Thread-safe.
  */
 public final class RosBridge implements AutoCloseable {
     /** The length of the longest message that is received, bytes; a longer one is skipped with a notice. */
@@ -69,8 +69,8 @@ public final class RosBridge implements AutoCloseable {
      * @param time the clock of all waits
      * @param listener handles the end
      * @return the connection
-     * @throws ConnectFailed if there is no rosbridge server; the message says what is there, and what to do. Nothing stays
-     *     open
+     * @throws ConnectFailed if there is no rosbridge server; the message says what is there, and what to do. Nothing
+     *     stays open
      */
     public static RosBridge open(BridgeAddress address, int timeoutMs, TimeSource time, Listener listener) {
         RosBridge bridge = new RosBridge(address, time, listener);
@@ -259,7 +259,8 @@ public final class RosBridge implements AutoCloseable {
     }
 
     /**
-     * Cancels a goal. May be sent on another connection than the goal itself, whose own is blocked by servers up to 2.1.0.
+     * Cancels a goal. May be sent on another connection than the goal itself, whose own is blocked by servers up to
+     * 2.1.0.
      *
      * @param action its absolute name
      * @param id as returned by {@link #sendGoal}

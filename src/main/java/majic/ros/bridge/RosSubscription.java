@@ -50,7 +50,9 @@ public final class RosSubscription implements AutoCloseable {
         return stream.ageS();
     }
 
-    /** Ends the subscription; the last one of a topic ends its stream. A message may still be handled during the call. */
+    /**
+     * Ends the subscription; the last one of a topic ends its stream. A message may still be handled during the call.
+     */
     @Override
     public void close() {
         stream.remove(this);

@@ -14,8 +14,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The messages of one topic on one connection, for all its subscriptions: the server merges the subscriptions of a client, so
- * there is one at the server. Thread-safe.
+ * The messages of one topic on one connection, for all its subscriptions: the server merges the subscriptions of a
+ * client, so there is one at the server. Thread-safe.
  */
 final class TopicStream {
     private static final Logger LOG = System.getLogger(TopicStream.class.getName());
@@ -102,8 +102,8 @@ final class TopicStream {
     }
 
     /**
-     * Subscribes again to a topic without messages: ROS 2 fits the quality of service at that moment to the publishers, so a
-     * best-effort sensor that started later is not received (rosbridge sheet 5).
+     * Subscribes again to a topic without messages: ROS 2 fits the quality of service at that moment to the publishers,
+     * so a best-effort sensor that started later is not received (rosbridge sheet 5).
      */
     synchronized void renewIfSilent() {
         TopicSubscription current = requested;
@@ -127,7 +127,10 @@ final class TopicStream {
         }
     }
 
-    /** Returns what has arrived; empty if the topic is not subscribed to now. Takes no lock, which is held while sending. */
+    /**
+     * Returns what has arrived; empty if the topic is not subscribed to now. Takes no lock, which is held while
+     * sending.
+     */
     Optional<TopicActivity> activity() {
         return Optional.ofNullable(requested)
                 .map(wanted -> new TopicActivity(wanted.topic(), wanted.type(), count, ageS()));

@@ -1,14 +1,14 @@
 package majic.ros.bridge;
 
 /**
- * What to subscribe to, and how often. Immutable. All subscriptions of one connection to one topic share its stream, which
- * has the least of their throttles.
+ * What to subscribe to, and how often. Immutable. All subscriptions of one connection to one topic share its stream,
+ * which has the least of their throttles.
  *
  * @param topic its absolute name, as {@code /odom}
  * @param type as rosapi names it: {@code nav_msgs/Odometry} in ROS 1, {@code nav_msgs/msg/Odometry} in ROS 2
  * @param throttleMs the least time between two messages, ms; 0 for all of them
- * @param queueLength how many messages the server keeps while the throttle holds them back; with 1 the newest one always
- *     arrives
+ * @param queueLength how many messages the server keeps while the throttle holds them back; with 1 the newest one
+ *     always arrives
  * @param binary whether messages come as CBOR, for pictures: a third less to carry and to decode
  */
 public record TopicSubscription(String topic, String type, int throttleMs, int queueLength, boolean binary) {

@@ -11,8 +11,8 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds the robots that can be driven: topics of velocity commands, grouped by the namespace of the robot, each with the
- * odometry of that namespace. A command topic that no node receives belongs to no robot. Used by one thread.
+ * Finds the robots that can be driven: topics of velocity commands, grouped by the namespace of the robot, each with
+ * the odometry of that namespace. A command topic that no node receives belongs to no robot. Used by one thread.
  */
 public final class BaseFinder {
     /** So many command topics are checked for receivers; a system with more is searched by name alone. */

@@ -13,8 +13,8 @@ import java.util.List;
  * @param accelerationDegPerSec2 the change of turn rate that it can follow, deg/s²
  * @param slowestMmPerSec the lowest speed that has an effect, mm/s
  * @param slowestDegPerSec the lowest turn rate that has an effect, deg/s
- * @param timeoutS after so many seconds without a command it stops by itself; infinite if it drives on, NaN if that is not
- *     known
+ * @param timeoutS after so many seconds without a command it stops by itself; infinite if it drives on, NaN if that is
+ *     not known
  * @param commands the topics of its velocity commands relative to its namespace, the best one first; empty for any
  * @param odometry the topics of its odometry relative to its namespace, the best one first; empty for any
  * @param note a sentence for the user when it is connected; empty for none

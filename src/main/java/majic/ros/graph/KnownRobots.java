@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * The table of known robots: MAJIC's own, {@code robots.txt} beside this class, and before it the user's. Immutable.
  *
- * <p>A table is text. A line {@code robot NAME} begins an entry, the lines below it state its properties; {@code #} begins
- * a comment. The first entry with a sign that is seen is the robot. docs/robots/ros.md describes the properties.
+ * <p>A table is text. A line {@code robot NAME} begins an entry, the lines below it state its properties; {@code #}
+ * begins a comment. The first entry with a sign that is seen is the robot. docs/robots/ros.md describes the properties.
  */
 public final class KnownRobots {
     /** A robot that is not in the table: careful limits, and nothing that could be wrong. */
@@ -64,7 +64,8 @@ public final class KnownRobots {
      * @param name of the file, for messages
      * @param text its content
      * @return a new table
-     * @throws IllegalArgumentException if a line is wrong; the message names file and line, and says what would be right
+     * @throws IllegalArgumentException if a line is wrong; the message names file and line, and says what would be
+     *     right
      */
     public KnownRobots with(String name, String text) {
         List<Entry> all = new ArrayList<>();

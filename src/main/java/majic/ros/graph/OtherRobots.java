@@ -3,8 +3,8 @@ package majic.ros.graph;
 import java.util.List;
 
 /**
- * The namespaces of the robots behind a server that are not the chosen one. What is in them belongs to these robots, also if the
- * chosen one has no namespace. Immutable.
+ * The namespaces of the robots behind a server that are not the chosen one. What is in them belongs to these robots,
+ * also if the chosen one has no namespace. Immutable.
  *
  * @param namespaces as {@code /robot2}
  */

@@ -14,8 +14,8 @@ import javax.xml.stream.XMLStreamReader;
 import majic.bot.BotException;
 
 /**
- * The description of a robot's body in the format URDF: it states which joints slide; messages about joints do not.
- * A robot with joints usually keeps it in a parameter {@code robot_description}.
+ * The description of a robot's body in the format URDF: it states which joints slide; messages about joints do not. A
+ * robot with joints usually keeps it in a parameter {@code robot_description}.
  */
 public final class RobotDescription {
     private static final Logger LOG = System.getLogger(RobotDescription.class.getName());

@@ -32,7 +32,8 @@ public record RobotEvidence(RosGraph graph, String namespace, Function<String, O
     }
 
     /**
-     * Tests a parameter. In ROS 2 its name begins with that of its node, and rosapi waits long for a node that is not there.
+     * Tests a parameter. In ROS 2 its name begins with that of its node, and rosapi waits long for a node that is not
+     * there.
      */
     boolean hasParameter(String name, String value) {
         int colon = name.indexOf(':');

@@ -31,8 +31,8 @@ public final class RosApi {
     private final RosBridge bridge;
 
     /**
-     * Whether a question that can do without an answer had none: the others are not asked then, since waiting for each of
-     * them would make a connection take minutes.
+     * Whether a question that can do without an answer had none: the others are not asked then, since waiting for each
+     * of them would make a connection take minutes.
      */
     private volatile boolean isSilent;
 
@@ -49,8 +49,8 @@ public final class RosApi {
      * Reads the version, the topics and the nodes.
      *
      * @return what is there now
-     * @throws ConnectFailed if rosapi does not answer, or the server does not let this program in; the message says what
-     *     to do
+     * @throws ConnectFailed if rosapi does not answer, or the server does not let this program in; the message says
+     *     what to do
      */
     public RosGraph graph() {
         Version version = version();

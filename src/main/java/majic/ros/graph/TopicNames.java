@@ -6,8 +6,8 @@ import java.util.regex.Pattern;
 /** Names of topics: which robot a topic belongs to, and how usual its name is. */
 final class TopicNames {
     /**
-     * Segments that name a part of a robot and not a robot: {@code /husky_velocity_controller/odom} belongs to the robot
-     * without a namespace.
+     * Segments that name a part of a robot and not a robot: {@code /husky_velocity_controller/odom} belongs to the
+     * robot without a namespace.
      */
     private static final Pattern PART =
             Pattern.compile(".*controller|.*mux|.*teleop|.*nav|platform|mobile_base|commands|input|output|odometry"

@@ -25,7 +25,10 @@ public record BatteryMessage(OptionalDouble volts, OptionalDouble percent, Suppl
     private static final int SPOT_CHARGING = 2;
     private static final int SPOT_DISCHARGING = 3;
 
-    /** The lower four bits of the field {@code charger} of a Kobuki; the others are for the kind of charger (SensorState.msg). */
+    /**
+     * The lower four bits of the field {@code charger} of a Kobuki; the others are for the kind of charger
+     * (SensorState.msg).
+     */
     private static final int KOBUKI_CHARGER_STATE = 0x0F;
 
     private static final int KOBUKI_DISCHARGING = 0;

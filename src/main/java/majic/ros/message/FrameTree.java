@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The fixed frames of a robot and where each is in its parent, as {@code /tf_static} gives them in one or several messages.
- * Immutable.
+ * The fixed frames of a robot and where each is in its parent, as {@code /tf_static} gives them in one or several
+ * messages. Immutable.
  */
 public final class FrameTree {
     /** No frames. */

@@ -5,14 +5,15 @@ import majic.bot.Pose;
 
 /**
  * Where a base counts itself, and how fast it moves ({@code nav_msgs/Odometry}). Immutable. The pose does not start at
- * zero, and it may jump when the base is reset. The stamp is left out on purpose: it is the robot's clock, which may jump;
- * what is measured in time uses the arrival.
+ * zero, and it may jump when the base is reset. The stamp is left out on purpose: it is the robot's clock, which may
+ * jump; what is measured in time uses the arrival.
  *
  * @param pose in the frame {@code frame}
  * @param speedMmPerSec in the robot's own axes, ahead positive
  * @param turnRateDegPerSec counterclockwise positive
  * @param frame the frame of the pose, usually {@code odom}; empty if the message names none
- * @param base the frame of the robot, usually {@code base_link} or {@code base_footprint}; empty if the message names none
+ * @param base the frame of the robot, usually {@code base_link} or {@code base_footprint}; empty if the message names
+ *     none
  */
 public record OdometryMessage(Pose pose, double speedMmPerSec, double turnRateDegPerSec, String frame, String base) {
 

@@ -1,6 +1,9 @@
 package majic.ros.message;
 
-/** Converts between the units of ROS (REP-103) and those of MAJIC. The signs are the same: x ahead, y left, left turns positive. */
+/**
+ * Converts between the units of ROS (REP-103) and those of MAJIC. The signs are the same: x ahead, y left, left turns
+ * positive.
+ */
 final class RosUnits {
     private static final double MM_PER_M = 1000;
 

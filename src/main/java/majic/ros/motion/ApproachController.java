@@ -1,10 +1,10 @@
 package majic.ros.motion;
 
 /**
- * Computes the rate at which a distance or an angle is covered: an acceleration, a constant rate, a constant deceleration,
- * and at the end a rate in proportion to the rest. Between the readings, and for their delay, the base is taken to follow
- * the rates sent. Distances and rates are in one unit, mm or degrees. Has no link or clock. For one approach to the
- * target, which ends where the target is reached or passed.
+ * Computes the rate at which a distance or an angle is covered: an acceleration, a constant rate, a constant
+ * deceleration, and at the end a rate in proportion to the rest. Between the readings, and for their delay, the base is
+ * taken to follow the rates sent. Distances and rates are in one unit, mm or degrees. Has no link or clock. For one
+ * approach to the target, which ends where the target is reached or passed.
  */
 final class ApproachController {
     /** Near the end the rate is this times the rest (1/s). */

@@ -9,8 +9,8 @@ package majic.ros.motion;
  * @param fastestDegPerSec the highest turn rate that it is driven at
  * @param accelerationMmPerSec2 the change of speed that it can follow, mm/s²
  * @param accelerationDegPerSec2 the change of turn rate that it can follow, deg/s²
- * @param timeoutS after this time without a velocity the base stops by itself; infinite for a base that drives on, NaN if
- *     that is not known
+ * @param timeoutS after this time without a velocity the base stops by itself; infinite for a base that drives on, NaN
+ *     if that is not known
  */
 public record BaseDynamics(
         double slowestMmPerSec,

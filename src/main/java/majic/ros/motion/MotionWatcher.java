@@ -3,8 +3,8 @@ package majic.ros.motion;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds what ends a motion from the robot's side: contacts, odometry that is silent or jumps, no progress. For one motion or
- * one drive; used by one thread at a time.
+ * Finds what ends a motion from the robot's side: contacts, odometry that is silent or jumps, no progress. For one
+ * motion or one drive; used by one thread at a time.
  */
 final class MotionWatcher {
     /** A base that has not moved for so long in spite of a velocity is taken to be blocked, seconds. */

@@ -6,8 +6,8 @@ import majic.driver.Motion;
 import majic.time.TimeSource;
 
 /**
- * Moves a base by a distance or an angle, with a new velocity 20 times a second: approaches the target, lets the base come to
- * rest, and corrects what then remains a few times at most. For one motion; used by its thread.
+ * Moves a base by a distance or an angle, with a new velocity 20 times a second: approaches the target, lets the base
+ * come to rest, and corrects what then remains a few times at most. For one motion; used by its thread.
  */
 final class OdometryMotion {
     /** Approaches of one motion: the first, and the corrections. */
@@ -88,7 +88,9 @@ final class OdometryMotion {
         }
     }
 
-    /** Waits for the base to come to rest, and repeats the zero velocity meanwhile; false if the guard condition holds. */
+    /**
+     * Waits for the base to come to rest, and repeats the zero velocity meanwhile; false if the guard condition holds.
+     */
     private boolean settle() {
         long zeroNanos = time().nanos();
         while (!base.isStationarySince(zeroNanos) && time().secondsSince(zeroNanos) < SETTLE_S) {
@@ -127,7 +129,10 @@ final class OdometryMotion {
         return true;
     }
 
-    /** Stops the base and lets it come to rest, so that the distance is the final one, and no velocity is under way any more. */
+    /**
+     * Stops the base and lets it come to rest, so that the distance is the final one, and no velocity is under way any
+     * more.
+     */
     private MotionFailed failed(String reason) {
         motion.send(base.sender()::stop);
         if (base.silence() == null) {

@@ -6,8 +6,8 @@ import majic.bot.Pose;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes continuous states of the readings of an odometry, which begins anywhere, may jump, and is set to zero when the base
- * is reset. Time is that of the arrival: the stamps of a robot may jump. Has no clock. Not thread-safe.
+ * Makes continuous states of the readings of an odometry, which begins anywhere, may jump, and is set to zero when the
+ * base is reset. Time is that of the arrival: the stamps of a robot may jump. Has no clock. Not thread-safe.
  */
 final class OdometryTracker {
     /** A stationary base is slower than this by every measure, mm/s and deg/s. */
@@ -23,10 +23,16 @@ final class OdometryTracker {
 
     private static final double JUMP_DEG = 10;
 
-    /** Readings that were held up by the network arrive closer together than they were made, by this time at most, seconds. */
+    /**
+     * Readings that were held up by the network arrive closer together than they were made, by this time at most,
+     * seconds.
+     */
     private static final double LATE_S = 0.3;
 
-    /** What a base may have covered beyond its highest velocity to a reading of exactly zero without counting as a reset. */
+    /**
+     * What a base may have covered beyond its highest velocity to a reading of exactly zero without counting as a
+     * reset.
+     */
     private static final double RESET_MM = 10;
 
     private static final double RESET_DEG = 2;

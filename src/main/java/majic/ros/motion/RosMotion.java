@@ -17,9 +17,9 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The motions of a base during one connection. Velocities are published 20 times a second while the base moves. A stop is
- * published at once and repeated until the odometry shows the base stationary. Of a base without odometry the position is
- * calculated from the velocities sent, and its stop is not confirmed by anything. Thread-safe.
+ * The motions of a base during one connection. Velocities are published 20 times a second while the base moves. A stop
+ * is published at once and repeated until the odometry shows the base stationary. Of a base without odometry the
+ * position is calculated from the velocities sent, and its stop is not confirmed by anything. Thread-safe.
  */
 public final class RosMotion {
     private static final Logger LOG = System.getLogger(RosMotion.class.getName());
@@ -79,7 +79,8 @@ public final class RosMotion {
     }
 
     /**
-     * Begins. Sends nothing, except after the loss of a connection while the base moved: a stop, since some bases drive on.
+     * Begins. Sends nothing, except after the loss of a connection while the base moved: a stop, since some bases drive
+     * on.
      *
      * @param mayMove whether the base may still move by commands of an earlier connection
      */
@@ -111,8 +112,8 @@ public final class RosMotion {
     }
 
     /**
-     * Takes in a message of the odometry that has no pose. A moving base that sends only such messages is stopped, as one whose
-     * odometry is silent.
+     * Takes in a message of the odometry that has no pose. A moving base that sends only such messages is stopped, as
+     * one whose odometry is silent.
      *
      * @param reason what is wrong with it, as half a sentence
      */
@@ -200,8 +201,8 @@ public final class RosMotion {
     }
 
     /**
-     * Waits until the odometry shows the base stationary after {@link #halt}; of a base without odometry, until the stop has
-     * been repeated. Does not wait on a thread that must not.
+     * Waits until the odometry shows the base stationary after {@link #halt}; of a base without odometry, until the
+     * stop has been repeated. Does not wait on a thread that must not.
      *
      * @throws BotException if it is not stationary within 4 s
      * @throws LinkLost if the connection ended meanwhile
@@ -232,8 +233,8 @@ public final class RosMotion {
     }
 
     /**
-     * Ends in order, while there is still a connection: the stop of a base that was moved is repeated first, since the timer
-     * of the robot has ended by now. Takes 0.1 s at most.
+     * Ends in order, while there is still a connection: the stop of a base that was moved is repeated first, since the
+     * timer of the robot has ended by now. Takes 0.1 s at most.
      */
     public void close() {
         for (int stop = 1; sender.isActive() && stop < LEAST_STOPS; stop++) {

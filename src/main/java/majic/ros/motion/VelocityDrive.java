@@ -5,9 +5,9 @@ import majic.bot.MotionFailed;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A drive at a given velocity until the next command: follows it with limited acceleration, and ends by itself at a contact,
- * without progress, or when the odometry fails. The reason is thrown by the next {@link #drive}, or returned by
- * {@link #stop}. Thread-safe; never waits.
+ * A drive at a given velocity until the next command: follows it with limited acceleration, and ends by itself at a
+ * contact, without progress, or when the odometry fails. The reason is thrown by the next {@link #drive}, or returned
+ * by {@link #stop}. Thread-safe; never waits.
  */
 final class VelocityDrive {
     /** A base may slow down faster than it gains speed, by this factor. */
@@ -33,8 +33,8 @@ final class VelocityDrive {
     /**
      * Begins a drive, or changes its velocity.
      *
-     * @throws MotionFailed if the drive has ended by itself, which the next call does not report again; or before the first
-     *     odometry
+     * @throws MotionFailed if the drive has ended by itself, which the next call does not report again; or before the
+     *     first odometry
      * @throws LinkLost if the connection has ended
      */
     synchronized void drive(double newMmPerSec, double newDegPerSec) {

@@ -4,9 +4,9 @@ import majic.bot.LinkLost;
 import majic.time.TimeSource;
 
 /**
- * Publishes velocities, and remembers the one in force. A stop is repeated until {@link #endStop}; a velocity that is not
- * renewed is set to zero. Thread-safe; waits for nothing but the write, and what only asks does
- * not even wait for that: the reader thread asks too.
+ * Publishes velocities, and remembers the one in force. A stop is repeated until {@link #endStop}; a velocity that is
+ * not renewed is set to zero. Thread-safe; waits for nothing but the write, and what only asks does not even wait for
+ * that: the reader thread asks too.
  */
 final class VelocitySender {
     /** From one velocity to the next, seconds: 20 a second. */
@@ -64,7 +64,9 @@ final class VelocitySender {
         publish(0, 0);
     }
 
-    /** Publishes the zero velocity again while a stop is in force, and one in place of a velocity that was not renewed. */
+    /**
+     * Publishes the zero velocity again while a stop is in force, and one in place of a velocity that was not renewed.
+     */
     synchronized void repeat() {
         if (ended) {
             return;

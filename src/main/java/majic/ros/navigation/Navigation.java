@@ -18,8 +18,8 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Pursues one goal at a time. A stop has to call {@link #cancel}, after it has sent its zero velocity: until the goal is
- * cancelled the robot's own navigation sends velocities as well. Thread-safe.
+ * Pursues one goal at a time. A stop has to call {@link #cancel}, after it has sent its zero velocity: until the goal
+ * is cancelled the robot's own navigation sends velocities as well. Thread-safe.
  */
 public final class Navigation {
     private static final Logger LOG = System.getLogger(Navigation.class.getName());
@@ -164,8 +164,8 @@ public final class Navigation {
     }
 
     /**
-     * Cancels all goals that the robot pursues, those of other programs too: they would move it on after the stop. Waits for
-     * nothing and throws nothing.
+     * Cancels all goals that the robot pursues, those of other programs too: they would move it on after the stop.
+     * Waits for nothing and throws nothing.
      */
     public void cancel() {
         Goal goal = running;
@@ -191,8 +191,8 @@ public final class Navigation {
     }
 
     /**
-     * Uses a new connection from now on, and cancels what the robot may still pursue since the last one was lost: the loss
-     * cancels no goal (rosbridge sheet 6). Sends nothing after a connection that ended without a goal.
+     * Uses a new connection from now on, and cancels what the robot may still pursue since the last one was lost: the
+     * loss cancels no goal (rosbridge sheet 6). Sends nothing after a connection that ended without a goal.
      *
      * @param servers of the robot
      * @throws LinkLost if the connection has ended

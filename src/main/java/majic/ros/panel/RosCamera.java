@@ -18,8 +18,9 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The camera's pictures on their way to the screen. They are decoded on a background thread, one at a time; if they come
- * faster, only the newest is decoded. {@link #view} and {@link #miss} are for the event dispatch thread, the rest for any.
+ * The camera's pictures on their way to the screen. They are decoded on a background thread, one at a time; if they
+ * come faster, only the newest is decoded. {@link #view} and {@link #miss} are for the event dispatch thread, the rest
+ * for any.
  */
 final class RosCamera implements BotListener {
     private static final Texts TEXTS = Texts.of(RosCamera.class);

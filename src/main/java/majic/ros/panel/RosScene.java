@@ -95,7 +95,9 @@ public record RosScene(
         return connection == MajicBot.Connection.CONNECTED;
     }
 
-    /** Returns this scene as the last one of an earlier connection, of which the newest scan does not count any more. */
+    /**
+     * Returns this scene as the last one of an earlier connection, of which the newest scan does not count any more.
+     */
     RosScene before(MajicBot.Connection now) {
         MajicBot.Connection other = now == MajicBot.Connection.CONNECTED ? MajicBot.Connection.CONNECTING : now;
         return new RosScene(robot, other, link, Optional.empty(), contacts, battery, topics);

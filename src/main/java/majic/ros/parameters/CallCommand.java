@@ -18,8 +18,9 @@ import majic.text.Suggestion;
 import majic.time.Signal;
 
 /**
- * Calls a service of the robot, for functions without a parameter. A service may move the robot, so it needs the robot to be
- * free. A stop ends the wait for the answer and sends zero velocities; what the service does by itself is not known here.
+ * Calls a service of the robot, for functions without a parameter. A service may move the robot, so it needs the robot
+ * to be free. A stop ends the wait for the answer and sends zero velocities; what the service does by itself is not
+ * known here.
  */
 final class CallCommand {
     private static final double CALL_S = 10;

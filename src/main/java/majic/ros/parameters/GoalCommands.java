@@ -88,8 +88,8 @@ final class GoalCommands {
     }
 
     /**
-     * The place in the frame of the odometry: the robot is known in both frames at this moment. Navigation converts it into
-     * the frame of its map.
+     * The place in the frame of the odometry: the robot is known in both frames at this moment. Navigation converts it
+     * into the frame of its map.
      */
     private Target here(List<Value> values) {
         OdometryMessage odometry = access.open()

@@ -27,8 +27,10 @@ final class MessageFields {
      * Returns the value of a field.
      *
      * @param message any
-     * @param path names, and indexes from 0, on the way to it; nothing for the field of a message that has only {@code data}
-     * @return a number, a yes or no, or a text; unknown, with the fields that there are, if the path leads to none of these
+     * @param path names, and indexes from 0, on the way to it; nothing for the field of a message that has only
+     *     {@code data}
+     * @return a number, a yes or no, or a text; unknown, with the fields that there are, if the path leads to none of
+     *     these
      */
     static Value value(JsonNode message, List<String> path) {
         return read(message, path, MessageFields::value);

@@ -17,8 +17,8 @@ import majic.ros.readings.RosReadings;
 import majic.ros.readings.RosSensors;
 
 /**
- * Wheels and other joints; subscribed to while something reads them. Which joints slide is not in the messages, but in the
- * description of the robot; without one all of them are taken to turn.
+ * Wheels and other joints; subscribed to while something reads them. Which joints slide is not in the messages, but in
+ * the description of the robot; without one all of them are taken to turn.
  */
 final class RosJointParameters implements ParameterTheme<RosSensors> {
     private static final Value NOT_REPORTED = Value.unknown("not reported");

@@ -14,8 +14,8 @@ import majic.ros.readings.RosSensors;
 import majic.time.Signal;
 
 /**
- * The parameters and commands of a ROS robot besides those that every robot has. Which there are depends on the sensors that
- * were found while the robot was connected, so a script that uses others is refused before anything moves.
+ * The parameters and commands of a ROS robot besides those that every robot has. Which there are depends on the sensors
+ * that were found while the robot was connected, so a script that uses others is refused before anything moves.
  */
 public final class RosParameters {
     /** The names of all commands. */

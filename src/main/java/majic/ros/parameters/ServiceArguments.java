@@ -13,8 +13,8 @@ import java.util.regex.Pattern;
 import majic.bot.BotException;
 
 /**
- * The arguments of a service as users type them: JSON, in which names need no quotes and single quotes may replace double
- * ones, or pairs such as {@code x=1 pose.y=2 name=bob}.
+ * The arguments of a service as users type them: JSON, in which names need no quotes and single quotes may replace
+ * double ones, or pairs such as {@code x=1 pose.y=2 name=bob}.
  */
 final class ServiceArguments {
     private static final JsonMapper LENIENT = JsonMapper.builder()

@@ -13,8 +13,8 @@ import majic.ros.readings.RequestedReading;
 import majic.ros.readings.RosReadings;
 
 /**
- * The fields of all topics as parameters: {@code get topic/imu/angular_velocity/z}. A topic is subscribed to while something
- * reads one of its fields. A parameter that was read once is listed, recorded and plotted like the others.
+ * The fields of all topics as parameters: {@code get topic/imu/angular_velocity/z}. A topic is subscribed to while
+ * something reads one of its fields. A parameter that was read once is listed, recorded and plotted like the others.
  */
 final class TopicParameters implements ParameterTable.Finder {
     private static final String PREFIX = "topic/";

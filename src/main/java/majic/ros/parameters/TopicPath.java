@@ -21,8 +21,8 @@ record TopicPath(RosTopic topic, List<String> field) {
     private static final int MOST_NEAR = 5;
 
     /**
-     * Finds the topic that a path begins with. The longest name counts, and one in the robot's namespace before others; upper
-     * and lower case are not distinguished, as in all names of parameters.
+     * Finds the topic that a path begins with. The longest name counts, and one in the robot's namespace before others;
+     * upper and lower case are not distinguished, as in all names of parameters.
      *
      * @param path names with slashes between them, perhaps with one in front
      * @throws ParameterException if there is no such topic; the message lists near ones
@@ -47,7 +47,9 @@ record TopicPath(RosTopic topic, List<String> field) {
                 .map(topic -> new RosTopic(topic.getKey(), topic.getValue()));
     }
 
-    /** The end of a sentence: the topic that the path or its beginning was meant to be, or some that have a word of it. */
+    /**
+     * The end of a sentence: the topic that the path or its beginning was meant to be, or some that have a word of it.
+     */
     static String near(String path, Map<String, String> topics) {
         String typed = path.replaceFirst("^/", "");
         List<String> names =

@@ -14,8 +14,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What contacts, cliff sensors and the base itself report: events, which last until the opposite event, and lists of all that
- * is there. Thread-safe.
+ * What contacts, cliff sensors and the base itself report: events, which last until the opposite event, and lists of
+ * all that is there. Thread-safe.
  */
 public final class ActiveHazards {
     private final TimeSource time;
@@ -83,8 +83,8 @@ public final class ActiveHazards {
     }
 
     /**
-     * Returns the hazard that was reported last, even if it is over; what is only near does not count. A contact that is
-     * reported only when it changes counts as reported now while it lasts.
+     * Returns the hazard that was reported last, even if it is over; what is only near does not count. A contact that
+     * is reported only when it changes counts as reported now while it lasts.
      *
      * @return empty if there was none on this connection
      */

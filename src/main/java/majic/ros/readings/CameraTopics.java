@@ -7,8 +7,8 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Orders the topics with compressed pictures. Their type does not show what is in a picture, so their names decide: those of
- * a depth camera, which cannot be shown, are left out, and colour comes before infrared.
+ * Orders the topics with compressed pictures. Their type does not show what is in a picture, so their names decide:
+ * those of a depth camera, which cannot be shown, are left out, and colour comes before infrared.
  */
 final class CameraTopics {
     private static final Pattern DEPTH = Pattern.compile("depth|disparity");
@@ -17,7 +17,9 @@ final class CameraTopics {
 
     private CameraTopics() {}
 
-    /** Returns those that can be shown, the one that is most likely to be wanted first; of like names the shortest one. */
+    /**
+     * Returns those that can be shown, the one that is most likely to be wanted first; of like names the shortest one.
+     */
     static List<RosTopic> bestFirst(List<RosTopic> topics) {
         return topics.stream()
                 .filter(topic -> !DEPTH.matcher(lowerCase(topic)).find())

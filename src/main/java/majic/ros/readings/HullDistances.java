@@ -11,11 +11,11 @@ import majic.ros.message.Vector;
 /**
  * The distance from the hull on one side, from a scan and from single beams. Immutable.
  *
- * <p>The nearest echo in the way counts. Without one the way is free only as far as it was seen: beams without an echo may
- * be free, but also blocked by something black, shiny or too near (REP-117, and rosbridge sends all of these as
- * {@code null}). So a gap of such beams that is wider than {@link #WIDEST_GAP_DEG} makes the distance unknown. There are two
- * exceptions: the user has set that no echo means that nothing is there, or what is too near for the scanner would touch
- * the hull, so that only something black or shiny can hide, as it can from every scanner and sonar.
+ * <p>The nearest echo in the way counts. Without one the way is free only as far as it was seen: beams without an echo
+ * may be free, but also blocked by something black, shiny or too near (REP-117, and rosbridge sends all of these as
+ * {@code null}). So a gap of such beams that is wider than {@link #WIDEST_GAP_DEG} makes the distance unknown. There
+ * are two exceptions: the user has set that no echo means that nothing is there, or what is too near for the scanner
+ * would touch the hull, so that only something black or shiny can hide, as it can from every scanner and sonar.
  *
  * @param radiusMm of the hull
  * @param noEcho what it means that a beam has none

@@ -60,8 +60,8 @@ public enum HullSide {
      * @param radiusMm of the hull
      * @param xMm of the point, ahead of the turning centre
      * @param yMm of the point, to the left of it
-     * @return mm, not negative; infinite for a point that is not in the way, or inside of the hull, where a sensor sees the
-     *     robot itself
+     * @return mm, not negative; infinite for a point that is not in the way, or inside of the hull, where a sensor sees
+     *     the robot itself
      */
     double gapMm(double radiusMm, double xMm, double yMm) {
         double along = xMm * ahead + yMm * left;

@@ -6,8 +6,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The newest reading of one kind, with its age. A reading becomes unknown when the next one is overdue: after the given time,
- * or after twice the time between the last two, whichever is longer. Thread-safe.
+ * The newest reading of one kind, with its age. A reading becomes unknown when the next one is overdue: after the given
+ * time, or after twice the time between the last two, whichever is longer. Thread-safe.
  *
  * @param <T> the reading, immutable
  */

@@ -12,8 +12,8 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A reading of a topic that is subscribed to only while something reads it: the first read subscribes, and the subscription
- * ends when nothing has read for some seconds. Threads that only observe do not count. Thread-safe.
+ * A reading of a topic that is subscribed to only while something reads it: the first read subscribes, and the
+ * subscription ends when nothing has read for some seconds. Threads that only observe do not count. Thread-safe.
  *
  * @param <T> the reading, immutable
  */
@@ -77,8 +77,8 @@ public final class RequestedReading<T> {
     }
 
     /**
-     * Keeps the subscription for some seconds, as a read does, and waits for nothing. It may be sent, which blocks for as
-     * long as the connection does not take it.
+     * Keeps the subscription for some seconds, as a read does, and waits for nothing. It may be sent, which blocks for
+     * as long as the connection does not take it.
      *
      * @throws BotException if the connection is lost
      */

@@ -27,7 +27,8 @@ public interface RosClient {
     String namespace();
 
     /**
-     * Returns the topics that are known: those that were there while the robot was connected, or when they were listed last.
+     * Returns the topics that are known: those that were there while the robot was connected, or when they were listed
+     * last.
      *
      * @return the types by the absolute names, unchangeable
      */
@@ -83,8 +84,8 @@ public interface RosClient {
     void publish(String topic, String type, JsonNode message);
 
     /**
-     * Opens what a service is called over whose duration is not known: on ROS 2 a connection of its own, because servers up
-     * to 2.1.0 handle nothing else on a connection until the service has answered.
+     * Opens what a service is called over whose duration is not known: on ROS 2 a connection of its own, because
+     * servers up to 2.1.0 handle nothing else on a connection until the service has answered.
      *
      * @param changed called when the service has answered, on the reader thread; must not wait
      * @return to be closed
@@ -123,8 +124,9 @@ public interface RosClient {
     }
 
     /**
-     * Opens what one goal of an action of ROS 2 is sent over. It is separate, because servers up to 2.1.0 handle nothing else
-     * on a connection until the goal on it is finished, and never again if the goal is rejected (rosbridge sheet 6).
+     * Opens what one goal of an action of ROS 2 is sent over. It is separate, because servers up to 2.1.0 handle
+     * nothing else on a connection until the goal on it is finished, and never again if the goal is rejected (rosbridge
+     * sheet 6).
      *
      * @return to be closed
      * @throws BotException if the server does not accept a further connection
@@ -143,8 +145,8 @@ public interface RosClient {
         void send(ActionGoal goal, ActionGoal.Events events);
 
         /**
-         * Cancels the goal on every way that some version of the server understands; waits for nothing. All goals of the
-         * action are cancelled, those of other programs too: a robot that is to stop must not go on to any of them.
+         * Cancels the goal on every way that some version of the server understands; waits for nothing. All goals of
+         * the action are cancelled, those of other programs too: a robot that is to stop must not go on to any of them.
          */
         void cancel();
 

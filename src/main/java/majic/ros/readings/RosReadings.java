@@ -28,8 +28,8 @@ import majic.ros.message.UnusableMessage;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the sensors of one robot report on one connection. Distances, contacts and the battery are subscribed to from the
- * start, because guards, maps and recordings read them all the time; everything else only while something reads it.
+ * What the sensors of one robot report on one connection. Distances, contacts and the battery are subscribed to from
+ * the start, because guards, maps and recordings read them all the time; everything else only while something reads it.
  * Thread-safe.
  */
 public final class RosReadings {

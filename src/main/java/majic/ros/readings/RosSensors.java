@@ -9,8 +9,8 @@ import java.util.Set;
 import java.util.function.Predicate;
 
 /**
- * The sensors of one robot, found by the types of the topics. Immutable. With several topics of one type, the shortest name
- * is taken: sensors that are derived from others have longer ones.
+ * The sensors of one robot, found by the types of the topics. Immutable. With several topics of one type, the shortest
+ * name is taken: sensors that are derived from others have longer ones.
  *
  * @param scan of a laser scanner
  * @param ranges of sonars and other single beams, in the order of their names

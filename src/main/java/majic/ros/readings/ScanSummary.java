@@ -6,8 +6,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 
 /**
- * A scan in short: the nearest echo in each of twelve sectors of 30 degrees. The first sector is centred ahead, the others
- * follow counterclockwise. Distances count from the turning centre of the robot. Immutable.
+ * A scan in short: the nearest echo in each of twelve sectors of 30 degrees. The first sector is centred ahead, the
+ * others follow counterclockwise. Distances count from the turning centre of the robot. Immutable.
  */
 public final class ScanSummary {
     /** How many sectors there are. */

@@ -3,7 +3,9 @@ package majic.ros.websocket;
 import java.nio.ByteBuffer;
 import java.security.SecureRandom;
 
-/** Encodes the frames of a client, which are masked and hold a whole message each (RFC 6455, 5.2 and 5.3). Thread-safe. */
+/**
+ * Encodes the frames of a client, which are masked and hold a whole message each (RFC 6455, 5.2 and 5.3). Thread-safe.
+ */
 final class FrameEncoder {
     private static final int FINAL = 0x80;
     private static final int MASKED = 0x80;

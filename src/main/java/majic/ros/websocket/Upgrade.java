@@ -7,7 +7,9 @@ import java.security.SecureRandom;
 import java.util.Base64;
 import org.jspecify.annotations.Nullable;
 
-/** The HTTP request that turns a connection into a WebSocket, and the check of its answer (RFC 6455, 4.1). Immutable. */
+/**
+ * The HTTP request that turns a connection into a WebSocket, and the check of its answer (RFC 6455, 4.1). Immutable.
+ */
 final class Upgrade {
     private static final String GUID = "258EAFA5-E914-47DA-95CA-C5AB0DC85B11";
     private static final int KEY_BYTES = 16;

@@ -17,8 +17,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One WebSocket connection, from the client's side. Any thread may send; each message is one frame, written on the calling
- * thread within {@link Link#WRITE_DEADLINE_MS}. Thread-safe.
+ * One WebSocket connection, from the client's side. Any thread may send; each message is one frame, written on the
+ * calling thread within {@link Link#WRITE_DEADLINE_MS}. Thread-safe.
  */
 public final class WebSocketClient implements AutoCloseable {
     private static final Logger LOG = System.getLogger(WebSocketClient.class.getName());
@@ -186,7 +186,8 @@ public final class WebSocketClient implements AutoCloseable {
     }
 
     /**
-     * Ends the connection in order: announces it, and waits until the server has closed it. An interruption ends the wait.
+     * Ends the connection in order: announces it, and waits until the server has closed it. An interruption ends the
+     * wait.
      *
      * @param seconds the longest wait
      */

@@ -37,7 +37,8 @@ final class WebSocketFrames {
     }
 
     /**
-     * Decodes bytes; keeps a partial message for the next call. Decodes nothing behind a {@link WebSocketMessage.Violation}.
+     * Decodes bytes; keeps a partial message for the next call. Decodes nothing behind a
+     * {@link WebSocketMessage.Violation}.
      *
      * @param bytes read to the end
      * @param messages receives each whole message

@@ -20,7 +20,10 @@ sealed interface WebSocketMessage {
     /** The announcement that the server closes the connection. */
     record Close(int code, String reason) implements WebSocketMessage {}
 
-    /** A message that is not kept because it is longer than the limit; its bytes are skipped, and the connection goes on. */
+    /**
+     * A message that is not kept because it is longer than the limit; its bytes are skipped, and the connection goes
+     * on.
+     */
     record TooLong() implements WebSocketMessage {}
 
     /** Bytes that break the protocol: nothing behind them can be decoded. */

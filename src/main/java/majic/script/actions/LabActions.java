@@ -51,8 +51,8 @@ final class LabActions {
     }
 
     /**
-     * Lifts a robot of the lab and puts it down elsewhere, in its turn. From then on the robot reports the pose at which it
-     * was put down.
+     * Lifts a robot of the lab and puts it down elsewhere, in its turn. From then on the robot reports the pose at
+     * which it was put down.
      */
     static final class PlaceAction extends RobotAction {
         private final Command.Place place;

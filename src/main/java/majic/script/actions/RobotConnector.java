@@ -37,9 +37,9 @@ public final class RobotConnector {
     }
 
     /**
-     * Connects to a robot, adds it to the team and answers. One whose link is lost is connected again under the number it has.
-     * One that is here under just this number and address stays as it is, so that a saved session can be done again by
-     * the team that did it.
+     * Connects to a robot, adds it to the team and answers. One whose link is lost is connected again under the number
+     * it has. One that is here under just this number and address stays as it is, so that a saved session can be done
+     * again by the team that did it.
      *
      * @throws BotException if it cannot be reached or taken in; nothing new is left open
      */
@@ -89,8 +89,8 @@ public final class RobotConnector {
     }
 
     /**
-     * Checks that no robot of the team is connected at an address: some devices, such as an Aibo, accept several connections, and
-     * two robots of the team would command one device.
+     * Checks that no robot of the team is connected at an address: some devices, such as an Aibo, accept several
+     * connections, and two robots of the team would command one device.
      *
      * @throws BotException naming the robot that is
      */

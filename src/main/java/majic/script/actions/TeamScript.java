@@ -16,8 +16,8 @@ import majic.team.Member;
 import majic.team.Team;
 
 /**
- * Writes the robots of a team as a script that adds them again: address and number, name, calibration, start pose. A robot
- * that was added without an address, by a program that embeds MAJIC, is left out.
+ * Writes the robots of a team as a script that adds them again: address and number, name, calibration, start pose. A
+ * robot that was added without an address, by a program that embeds MAJIC, is left out.
  *
  * @param team the robots
  * @param factory has the names of those in the simulated lab, which are put down at their places again

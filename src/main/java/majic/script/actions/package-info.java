@@ -1,6 +1,4 @@
-/**
- * The action of each command of MAJIC Script, and the table that makes them.
- */
+/** The action of each command of MAJIC Script, and the table that makes them. */
 @NullMarked
 package majic.script.actions;
 

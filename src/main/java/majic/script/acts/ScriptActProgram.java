@@ -21,9 +21,9 @@ import majic.script.syntax.Token;
 import majic.team.Member;
 
 /**
- * MAJIC Script as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a
- * saved session the lines that add robots show the types of the robots, and their names are ignored. All other commands
- * for a session are refused.
+ * MAJIC Script as a behaviour: robot commands and control flow, for {@code me} and for robots by number. Of a saved
+ * session the lines that add robots show the types of the robots, and their names are ignored. All other commands for a
+ * session are refused.
  */
 public final class ScriptActProgram {
     private final List<Statement> statements;

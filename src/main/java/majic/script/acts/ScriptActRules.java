@@ -5,8 +5,8 @@ import majic.script.syntax.Command;
 import majic.script.syntax.SessionCommand;
 
 /**
- * Which commands a behaviour may contain; of {@code add} only the form with a number. Each method returns the reason why
- * a command is refused, empty if it is allowed. A command without a rule does not compile.
+ * Which commands a behaviour may contain; of {@code add} only the form with a number. Each method returns the reason
+ * why a command is refused, empty if it is allowed. A command without a rule does not compile.
  */
 final class ScriptActRules implements Command.Visitor<Optional<String>>, SessionCommand.Visitor<Optional<String>> {
     private static final Optional<String> ALLOWED = Optional.empty();

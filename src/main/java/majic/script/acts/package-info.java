@@ -1,6 +1,4 @@
-/**
- * Scripts as behaviours: which robots they mean and what these must have.
- */
+/** Scripts as behaviours: which robots they mean and what these must have. */
 @NullMarked
 package majic.script.acts;
 

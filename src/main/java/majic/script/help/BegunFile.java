@@ -73,8 +73,8 @@ record BegunFile(int start, String written) {
      * Lists the folders and files of which this may be the beginning. Reads a folder.
      *
      * @param offered whether a file with a name is offered
-     * @return whole paths as a line needs them, at most {@value #MOST_ENTRIES}; a folder ends with a slash. Empty if the
-     *     folder cannot be read
+     * @return whole paths as a line needs them, at most {@value #MOST_ENTRIES}; a folder ends with a slash. Empty if
+     *     the folder cannot be read
      */
     Completions completions(Predicate<String> offered) {
         String name = name();

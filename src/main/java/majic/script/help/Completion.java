@@ -29,7 +29,8 @@ public record Completion(String text, String values, String explanation) {
     }
 
     /**
-     * Returns all that is known in one line, such as {@code headPan deg: turns the head} or {@code a distance (mm, cm)}.
+     * Returns all that is known in one line, such as {@code headPan deg: turns the head} or {@code a distance (mm,
+     * cm)}.
      *
      * @return one line, without full stop
      */

@@ -6,8 +6,8 @@ import java.util.Optional;
 /**
  * The completions at a place of a line. Immutable.
  *
- * @param start where the begun word starts, 0 to the length of the line; a completion replaces the text from here to the
- *     caret
+ * @param start where the begun word starts, 0 to the length of the line; a completion replaces the text from here to
+ *     the caret
  * @param entries the words that begin like the begun word, sorted and without repetition; then hints
  */
 public record Completions(int start, List<Completion> entries) {

@@ -1,6 +1,4 @@
-/**
- * The answers to {@code help}, and the words that complete a line.
- */
+/** The answers to {@code help}, and the words that complete a line. */
 @NullMarked
 package majic.script.help;
 

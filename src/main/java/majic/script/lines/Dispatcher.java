@@ -68,8 +68,8 @@ public final class Dispatcher {
     }
 
     /**
-     * Resolves a line, takes the permissions to move its robots, and checks it as far as that needs no file. Never waits.
-     * Behind a line that changes the team the check waits for the line's turn.
+     * Resolves a line, takes the permissions to move its robots, and checks it as far as that needs no file. Never
+     * waits. Behind a line that changes the team the check waits for the line's turn.
      *
      * @throws BotException if it cannot be done now
      * @throws ScriptException if it cannot be done with the robots that are there
@@ -122,8 +122,8 @@ public final class Dispatcher {
      * Runs a line at once, or queues it. Never waits. A line that names files is checked, and run, on a thread of this
      * origin.
      *
-     * @param refused receives a {@link BotException}, or a {@link ScriptException} with the place, if a file that the line
-     *     names does not let it be done
+     * @param refused receives a {@link BotException}, or a {@link ScriptException} with the place, if a file that the
+     *     line names does not let it be done
      * @param failed receives the reason if the line is refused when its turn comes
      * @throws BotException if it cannot be done now; nothing happened
      * @throws ScriptException if it cannot be done with the robots that are there; nothing happened

@@ -21,8 +21,8 @@ import majic.script.syntax.Statement;
 import majic.team.Member;
 
 /**
- * A line or block, from when it was typed until it has run: its commands and robots are resolved, and it is checked once.
- * Where that is not possible when it is typed, because it waits or names files, it is checked in its turn.
+ * A line or block, from when it was typed until it has run: its commands and robots are resolved, and it is checked
+ * once. Where that is not possible when it is typed, because it waits or names files, it is checked in its turn.
  */
 public abstract class PreparedLine {
     private final String text;
@@ -155,7 +155,9 @@ public abstract class PreparedLine {
         return traits.contains(trait);
     }
 
-    /** The robots that it is for; of a block those that it commands. As far as they were in the team when it was typed. */
+    /**
+     * The robots that it is for; of a block those that it commands. As far as they were in the team when it was typed.
+     */
     final List<Member> robots() {
         return robots;
     }

@@ -1,6 +1,4 @@
-/**
- * Submitted lines: checks them, and runs each at once, beside others or in its turn.
- */
+/** Submitted lines: checks them, and runs each at once, beside others or in its turn. */
 @NullMarked
 package majic.script.lines;
 

@@ -10,8 +10,8 @@ import java.util.Set;
 
 /**
  * Writes what was done in a session as a script that does it again. Robots that had finished before another was started
- * are waited for; otherwise time decides. A motion that was stopped is replayed by time alone, from its beginning to the
- * stop, so that it ends no later than it did.
+ * are waited for; otherwise time decides. A motion that was stopped is replayed by time alone, from its beginning to
+ * the stop, so that it ends no later than it did.
  */
 final class ReplayScript {
     private static final long NANOS_PER_MS = 1_000_000;

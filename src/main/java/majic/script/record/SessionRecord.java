@@ -22,8 +22,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Collects what is done in a session, with its times, so that a script can do it again: commands, and what reaches the
- * robots without a command, as stops by button or key and manual control. The team reports these after they were sent, so
- * recording delays none of them. Thread-safe.
+ * robots without a command, as stops by button or key and manual control. The team reports these after they were sent,
+ * so recording delays none of them. Thread-safe.
  */
 public final class SessionRecord {
     /** Several hours of a program that sends ten commands a second; about 50 MB. */

@@ -1,6 +1,4 @@
-/**
- * What was done in a session, with its times, and the script that does it again.
- */
+/** What was done in a session, with its times, and the script that does it again. */
 @NullMarked
 package majic.script.record;
 

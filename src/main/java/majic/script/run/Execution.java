@@ -303,8 +303,8 @@ public class Execution {
     }
 
     /**
-     * As {@link #runNow}; in a pipe or script the next command waits for the answers. If a stop ends the wait, the commands
-     * are still answered, so this line is not.
+     * As {@link #runNow}; in a pipe or script the next command waits for the answers. If a stop ends the wait, the
+     * commands are still answered, so this line is not.
      */
     public final void runToEnd(List<Member> members, Function<Member, QueuedCommand> commands) {
         List<QueuedCommand> begun = runNow(members, commands);

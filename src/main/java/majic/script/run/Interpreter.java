@@ -16,7 +16,9 @@ import org.jspecify.annotations.Nullable;
 
 /** Runs the statements of a script: checks each command when its turn comes, evaluates conditions, repeats blocks. */
 public final class Interpreter implements Statement.Visitor<@Nullable Void> {
-    /** A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on. */
+    /**
+     * A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on.
+     */
     private static final double SHORTEST_ROUND_S = 0.01;
 
     private final Execution execution;

@@ -17,7 +17,10 @@ import majic.script.syntax.Token;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
-/** How a command for robots is scheduled, checked, run, recorded and repeated; one subclass for each kind of {@link Command}. */
+/**
+ * How a command for robots is scheduled, checked, run, recorded and repeated; one subclass for each kind of
+ * {@link Command}.
+ */
 public abstract class RobotAction {
     private final Command command;
     private final Scheduling scheduling;
@@ -100,8 +103,8 @@ public abstract class RobotAction {
      *
      * @param selection finds the robots that conditions and roles name
      * @param robot the robot
-     * @param limitMayChange whether {@code maxMove} may be another one when the command's turn comes; always true for a robot
-     *     that is busy, since what it has queued is unknown here
+     * @param limitMayChange whether {@code maxMove} may be another one when the command's turn comes; always true for a
+     *     robot that is busy, since what it has queued is unknown here
      * @param readsFiles whether files may be read for the check, which may block
      */
     public record Check(Selection selection, Member robot, boolean limitMayChange, boolean readsFiles) {

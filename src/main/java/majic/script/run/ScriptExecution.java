@@ -148,7 +148,9 @@ public final class ScriptExecution extends Execution {
         return ended || owner.isDismissed() || own.trouble().isPresent();
     }
 
-    /** Under control the thread of the robot waits, when the turn of a command has come, until the command may begin. */
+    /**
+     * Under control the thread of the robot waits, when the turn of a command has come, until the command may begin.
+     */
     @Override
     QueuedCommand gated(Member member, QueuedCommand command) {
         if (turn == null) {

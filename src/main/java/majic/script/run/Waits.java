@@ -7,8 +7,8 @@ import majic.team.Member;
 import majic.team.QueuedCommand;
 
 /**
- * What the commands of a line or script wait for. Each wait blocks, and ends early with {@link ExecutionEnded} if the line or
- * script has to end. Used by the thread that runs it.
+ * What the commands of a line or script wait for. Each wait blocks, and ends early with {@link ExecutionEnded} if the
+ * line or script has to end. Used by the thread that runs it.
  */
 public final class Waits {
     private final Execution execution;

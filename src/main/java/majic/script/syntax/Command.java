@@ -13,7 +13,9 @@ public sealed interface Command {
 
     <R> R accept(Visitor<R> visitor);
 
-    /** The words that answers repeat: without robots, MAJIC's own in lower case, names and numbers as they were written. */
+    /**
+     * The words that answers repeat: without robots, MAJIC's own in lower case, names and numbers as they were written.
+     */
     String text();
 
     /** The condition that ends a motion early; null for none. */

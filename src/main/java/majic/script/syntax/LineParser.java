@@ -15,8 +15,8 @@ import majic.text.Suggestion;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Parses one line: a command for robots, as {@code 1 move 500} or {@code 1.move(500)}, or a command for the session. Its
- * methods throw a {@link ScriptException} where the line does not follow the grammar.
+ * Parses one line: a command for robots, as {@code 1 move 500} or {@code 1.move(500)}, or a command for the session.
+ * Its methods throw a {@link ScriptException} where the line does not follow the grammar.
  */
 public final class LineParser {
     /** The words of the commands that every robot has. */
@@ -81,7 +81,9 @@ public final class LineParser {
         return at.peek().isOneOf(ScriptParser.BLOCK_WORDS);
     }
 
-    /** Returns the word that the line begins with; empty for a line that begins otherwise, with a number for instance. */
+    /**
+     * Returns the word that the line begins with; empty for a line that begins otherwise, with a number for instance.
+     */
     public Optional<String> firstWord() {
         return at.check(Kind.WORD) ? Optional.of(at.peek().text().toLowerCase(Locale.ROOT)) : Optional.empty();
     }

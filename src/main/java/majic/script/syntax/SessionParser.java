@@ -20,8 +20,8 @@ public final class SessionParser {
     }
 
     /**
-     * {@code sessionCommand = add | remove | probe | run | save | acts | trust | help | stop | wait | "bots" | "release" |
-     * "lab" | "quit" ;}
+     * {@code sessionCommand = add | remove | probe | run | save | acts | trust | help | stop | wait | "bots" |
+     * "release" | "lab" | "quit" ;}
      */
     SessionCommand sessionCommand() {
         Token word = at.advance();

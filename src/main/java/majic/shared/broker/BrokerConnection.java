@@ -9,7 +9,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A connection to an MQTT 5 broker. A lost connection is made again by itself until the connection is closed; nothing
  * that was published meanwhile is kept for later, and the broker keeps nothing for this client either. Watchers and all
- * handlers but those of {@link #subscribeUrgently} are called on one thread, in the order in which the broker sent. Thread-safe.
+ * handlers but those of {@link #subscribeUrgently} are called on one thread, in the order in which the broker sent.
+ * Thread-safe.
  */
 public interface BrokerConnection extends AutoCloseable {
 
@@ -29,7 +30,8 @@ public interface BrokerConnection extends AutoCloseable {
     interface Watcher {
         /**
          * The broker has accepted this client, for the first time or again. Runs before the first message of this
-         * connection is handled. All subscriptions have been sent before: the answer to a request published here arrives.
+         * connection is handled. All subscriptions have been sent before: the answer to a request published here
+         * arrives.
          */
         default void connected() {}
 
@@ -70,10 +72,10 @@ public interface BrokerConnection extends AutoCloseable {
     void subscribe(String filter, Quality quality, Handler handler);
 
     /**
-     * Subscribes as {@link #subscribe}, to messages that must not wait for any others: commands for robots. The handler is called
-     * on the thread that reads from all brokers, in the order in which the broker sent these messages, and perhaps before
-     * {@link Watcher#connected}. Whatever that thread does delays all connections with brokers, so the handler must neither wait
-     * nor compute for longer than a fraction of a millisecond.
+     * Subscribes as {@link #subscribe}, to messages that must not wait for any others: commands for robots. The handler
+     * is called on the thread that reads from all brokers, in the order in which the broker sent these messages, and
+     * perhaps before {@link Watcher#connected}. Whatever that thread does delays all connections with brokers, so the
+     * handler must neither wait nor compute for longer than a fraction of a millisecond.
      *
      * @param filter as {@link #subscribe}
      * @param quality as {@link #subscribe}
@@ -83,8 +85,8 @@ public interface BrokerConnection extends AutoCloseable {
     void subscribeUrgently(String filter, Quality quality, Handler handler);
 
     /**
-     * Ends a subscription, if it exists; does not wait for the acknowledgement of the broker. No message is passed
-     * to its handler any more, except for one that is being handled.
+     * Ends a subscription, if it exists; does not wait for the acknowledgement of the broker. No message is passed to
+     * its handler any more, except for one that is being handled.
      *
      * @param filter as it was subscribed to
      */
@@ -94,8 +96,8 @@ public interface BrokerConnection extends AutoCloseable {
      * Publishes a message: queues it to be written in the order of the calls, and never blocks.
      *
      * @param message what to publish
-     * @throws BotException while not connected, or while so much waits to be sent that the network or the broker is too slow;
-     *     the message is not kept for later
+     * @throws BotException while not connected, or while so much waits to be sent that the network or the broker is too
+     *     slow; the message is not kept for later
      */
     void publish(BrokerMessage message);
 

@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * What a broker is shown, and what it has to show. The user name and the password are those that were typed, or else
- * come from the environment ({@code MAJIC_MQTT_USER}, {@code MAJIC_MQTT_PASSWORD}), or else from {@code brokers.properties} in the user's folder,
- * which also names the certificates.
+ * come from the environment ({@code MAJIC_MQTT_USER}, {@code MAJIC_MQTT_PASSWORD}), or else from
+ * {@code brokers.properties} in the user's folder, which also names the certificates.
  *
  * @param user null for none
  * @param password null for none

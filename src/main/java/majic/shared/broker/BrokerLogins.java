@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * User names and passwords that the user has typed while the program runs. They are in memory only, and are used for all
- * further connections to the same broker. Thread-safe.
+ * User names and passwords that the user has typed while the program runs. They are in memory only, and are used for
+ * all further connections to the same broker. Thread-safe.
  */
 public final class BrokerLogins {
     private static final Map<String, Login> TYPED = new ConcurrentHashMap<>();

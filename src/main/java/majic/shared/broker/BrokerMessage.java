@@ -10,8 +10,8 @@ import org.jspecify.annotations.Nullable;
  * @param topic where it is published, without wildcards
  * @param payload its content; empty to remove a retained message
  * @param quality the quality of service it is sent with
- * @param retained in a message to send, whether the broker keeps it for later subscribers; in a received one, whether it
- *     was kept: it was published before the subscription
+ * @param retained in a message to send, whether the broker keeps it for later subscribers; in a received one, whether
+ *     it was kept: it was published before the subscription
  * @param responseTopic where the answer is expected; null for none
  * @param correlation what the answer has to repeat; null for none
  * @param expirySeconds after how many seconds the broker drops it instead of delivering it; 0 for never

@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
  *     null for none
  * @param keepAliveSeconds after one and a half times this without a sign of life the broker takes the connection for
  *     lost; at least 1
- * @param timeoutMs how long the broker may take to accept the connection, ms, at least 1; the first TLS
- *     connection of a program takes some seconds on a slow computer
+ * @param timeoutMs how long the broker may take to accept the connection, ms, at least 1; the first TLS connection of a
+ *     program takes some seconds on a slow computer
  * @param environment the clock, and the settings, in whose folder the credentials are looked up
  */
 public record ConnectOptions(
@@ -35,7 +35,8 @@ public record ConnectOptions(
     /**
      * Checks the parts.
      *
-     * @throws IllegalArgumentException if the client has no name, the keep alive is below 1 s, or the timeout below 1 ms
+     * @throws IllegalArgumentException if the client has no name, the keep alive is below 1 s, or the timeout below 1
+     *     ms
      */
     public ConnectOptions {
         Objects.requireNonNull(environment, "environment");

@@ -15,7 +15,8 @@ import majic.text.IoReason;
 /**
  * The file {@code brokers.properties} of the user's folder: for each broker {@code broker.HOST.user},
  * {@code broker.HOST.password}, {@code broker.HOST.ca}, {@code broker.HOST.key-store} and
- * {@code broker.HOST.key-store-password}. On systems with permissions for group and others it is only read if these have none.
+ * {@code broker.HOST.key-store-password}. On systems with permissions for group and others it is only read if these
+ * have none.
  *
  * @param file the file
  * @param entries its content

@@ -111,7 +111,9 @@ final class HiveConnection implements BrokerConnection {
         HiveThreads.start("MQTT reconnect " + address.hostAndPort(), this::reconnect);
     }
 
-    /** Tries until a session is open or the connection is closed. The pauses differ, so clients do not return at once. */
+    /**
+     * Tries until a session is open or the connection is closed. The pauses differ, so clients do not return at once.
+     */
     private void reconnect() {
         try {
             while (!end.await(

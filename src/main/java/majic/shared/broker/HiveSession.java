@@ -23,8 +23,8 @@ import majic.bot.ConnectFailed.Reason;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One session of the client library with a broker, from the packet CONNECT to its end. It begins without a state and ends
- * with its TCP connection, so neither side keeps a message for a later session.
+ * One session of the client library with a broker, from the packet CONNECT to its end. It begins without a state and
+ * ends with its TCP connection, so neither side keeps a message for a later session.
  */
 final class HiveSession {
     /** Queued messages that arrive, of both qualities; the library drops further ones of quality of service 0. */

@@ -9,7 +9,9 @@ import java.util.concurrent.TimeUnit;
 
 /** The threads of connections: one that reads and writes for all of them, and one for each that calls its handlers. */
 final class HiveThreads {
-    /** The same object for all connections, so that the client library uses one thread for all; it ends with the last. */
+    /**
+     * The same object for all connections, so that the client library uses one thread for all; it ends with the last.
+     */
     private static final Executor NETWORK = task -> daemon("MQTT network", task).start();
 
     private HiveThreads() {}

@@ -21,8 +21,9 @@ import majic.bot.BotException;
 import majic.text.IoReason;
 
 /**
- * TLS as the client library takes it: the certificates that are trusted and shown. Names are checked as for HTTPS, unless
- * the file names certificates of brokers themselves and not of authorities: then the broker has to show one of these.
+ * TLS as the client library takes it: the certificates that are trusted and shown. Names are checked as for HTTPS,
+ * unless the file names certificates of brokers themselves and not of authorities: then the broker has to show one of
+ * these.
  */
 final class HiveTls {
     private HiveTls() {}

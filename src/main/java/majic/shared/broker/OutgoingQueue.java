@@ -14,8 +14,8 @@ import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The messages of one session that the broker has not got yet. Adding one never blocks, which a call of the client library
- * for each message would do once some dozens are unacknowledged. Thread-safe.
+ * The messages of one session that the broker has not got yet. Adding one never blocks, which a call of the client
+ * library for each message would do once some dozens are unacknowledged. Thread-safe.
  */
 final class OutgoingQueue {
     /** Of messages that may be lost. */

@@ -6,8 +6,8 @@ import majic.bot.BotException;
 import majic.shared.vda5050.FleetVehicle;
 
 /**
- * The shared robots as vehicles of VDA 5050. Vehicles connect on the worker of the desk, because that may block; a robot
- * whose connection fails is shared all the same. Thread-safe.
+ * The shared robots as vehicles of VDA 5050. Vehicles connect on the worker of the desk, because that may block; a
+ * robot whose connection fails is shared all the same. Thread-safe.
  */
 final class DeskFleet {
     private final DeskContext desk;

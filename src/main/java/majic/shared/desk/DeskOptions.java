@@ -10,7 +10,8 @@ import majic.shared.message.Sender;
  * @param desk the name of the desk: a letter, then letters, digits, - and _, at most 20 characters in all
  * @param person the name of its user, as others see it
  * @param program name and version of the program
- * @param robots the numbers of the robots to share; empty for all but those that are reached through a broker themselves
+ * @param robots the numbers of the robots to share; empty for all but those that are reached through a broker
+ *     themselves
  * @param vda5050 whether the robots are published as vehicles of VDA 5050, too
  */
 public record DeskOptions(

@@ -20,7 +20,9 @@ final class DeskPresence {
     /** The will of a desk that has crashed arrives within this time, seconds. */
     private static final double WILL_S = 3;
 
-    /** How long the echo of an own message may take, behind which everything kept by the broker has arrived, seconds. */
+    /**
+     * How long the echo of an own message may take, behind which everything kept by the broker has arrived, seconds.
+     */
     private static final double ECHO_S = 2;
 
     private final DeskContext desk;

@@ -24,9 +24,9 @@ import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shares the robots of a team over an MQTT 5 broker: publishes what they are and do, and lets one program at a time command
- * each of them from another desk. Halts a robot when its holder gives no sign of life for 1 s or is reported gone, and all
- * held robots when the broker is gone; nothing resumes by itself. Thread-safe.
+ * Shares the robots of a team over an MQTT 5 broker: publishes what they are and do, and lets one program at a time
+ * command each of them from another desk. Halts a robot when its holder gives no sign of life for 1 s or is reported
+ * gone, and all held robots when the broker is gone; nothing resumes by itself. Thread-safe.
  */
 public final class DeskSharing implements AutoCloseable {
     private static final int CLIENT_ID_PART = 8;

@@ -19,9 +19,7 @@ final class DeskTimer implements AutoCloseable {
     private volatile boolean awake;
     private volatile boolean closed;
 
-    /**
-     * @param tick does what is due; returns the seconds until the next look
-     */
+    /** @param tick does what is due; returns the seconds until the next look */
     DeskTimer(TimeSource time, String name, DoubleSupplier tick) {
         this.signal = time.signal();
         this.tick = tick;

@@ -8,7 +8,10 @@ import majic.shared.message.RequestedAction;
 import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
-/** A request that is being carried out, and its answers: perhaps that it is accepted, then exactly one other. Thread-safe. */
+/**
+ * A request that is being carried out, and its answers: perhaps that it is accepted, then exactly one other.
+ * Thread-safe.
+ */
 final class IncomingRequest {
     /** Brokers and clients take packets up to 1 MB. */
     private static final int MOST_PICTURE_BYTES = 1_000_000;

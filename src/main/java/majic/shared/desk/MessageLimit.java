@@ -15,9 +15,7 @@ final class MessageLimit {
     private long complainedNanos;
     private boolean complained;
 
-    /**
-     * @param perSecond how many messages are used in the long run; as many may come at once
-     */
+    /** @param perSecond how many messages are used in the long run; as many may come at once */
     MessageLimit(TimeSource time, double perSecond) {
         this.time = time;
         this.perSecond = perSecond;

@@ -7,8 +7,8 @@ import majic.bot.BotException;
 import majic.time.TimeSource;
 
 /**
- * Keeps sessions whose holds were ended by a stop or a fault from claiming the robot again by what they had sent before they
- * could know of that: for a second, and, while one goes on sending speeds, until it pauses. Thread-safe.
+ * Keeps sessions whose holds were ended by a stop or a fault from claiming the robot again by what they had sent before
+ * they could know of that: for a second, and, while one goes on sending speeds, until it pauses. Thread-safe.
  */
 final class ReclaimPause {
     /** As long as a request is valid, seconds. */

@@ -28,8 +28,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Carries out the requests to one robot: checks each, passes it to the robot's queue in the name of its sender, and
- * answers it. Used by the worker of the desk, for motions of the holder also by the thread of the connection; answers come from
- * the worker of the robot.
+ * answers it. Used by the worker of the desk, for motions of the holder also by the thread of the connection; answers
+ * come from the worker of the robot.
  */
 final class RequestRunner {
     private final DeskContext desk;
@@ -230,8 +230,8 @@ final class RequestRunner {
     }
 
     /**
-     * Answers the requests that have not ended by now: another answer follows. Called by the timer of the desk, because an
-     * answer that is sent at once would use the processor and the broker before the robot gets its command.
+     * Answers the requests that have not ended by now: another answer follows. Called by the timer of the desk, because
+     * an answer that is sent at once would use the processor and the broker before the robot gets its command.
      */
     void acceptQueued() {
         for (IncomingRequest next = queued.poll(); next != null; next = queued.poll()) {

@@ -15,8 +15,8 @@ import majic.team.Owner;
 import majic.time.TimeSource;
 
 /**
- * The permission of a program at another desk to move one robot, until it is given back, stopped, or no longer confirmed by
- * heartbeats. Ends once. Thread-safe.
+ * The permission of a program at another desk to move one robot, until it is given back, stopped, or no longer
+ * confirmed by heartbeats. Ends once. Thread-safe.
  */
 final class RobotHold {
     /** Without a valid heartbeat for longer than this the robot is halted, seconds. */
@@ -42,8 +42,8 @@ final class RobotHold {
      * Creates the hold of a robot; {@link #begin} claims the robot.
      *
      * @param time the clock of the desk
-     * @param whenEnded called once when it has ended, with true if it was taken from the holder; on the thread that ends
-     *     it, must not wait
+     * @param whenEnded called once when it has ended, with true if it was taken from the holder; on the thread that
+     *     ends it, must not wait
      */
     RobotHold(Member member, Sender holder, TimeSource time, BiConsumer<RobotHold, Boolean> whenEnded) {
         this.member = member;

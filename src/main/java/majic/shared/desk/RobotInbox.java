@@ -3,8 +3,8 @@ package majic.shared.desk;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /**
- * The messages to one robot that the worker of its desk has not handled yet. While there is none, a message may be handled on
- * the thread of the connection without overtaking another one. Thread-safe.
+ * The messages to one robot that the worker of its desk has not handled yet. While there is none, a message may be
+ * handled on the thread of the connection without overtaking another one. Thread-safe.
  */
 final class RobotInbox {
     private final DeskWorker worker;

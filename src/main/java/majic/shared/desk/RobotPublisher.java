@@ -14,9 +14,9 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Publishes what one robot is and does: its state at once when a condition has changed and once a second, and in between, at
- * most ten times a second, what has changed in its reports. While another program holds the robot, something is published every
- * 250 ms, with which the holder can answer by a heartbeat. Thread-safe.
+ * Publishes what one robot is and does: its state at once when a condition has changed and once a second, and in
+ * between, at most ten times a second, what has changed in its reports. While another program holds the robot,
+ * something is published every 250 ms, with which the holder can answer by a heartbeat. Thread-safe.
  */
 final class RobotPublisher {
     /** The time between two changes of a robot that reports all the time, seconds. */
@@ -94,8 +94,8 @@ final class RobotPublisher {
     }
 
     /**
-     * Publishes what has changed. A robot that repeats the same values all the time costs no more of the network than one that
-     * is silent.
+     * Publishes what has changed. A robot that repeats the same values all the time costs no more of the network than
+     * one that is silent.
      *
      * @param always also if only the clock has changed
      */

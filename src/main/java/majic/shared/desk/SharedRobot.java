@@ -112,8 +112,8 @@ final class SharedRobot implements StoppableRobot {
     }
 
     /**
-     * Handles a message of the holder at once, if that is possible, and everything else on the worker of the desk: claiming the
-     * robot calls the listeners of the team, which may block.
+     * Handles a message of the holder at once, if that is possible, and everything else on the worker of the desk:
+     * claiming the robot calls the listeners of the team, which may block.
      *
      * @param atOnce handles it without blocking; returns false, having done nothing, if it is no motion of the holder
      * @param onWorker handles any message
@@ -216,7 +216,9 @@ final class SharedRobot implements StoppableRobot {
         }
     }
 
-    /** Handles a speed of the holder without blocking; returns false, having done nothing, if it is not of the holder. */
+    /**
+     * Handles a speed of the holder without blocking; returns false, having done nothing, if it is not of the holder.
+     */
     private boolean speedFrom(RobotHold held, BrokerMessage message) {
         try {
             SpeedMessage speed = SpeedMessage.parse(message.payload());
@@ -256,8 +258,8 @@ final class SharedRobot implements StoppableRobot {
     }
 
     /**
-     * Returns the hold of a sender, which begins now if the robot is free. Called on the worker only, so no two
-     * claims run at a time.
+     * Returns the hold of a sender, which begins now if the robot is free. Called on the worker only, so no two claims
+     * run at a time.
      *
      * @param continuous whether it is for one of a sequence of speeds
      * @throws BotException if the robot is held by another sender, owned, busy, latched, or was just taken away
@@ -326,7 +328,10 @@ final class SharedRobot implements StoppableRobot {
         publisher.tick();
     }
 
-    /** Ends a hold that began with a motion and is not used, on another thread: listeners of the team are called at its end. */
+    /**
+     * Ends a hold that began with a motion and is not used, on another thread: listeners of the team are called at its
+     * end.
+     */
     private void freeUnused() {
         RobotHold now = hold();
         if (now != null && now.isUnused()) {
@@ -339,8 +344,8 @@ final class SharedRobot implements StoppableRobot {
     }
 
     /**
-     * Halts held robots and ends their holds, because their holders are gone: revokes at once, then stops all
-     * robots on another thread. Returns at once.
+     * Halts held robots and ends their holds, because their holders are gone: revokes at once, then stops all robots on
+     * another thread. Returns at once.
      */
     static void halt(List<SharedRobot> robots, DeskContext desk) {
         List<RobotHold> holds =

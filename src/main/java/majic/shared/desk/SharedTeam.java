@@ -166,7 +166,10 @@ final class SharedTeam implements TeamListener {
         }
     }
 
-    /** Passes on that a robot has reported something. Equal to the other one of the same robot, so that it can be removed. */
+    /**
+     * Passes on that a robot has reported something. Equal to the other one of the same robot, so that it can be
+     * removed.
+     */
     private record Reports(SharedRobot robot) implements BotListener {
         @Override
         public void stateChanged(MajicBot bot, BotState state) {

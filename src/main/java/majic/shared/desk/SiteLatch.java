@@ -14,8 +14,8 @@ import majic.team.Team;
 
 /**
  * Joins a team to the STOP of a site: STOP at any desk of the site latches the team, and STOP of the team latches all
- * desks. A team may be joined to several sites, and to one of them over several connections. Stops of the team itself are
- * written before anything is published, and need no broker. Thread-safe.
+ * desks. A team may be joined to several sites, and to one of them over several connections. Stops of the team itself
+ * are written before anything is published, and need no broker. Thread-safe.
  */
 public final class SiteLatch implements AutoCloseable {
     /** If the broker delivers no kept STOP or release within this time, it has forgotten it, seconds. */

@@ -10,8 +10,8 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sends the newest speed of the holder to one robot, on a thread that exists while speeds arrive: writing to a robot may
- * block, and a speed that waits behind a blocked one is out of date. Thread-safe.
+ * Sends the newest speed of the holder to one robot, on a thread that exists while speeds arrive: writing to a robot
+ * may block, and a speed that waits behind a blocked one is out of date. Thread-safe.
  */
 final class SpeedDriver {
     /** The thread ends after this without a speed, seconds. */

@@ -15,8 +15,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Carries out the stops of one robot that arrive from the broker, each at once on a thread of its own, and answers each
- * when the robot has confirmed it. When many arrive together, some of them share one stop that begins after all of them.
- * Thread-safe.
+ * when the robot has confirmed it. When many arrive together, some of them share one stop that begins after all of
+ * them. Thread-safe.
  */
 final class StopRequests {
     private static final int MOST_AT_ONCE = 4;
@@ -51,9 +51,7 @@ final class StopRequests {
         }
     }
 
-    /**
-     * @param stateFirst publishes the state of the robot, which its readers need before the answer
-     */
+    /** @param stateFirst publishes the state of the robot, which its readers need before the answer */
     StopRequests(DeskContext desk, Member member, Runnable stateFirst) {
         this.desk = desk;
         this.member = member;

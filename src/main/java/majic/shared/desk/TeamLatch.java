@@ -18,9 +18,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The STOPs of all desks that latch one team. Each STOP has an id. The team is released when all ids that latch it are
- * released, so a release that was sent before a newer STOP does not end that one. There is one object for each team that
- * has joined a site. Thread-safe; calls no listener and stops nothing while it holds its lock, but publishes, so that each
- * broker receives STOPs and releases in the order of the changes.
+ * released, so a release that was sent before a newer STOP does not end that one. There is one object for each team
+ * that has joined a site. Thread-safe; calls no listener and stops nothing while it holds its lock, but publishes, so
+ * that each broker receives STOPs and releases in the order of the changes.
  */
 final class TeamLatch implements TeamListener {
     private static final Map<Team, TeamLatch> LATCHES = new HashMap<>();
@@ -157,7 +157,9 @@ final class TeamLatch implements TeamListener {
         return true;
     }
 
-    /** Whether a STOP was latched after a release had arrived, and before that release took effect, which ended it too. */
+    /**
+     * Whether a STOP was latched after a release had arrived, and before that release took effect, which ended it too.
+     */
     private synchronized boolean isStoppedAgain() {
         if (active.values().stream().noneMatch(ActiveStop::latched)) {
             return false;

@@ -35,7 +35,9 @@ final class BrokerLibraries implements AutoCloseable {
         this.loader = loader;
     }
 
-    /** Returns the folder of the libraries beside the program: {@code broker} beside its jar, or {@code target/broker}. */
+    /**
+     * Returns the folder of the libraries beside the program: {@code broker} beside its jar, or {@code target/broker}.
+     */
     static Path folder() {
         try {
             URI program = BrokerLibraries.class

@@ -13,8 +13,8 @@ public final class DeskName {
     /**
      * Returns a name for this computer. May ask the system for the name of the computer, which can take a moment.
      *
-     * @return the name of the computer without its domain, as far as it can be the name of a desk; {@code desk} if nothing of
-     *     it can
+     * @return the name of the computer without its domain, as far as it can be the name of a desk; {@code desk} if
+     *     nothing of it can
      */
     public static String ofThisComputer() {
         try {

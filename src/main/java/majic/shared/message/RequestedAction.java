@@ -9,7 +9,9 @@ import majic.bot.Value;
 
 /** What a request asks a robot to do. Immutable; {@code toString()} is how answers repeat it. */
 public sealed interface RequestedAction {
-    /** Moves the robot if its {@code until} does not hold already; the text of a condition in MAJIC Script, or empty. */
+    /**
+     * Moves the robot if its {@code until} does not hold already; the text of a condition in MAJIC Script, or empty.
+     */
     sealed interface Motion extends RequestedAction {
         /**
          * Returns the condition that ends the motion early.

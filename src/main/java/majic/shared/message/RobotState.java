@@ -136,7 +136,8 @@ public record RobotState(
     }
 
     /**
-     * Returns whether another state of the same robot differs in what a {@link StateChange} contains, and in nothing else.
+     * Returns whether another state of the same robot differs in what a {@link StateChange} contains, and in nothing
+     * else.
      *
      * @param other an earlier or later state
      * @return false if a condition differs, such as the holder, or the names of the values

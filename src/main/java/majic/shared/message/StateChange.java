@@ -8,8 +8,8 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a shared robot reports otherwise than in its state or change before. Conditions, such as the connection or the holder,
- * never change by this: they are published as a whole {@link RobotState}. Immutable.
+ * What a shared robot reports otherwise than in its state or change before. Conditions, such as the connection or the
+ * holder, never change by this: they are published as a whole {@link RobotState}. Immutable.
  *
  * @param clock when it was written, ms of the clock of the desk that has the robot
  * @param ageMs since the robot reported this

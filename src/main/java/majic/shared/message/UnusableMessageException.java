@@ -2,7 +2,9 @@ package majic.shared.message;
 
 import majic.bot.BotException;
 
-/** A message of another program that cannot be used; the sentence states what is wrong in it and what would be right. */
+/**
+ * A message of another program that cannot be used; the sentence states what is wrong in it and what would be right.
+ */
 public final class UnusableMessageException extends BotException {
     private static final long serialVersionUID = 1;
 

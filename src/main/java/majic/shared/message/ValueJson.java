@@ -10,9 +10,9 @@ import majic.bot.Unit;
 import majic.bot.Value;
 
 /**
- * Values in messages: a number in the unit of its parameter, true or false, a text, or a list of these; {@code
- * {"clear":true}} when nothing is in range, {@code {"unknown":"no reading yet"}} where there is no value, and {@code
- * {"about":12}} for an estimate.
+ * Values in messages: a number in the unit of its parameter, true or false, a text, or a list of these;
+ * {@code {"clear":true}} when nothing is in range, {@code {"unknown":"no reading yet"}} where there is no value, and
+ * {@code {"about":12}} for an estimate.
  */
 public final class ValueJson {
     private static final String CLEAR = "clear";

@@ -11,7 +11,8 @@ import majic.panel.PictureView;
 import majic.text.Texts;
 
 /**
- * The camera of a shared robot: while its picture is visible, a thread requests and decodes one picture after the other.
+ * The camera of a shared robot: while its picture is visible, a thread requests and decodes one picture after the
+ * other.
  */
 final class SharedCamera {
     private static final Texts TEXTS = Texts.of(SharedCamera.class);

@@ -5,8 +5,8 @@ import majic.panel.ReadingText;
 import majic.text.Texts;
 
 /**
- * The labels of readings in the user's language: the description of a shared robot has only the names of its parameters,
- * and this desk may not have its driver.
+ * The labels of readings in the user's language: the description of a shared robot has only the names of its
+ * parameters, and this desk may not have its driver.
  */
 final class SharedLabels {
     private static final Texts TEXTS = Texts.of(SharedLabels.class);

@@ -18,15 +18,16 @@ import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One shared robot as a vehicle of VDA 5050, version 2.0.0, with a connection of its own for its last will. Thread-safe.
+ * One shared robot as a vehicle of VDA 5050, version 2.0.0, with a connection of its own for its last will.
+ * Thread-safe.
  *
  * <p>What fits: {@code connection}, {@code state}, {@code factsheet}, and the instant actions {@code startPause},
- * {@code cancelOrder}, {@code stateRequest} and {@code factsheetRequest}. What does not: a robot of MAJIC follows no route of
- * nodes and edges, so orders are rejected, the operating mode is always {@code MANUAL}, and node and edge states are empty.
- * {@code startPause} stops the robot, and {@code stopPause} fails, because nothing resumes by itself. {@code cancelOrder}
- * stops the robot although there is no order. {@code paused} and {@code eStop} show a latched STOP. Few robots report
- * their charge; an entry in {@code information} says so. The factsheet has a circle for the outline, and zero for masses,
- * heights and accelerations, which are not known here; other instant actions fail.
+ * {@code cancelOrder}, {@code stateRequest} and {@code factsheetRequest}. What does not: a robot of MAJIC follows no
+ * route of nodes and edges, so orders are rejected, the operating mode is always {@code MANUAL}, and node and edge
+ * states are empty. {@code startPause} stops the robot, and {@code stopPause} fails, because nothing resumes by itself.
+ * {@code cancelOrder} stops the robot although there is no order. {@code paused} and {@code eStop} show a latched STOP.
+ * Few robots report their charge; an entry in {@code information} says so. The factsheet has a circle for the outline,
+ * and zero for masses, heights and accelerations, which are not known here; other instant actions fail.
  */
 public final class FleetVehicle implements AutoCloseable {
     /** The shortest time between two states without an event, seconds. */

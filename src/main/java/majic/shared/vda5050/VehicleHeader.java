@@ -11,7 +11,9 @@ import java.util.Map;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.Quality;
 
-/** The topics of one vehicle and the header of its messages, with a number that counts those of each topic. Thread-safe. */
+/**
+ * The topics of one vehicle and the header of its messages, with a number that counts those of each topic. Thread-safe.
+ */
 final class VehicleHeader {
     private static final String VERSION = "2.0.0";
     private static final String MANUFACTURER = "MAJIC";

@@ -15,7 +15,9 @@ import majic.bot.Value;
 import majic.team.Member;
 import majic.time.WaitPolicy;
 
-/** The content of the messages of a vehicle: metres, radians, kilograms. Asks the robot nothing and waits for nothing. */
+/**
+ * The content of the messages of a vehicle: metres, radians, kilograms. Asks the robot nothing and waits for nothing.
+ */
 final class VehicleJson {
     /** The specification has no value for an unknown charge; this is its value for "good". */
     private static final int UNKNOWN_CHARGE = 80;

@@ -16,7 +16,8 @@ import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Unit;
 
 /**
- * Whatever bytes come from a dog: kept ones in every build, new ones with {@code mvn -Pfuzz test} (see CONTRIBUTING.md).
+ * Whatever bytes come from a dog: kept ones in every build, new ones with {@code mvn -Pfuzz test} (see
+ * CONTRIBUTING.md).
  */
 class ReceivingFuzzTest {
     private static final String GOOD_LINE = "\n[00000007:good] 7.000000\n";

@@ -3,8 +3,8 @@ package majic.gui.kit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Fails a test that changes components on a thread that may not change them, or that keeps the event dispatch thread busy
- * for a second once its window is open.
+ * Fails a test that changes components on a thread that may not change them, or that keeps the event dispatch thread
+ * busy for a second once its window is open.
  */
 public final class EventThreadChecks implements AutoCloseable {
     private final EventThreadGuard guard = EventThreadGuard.install();

@@ -12,9 +12,9 @@ import javax.swing.SwingUtilities;
 import org.assertj.swing.edt.GuiActionRunner;
 
 /**
- * Records the stack of the event dispatch thread when a single event keeps it for a second or more. Counts only the time
- * in which the thread computes or waits for something, so that a busy computer, on which the thread gets no processor,
- * makes no test fail.
+ * Records the stack of the event dispatch thread when a single event keeps it for a second or more. Counts only the
+ * time in which the thread computes or waits for something, so that a busy computer, on which the thread gets no
+ * processor, makes no test fail.
  */
 public final class EventThreadWatch {
     private static final int TICK_MS = 20;

@@ -146,7 +146,10 @@ class PlotWindowTest {
         assertThat(curves()).containsExactly("1 x (mm)", "1 heading (deg)", "2 turnRate (deg/s)");
     }
 
-    /** A list that measures its rows asks for each of them at each change, which blocks the keys of STOP with many robots. */
+    /**
+     * A list that measures its rows asks for each of them at each change, which blocks the keys of STOP with many
+     * robots.
+     */
     @Test
     void aLetterThatFindsParametersChangesTheListTwiceAndMeasuresNoRow() {
         window.add("one");

@@ -5,7 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import majic.bot.Pose;
 import majic.inlab.LabRig;
 
-/** The straight piece of tape in the standard room along which the tests of line followers let a Hemisson drive to an obstacle. */
+/**
+ * The straight piece of tape in the standard room along which the tests of line followers let a Hemisson drive to an
+ * obstacle.
+ */
 public final class LineInLab {
     /** Beside the left edge of the tape, with the ground sensors almost above it. */
     public static final Pose BESIDE_IT = new Pose(-2400, -2595, 0);

@@ -21,9 +21,9 @@ import org.mockito.invocation.InvocationOnMock;
 import org.mockito.stubbing.Answer;
 
 /**
- * A double of ARIA with a robot behind it, on a stepped clock. Its getters show the last SIP of the robot, and velocities are
- * sent in its own cycle, as ARIA does it. Calls without the lock, and time that passes while the lock is held, are noted as
- * violations.
+ * A double of ARIA with a robot behind it, on a stepped clock. Its getters show the last SIP of the robot, and
+ * velocities are sent in its own cycle, as ARIA does it. Calls without the lock, and time that passes while the lock is
+ * held, are noted as violations.
  */
 final class AriaDouble implements Answer<Object>, AutoCloseable {
     private static final long CYCLE_MS = 100;

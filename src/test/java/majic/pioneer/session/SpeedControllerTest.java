@@ -53,7 +53,9 @@ class SpeedControllerTest {
         assertThat(seconds).isLessThan(Math.abs(degrees) / 50 * 2 + 5);
     }
 
-    /** Sends a rate at each SIP, which takes effect some ticks later, until the robot has been stationary for a while. */
+    /**
+     * Sends a rate at each SIP, which takes effect some ticks later, until the robot has been stationary for a while.
+     */
     private static double steer(RampModel robot, double amount, int lateMs, boolean straight) {
         StateTracker tracker = new StateTracker(Models.of("p3dx-sh"), Pose.START);
         PioneerState start = tracker.track(robot.sip(), 100_000_000L);

@@ -15,7 +15,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class PioneerStateTest {
-    /** Gripper open and lift down, analog port 3 at half, DIGIN, DIGOUT, 12.8 V, bulk, −15 deg/s, a fault, 31 °C, 74 %. */
+    /**
+     * Gripper open and lift down, analog port 3 at half, DIGIN, DIGOUT, 12.8 V, bulk, −15 deg/s, a fault, 31 °C, 74 %.
+     */
     private static final String TAIL = "21 03 80 F0 0F 80 00 01 6A FF 02 00 00 00 1F 4A";
 
     private final StateTracker tracker = new StateTracker(Models.of("p3dx-sh"), Pose.START);

@@ -8,8 +8,8 @@ import java.util.function.Consumer;
 import majic.bot.Pose;
 
 /**
- * A base behind a connection with delays: obeys velocities within its own limits, and reports its odometry. Stepped by the
- * test's clock, one millisecond at a time. Commands may come from any thread.
+ * A base behind a connection with delays: obeys velocities within its own limits, and reports its odometry. Stepped by
+ * the test's clock, one millisecond at a time. Commands may come from any thread.
  */
 final class BaseModel {
     private static final double STEP_S = 0.001;

@@ -9,7 +9,8 @@ import java.util.List;
 import java.util.function.Consumer;
 
 /**
- * Arbitrary bytes from a server: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see CONTRIBUTING.md).
+ * Arbitrary bytes from a server: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see
+ * CONTRIBUTING.md).
  */
 class ServerBytesFuzzTest {
     private static final int MOST = 4096;

@@ -9,8 +9,9 @@ import java.util.concurrent.TimeUnit;
 import majic.time.TimeSource;
 
 /**
- * An MQTT 5 broker in memory on a test's clock: retained messages with their expiry, wills, filters, and connections that
- * a test can cut, hold back, deliver at once and kill. It keeps nothing for clients that are not connected. Thread-safe.
+ * An MQTT 5 broker in memory on a test's clock: retained messages with their expiry, wills, filters, and connections
+ * that a test can cut, hold back, deliver at once and kill. It keeps nothing for clients that are not connected.
+ * Thread-safe.
  */
 public final class FakeBroker implements AutoCloseable {
     private final TimeSource time;

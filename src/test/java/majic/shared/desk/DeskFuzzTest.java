@@ -17,8 +17,8 @@ import majic.shared.message.SiteTopics.Part;
 import majic.text.OneSentence;
 
 /**
- * Arbitrary messages to a desk that shares a robot: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see
- * CONTRIBUTING.md).
+ * Arbitrary messages to a desk that shares a robot: kept inputs in every build, new ones with {@code mvn -Pfuzz test}
+ * (see CONTRIBUTING.md).
  */
 class DeskFuzzTest {
     private static final List<Part> PARTS = List.of(Part.REQUEST, Part.SPEED, Part.HOLD, Part.STOP);

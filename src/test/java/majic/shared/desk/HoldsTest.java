@@ -28,7 +28,10 @@ import majic.time.Signal;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
-/** Tests the hold of a shared robot: what begins it, what is refused meanwhile, and each reason for which the desk ends it. */
+/**
+ * Tests the hold of a shared robot: what begins it, what is refused meanwhile, and each reason for which the desk ends
+ * it.
+ */
 class HoldsTest {
     @AutoClose
     private final SharingRig rig = SharingRig.started();

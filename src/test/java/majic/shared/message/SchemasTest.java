@@ -33,7 +33,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Compares the messages between desks with the schemas in {@code docs/schemas}, which other programs are written from. */
+/**
+ * Compares the messages between desks with the schemas in {@code docs/schemas}, which other programs are written from.
+ */
 class SchemasTest {
     private static final ObjectMapper MAPPER = new ObjectMapper();
     private static final Path FOLDER = Path.of("docs", "schemas");

@@ -169,7 +169,10 @@ class LineTimingTest {
         assertThat(kind.after(0.02)).endsWith("␍␊␍␊e,00,00␍␊e,00,00␍␊");
     }
 
-    /** Whether the robot still receives after a command whose first character was sent so long after the CR of the one before. */
+    /**
+     * Whether the robot still receives after a command whose first character was sent so long after the CR of the one
+     * before.
+     */
     private static boolean survives(String command, double laterMs) {
         Desk desk = new Desk(TRUE_RECEIVER);
         desk.say(command + "␍");

@@ -9,7 +9,10 @@ import java.util.concurrent.locks.LockSupport;
 import liburbi.UClient;
 import liburbi.parser.UParser;
 
-/** Reads on a thread of its own, which dies of whatever a listener throws, reports no error and notices no end of the stream. */
+/**
+ * Reads on a thread of its own, which dies of whatever a listener throws, reports no error and notices no end of the
+ * stream.
+ */
 public class SocketClient implements Runnable {
     private final UParser parser;
     private final Selector selector;

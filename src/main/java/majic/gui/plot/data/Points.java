@@ -83,7 +83,9 @@ public record Points(double[] times, double[] values) {
         return thinning.kept();
     }
 
-    /** Returns these points without those in the middle of a horizontal piece, which would be painted over each other. */
+    /**
+     * Returns these points without those in the middle of a horizontal piece, which would be painted over each other.
+     */
     public Points withoutRepeats() {
         int[] kept = IntStream.range(0, size())
                 .filter(index -> index == 0

@@ -50,8 +50,8 @@ public record Quantity(int robot, String parameter, int index, Unit unit, boolea
     /**
      * Returns the number in a value of the parameter.
      *
-     * @return the number in the unit of this quantity; 1 or 0 for a switch; NaN if the value is unknown or nothing is in
-     *     range
+     * @return the number in the unit of this quantity; 1 or 0 for a switch; NaN if the value is unknown or nothing is
+     *     in range
      */
     public double in(Value value) {
         if (value instanceof Value.Many many) {

@@ -2,9 +2,7 @@ package majic.gui.plot.data;
 
 import java.util.Arrays;
 
-/**
- * Holds the readings of one curve, the newest {@value #MOST}: almost two hours of ten a second. Thread-safe.
- */
+/** Holds the readings of one curve, the newest {@value #MOST}: almost two hours of ten a second. Thread-safe. */
 public final class Samples {
     static final int MOST = 1 << 16;
     private static final int FIRST_ROOM = 256;

@@ -28,8 +28,8 @@ public record Span(double from, double to) {
     }
 
     /**
-     * Returns the range of an axis that shows values with some room above and below, with round ends, so that it changes
-     * seldom.
+     * Returns the range of an axis that shows values with some room above and below, with round ends, so that it
+     * changes seldom.
      *
      * @param least the lowest value
      * @param greatest the highest value, not below {@code least}

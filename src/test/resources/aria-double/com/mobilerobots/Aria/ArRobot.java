@@ -3,8 +3,8 @@ package com.mobilerobots.Aria;
 import java.util.concurrent.locks.ReentrantLock;
 
 /**
- * A double of a robot, with the methods that MAJIC uses and no others. It follows its velocities at once and reports every
- * 100 ms; each report shows where it was then.
+ * A double of a robot, with the methods that MAJIC uses and no others. It follows its velocities at once and reports
+ * every 100 ms; each report shows where it was then.
  */
 public class ArRobot {
     private static final long CYCLE_NANOS = 100_000_000;
