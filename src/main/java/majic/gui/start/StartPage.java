@@ -30,7 +30,7 @@ public final class StartPage extends JPanel {
     private final transient StartActions actions;
     private final StartButton lab;
     private final StartButton team;
-    private final List<StartButton> buttons;
+    private final transient List<StartButton> buttons;
     private final JPanel column = new Column();
     private final JLabel welcome = new StyledLabel("welcome", TEXTS.get("welcome"), Font.BOLD, 6);
     private final JLabel hint = new NamedLabel("startHint", TEXTS.get("hint"));
