@@ -9,6 +9,7 @@ import java.util.Locale;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import majic.bot.Pose;
 import org.assertj.swing.edt.GuiActionRunner;
@@ -76,6 +77,17 @@ class StartPageWindowTest {
         try (TestWindow window = TestWindow.open()) {
             assertThat(window.isEnabled("Yesterday's team")).isFalse();
         }
+    }
+
+    @Test
+    void aGreyButtonKeepsItsPicture() {
+        try (TestWindow window = TestWindow.open()) {
+            assertThat(leftEdge(window, "Yesterday's team heading")).isEqualTo(leftEdge(window, "Add a robot heading"));
+        }
+    }
+
+    private static int leftEdge(TestWindow window, String name) {
+        return window.awaitShowing(name, JLabel.class).getLocationOnScreen().x;
     }
 
     @Test

@@ -29,6 +29,7 @@ final class StartButton extends JButton {
         heading = new StyledLabel(title + " heading", title, Font.BOLD, 0);
         this.detail = new StyledLabel(title + " detail", "", Font.PLAIN, -2);
         picture = new JLabel(Icons.of(icon, ICON), SwingConstants.CENTER);
+        picture.setDisabledIcon(picture.getIcon());
         picture.setBorder(BorderFactory.createEmptyBorder(0, 6, 0, 2));
         Box texts = Box.createVerticalBox();
         texts.setBorder(BorderFactory.createEmptyBorder(5, 0, 5, 8));
