@@ -182,6 +182,8 @@ class LauncherTest {
     private void program(String name, String text) throws IOException {
         Path file = clone.resolve(name);
         Files.createDirectories(file.getParent());
+        // A program that still runs in the background cannot be written to, but it can be replaced.
+        Files.deleteIfExists(file);
         Files.writeString(file, text);
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
     }
