@@ -44,10 +44,14 @@ record CredentialsFile(Path file, Properties entries) {
                 entries.load(in);
             }
         } catch (IOException e) {
-            throw new BotException(file + " cannot be read: " + IoReason.of(e), e);
+            throw new BotException(
+                    file + " cannot be read: " + IoReason.of(e) + "; is it a file that you may read?", e);
         } catch (IllegalArgumentException e) {
             throw new BotException(
-                    file + " cannot be read: a backslash followed by u needs four hexadecimal digits", e);
+                    file
+                            + " cannot be read: a backslash followed by u needs four hexadecimal digits; is every backslash"
+                            + " doubled?",
+                    e);
         }
         return Optional.of(new CredentialsFile(file, entries));
     }
@@ -55,8 +59,8 @@ record CredentialsFile(Path file, Properties entries) {
     private static void requireOwnerOnly(Path file) throws IOException {
         if (Files.getFileStore(file).supportsFileAttributeView("posix")
                 && !OWNERS.containsAll(Files.getPosixFilePermissions(file))) {
-            throw new BotException(file + " contains passwords and can be read by other users of this computer; make it"
-                    + " yours alone with chmod 600 " + file);
+            throw new BotException(file + " contains passwords and can be read by other users of this computer; was"
+                    + " it made yours alone, by chmod 600 " + file + "?");
         }
     }
 

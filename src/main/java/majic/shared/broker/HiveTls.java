@@ -70,7 +70,9 @@ final class HiveTls {
 
     private static BotException unreadable(Path file, String expected, String reason, Exception cause) {
         return new BotException(
-                file + ", named in " + CredentialsFile.NAME + ", cannot be read as " + expected + ": " + reason, cause);
+                file + ", named in " + CredentialsFile.NAME + ", cannot be read as " + expected + ": " + reason
+                        + "; is the entry right?",
+                cause);
     }
 
     private static List<X509Certificate> certificates(InputStream in) throws IOException, GeneralSecurityException {

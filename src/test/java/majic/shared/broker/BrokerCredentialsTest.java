@@ -91,6 +91,7 @@ class BrokerCredentialsTest {
         assertThatThrownBy(() -> found(Map.of()))
                 .isInstanceOf(BotException.class)
                 .hasMessageContaining("chmod 600")
+                .hasMessageEndingWith("?")
                 .hasMessageContaining("brokers.properties");
     }
 

@@ -137,7 +137,7 @@ class ClientCertificateTest {
             assertThatThrownBy(connection::connect)
                     .isInstanceOf(BotException.class)
                     .hasMessage(missing + ", named in brokers.properties, cannot be read as a key store (PKCS 12) with"
-                            + " this password: there is no such folder or file");
+                            + " this password: there is no such folder or file; is the entry right?");
         }
         try (BrokerConnection connection = open(KEY_STORE + ofClient.resolve(ListenKey.FILE), "guessed")) {
             assertThatThrownBy(connection::connect)
