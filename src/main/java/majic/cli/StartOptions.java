@@ -217,7 +217,8 @@ final class StartOptions implements FirstRobots.Source {
         int colon = text.lastIndexOf(':');
         String port = text.substring(colon + 1);
         if (colon <= 0 || !port.matches("\\d{1,5}") || Integer.parseInt(port) > 65_535) {
-            throw new UsageException(option + " " + text + ": not an address; it looks like " + example);
+            throw new UsageException(option + " " + text + ": not an address; it looks like " + example
+                    + " with a port from 0 to 65535");
         }
         return new InetSocketAddress(text.substring(0, colon), Integer.parseInt(port));
     }
