@@ -2,7 +2,7 @@
 import socket
 import sys
 
-port, token_file, *script = sys.argv[1:]
+port, token_file, *script = sys.argv[1:] if len(sys.argv) > 2 else sys.exit(__doc__)
 with socket.create_connection(("127.0.0.1", int(port))) as majic:
     lines = majic.makefile("rw", encoding="utf-8", newline="\n")
     lines.write(open(token_file).read())  # the token and a line end

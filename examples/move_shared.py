@@ -1,7 +1,7 @@
 """Prints the states of a robot that MAJIC shares, and moves it by MM: move_shared.py BROKER SITE DESK ROBOT MM"""
 import json, sys, uuid
 from paho.mqtt import properties, subscribe
-broker, site, desk, number, mm = sys.argv[1:]
+broker, site, desk, number, mm = sys.argv[1:] if len(sys.argv) == 6 else sys.exit(__doc__)
 robot, replies = f"{site}/majic/1/desks/{desk}/robots/{number}", f"{site}/majic/1/replies/{uuid.uuid4().hex}"
 session = uuid.uuid4().hex  # secret: a program that knows it can move the robot that this one holds
 request = properties.Properties(properties.PacketTypes.PUBLISH)

@@ -2,7 +2,7 @@
 import gzip
 import sys
 
-file, robot, parameter = sys.argv[1:]
+file, robot, parameter = sys.argv[1:] if len(sys.argv) == 4 else sys.exit(__doc__)
 time = "0"
 with gzip.open(file, "rt", encoding="utf-8", newline="\n") as lines:
     try:

@@ -3,7 +3,7 @@ import socket
 import ssl
 import sys
 
-host, port, certificate, token_file, *script = sys.argv[1:]
+host, port, certificate, token_file, *script = sys.argv[1:] if len(sys.argv) > 4 else sys.exit(__doc__)
 context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
 context.check_hostname = False  # the certificate belongs to one MAJIC, whatever its address
 context.load_verify_locations(certificate)  # and no other certificate is accepted

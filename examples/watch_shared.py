@@ -4,7 +4,7 @@ import sys
 
 from paho.mqtt.client import CallbackAPIVersion, Client, MQTTv5
 
-broker, site, desk, robot = sys.argv[1:]
+broker, site, desk, robot = sys.argv[1:] if len(sys.argv) == 5 else sys.exit(__doc__)
 
 
 def received(client, data, message):
