@@ -216,6 +216,7 @@ public final class Figures {
     private void shared(int[][] rows) throws IOException, InterruptedException {
         say("robots shared over Mosquitto; times in ms, processor time as a share of one core, bytes a robot");
         say("(commands at most 2 times the bare messages of the same size, processor time and bytes a robot flat)");
+        say("written: the system of the robot's desk has taken the bytes; arrived: they were read at the robot's end");
         if (Mosquitto.installed().isEmpty()) {
             say("  Mosquitto is not installed");
             return;

@@ -10,13 +10,11 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
-import majic.environment.Settings;
 import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnections;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.desk.DeskOptions;
 import majic.shared.desk.DeskSharing;
-import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.Team;
 import majic.time.TimeSource;
@@ -27,8 +25,6 @@ final class SharedDesks implements AutoCloseable {
     private static final BotEnvironment ENVIRONMENT = BotEnvironment.plain();
 
     private final BrokerAddress broker;
-    private final BotFactory factory =
-            new BotFactory(BotFactory.types(SharedDesks.class.getClassLoader()), Settings.inMemory());
     private final List<Team> teams = new ArrayList<>();
     private final List<DeskSharing> sharings = new ArrayList<>();
 
@@ -37,7 +33,7 @@ final class SharedDesks implements AutoCloseable {
     }
 
     /** Connects the robots, gives them to the desks in turn, and shares them. */
-    static SharedDesks share(BrokerAddress broker, int desks, List<String> robots)
+    static SharedDesks share(BrokerAddress broker, int desks, List<MajicBot> robots)
             throws InterruptedException, ExecutionException {
         SharedDesks shared = new SharedDesks(broker);
         for (int desk = 0; desk < desks; desk++) {
@@ -65,8 +61,7 @@ final class SharedDesks implements AutoCloseable {
         pool.shutdown();
     }
 
-    private Member add(int robot, String address) {
-        MajicBot bot = factory.create(address);
+    private Member add(int robot, MajicBot bot) {
         bot.connect();
         return teams.get(robot % teams.size()).add(bot, OptionalInt.of(robot / teams.size() + 1));
     }

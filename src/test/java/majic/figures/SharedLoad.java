@@ -9,9 +9,11 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 import java.util.concurrent.ExecutionException;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.BotType;
@@ -27,7 +29,6 @@ import majic.shared.message.RequestedAction;
 import majic.shared.message.Sender;
 import majic.shared.message.SiteTopics;
 import majic.shared.message.SpeedMessage;
-import majic.stop.RecordingRelay;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.team.QueuedCommand;
@@ -36,9 +37,9 @@ import majic.time.TimeSource;
 
 /**
  * A program with many desks that share robots, and one that uses some of them over the broker. Measures what all desks
- * use while nothing is commanded, the times from a command at the using desk to its bytes at the robot's end of the
- * link, those of bare messages of the same size meanwhile, and the time from STOP until every desk has stopped all its
- * robots.
+ * use while nothing is commanded, the times from a command at the using desk until the system of the robot's desk has
+ * its bytes and until they are read at the robot's end of the link, those of bare messages of the same size meanwhile,
+ * and the time from STOP until every desk has stopped all its robots.
  */
 final class SharedLoad {
     private static final int MOST_USED = 20;
@@ -77,15 +78,15 @@ final class SharedLoad {
 
     private final BrokerAddress broker;
     private final SharedDesks desks;
-    private final List<RecordingRelay> lines;
+    private final List<RecordedPioneer> recorded;
     private final Team team = new Team(TimeSource.system(), Team.MOST_BOTS);
     private final BrokerBytes bytes;
     private String kindsOfThreads = "";
 
-    private SharedLoad(BrokerAddress broker, SharedDesks desks, List<RecordingRelay> lines) {
+    private SharedLoad(BrokerAddress broker, SharedDesks desks, List<RecordedPioneer> recorded) {
         this.broker = broker;
         this.desks = desks;
-        this.lines = lines;
+        this.recorded = recorded;
         this.bytes = new BrokerBytes(broker);
     }
 
@@ -105,8 +106,9 @@ final class SharedLoad {
         endAfterLongestRow();
         Measurement.run(() -> {
             try {
-                List<RecordingRelay> lines = record(robots, count);
-                SharedLoad load = new SharedLoad(broker, SharedDesks.share(broker, count, robots), lines);
+                List<RecordedPioneer> recorded = record(robots, count);
+                SharedLoad load =
+                        new SharedLoad(broker, SharedDesks.share(broker, count, drivers(recorded, robots)), recorded);
                 return List.of(load.measure(count, robots.size(), brokerPid, labPids), load.connected());
             } catch (BotException | ExecutionException e) {
                 return List.of("the computer is too slow for these robots: " + e.getMessage());
@@ -140,16 +142,21 @@ final class SharedLoad {
         return connected + " of " + all.size() + " robots connected at the end; CPU of the desks: " + kindsOfThreads;
     }
 
-    /** Puts a recorder in front of the robots that will be used, and of one robot of each desk. */
-    private static List<RecordingRelay> record(List<String> robots, int desks) throws IOException {
-        List<RecordingRelay> lines = new ArrayList<>();
+    /** Records the robots that will be used, and one robot of each desk. */
+    private static List<RecordedPioneer> record(List<String> robots, int desks) throws IOException {
+        List<RecordedPioneer> recorded = new ArrayList<>();
         for (int robot = 0; robot < Math.min(Math.max(MOST_USED, desks), robots.size()); robot++) {
-            RecordingRelay line =
-                    RecordingRelay.tcp(Integer.parseInt(robots.get(robot).replaceFirst(".*:", "")));
-            robots.set(robot, "pioneer:" + line.address());
-            lines.add(line);
+            recorded.add(RecordedPioneer.at(Integer.parseInt(robots.get(robot).replaceFirst(".*:", ""))));
         }
-        return lines;
+        return recorded;
+    }
+
+    private static List<MajicBot> drivers(List<RecordedPioneer> recorded, List<String> robots) {
+        BotFactory factory = new BotFactory(BotFactory.types(SharedLoad.class.getClassLoader()), Settings.inMemory());
+        return Stream.concat(
+                        recorded.stream().map(RecordedPioneer::driver),
+                        robots.subList(recorded.size(), robots.size()).stream().map(factory::create))
+                .toList();
     }
 
     /** Returns the figures in the order of the columns of {@link SharedTable}. */
@@ -182,7 +189,7 @@ final class SharedLoad {
                 .forEach(type -> type.observeSites(
                         (connection, address, by) -> new SiteLatch(team, connection, address.site(), by)));
         BotFactory factory = new BotFactory(types, Settings.inMemory());
-        for (int robot = 0; robot < Math.min(MOST_USED, lines.size()); robot++) {
+        for (int robot = 0; robot < Math.min(MOST_USED, recorded.size()); robot++) {
             MajicBot bot = factory.create(desks.address(robot));
             bot.connect();
             team.add(bot, OptionalInt.empty());
@@ -212,35 +219,31 @@ final class SharedLoad {
         };
     }
 
-    /** A command that was given. */
-    private record Sample(RecordingRelay line, int before, String packet, long beganNanos) {
-        OptionalLong nanos() {
-            OptionalLong arrival = line.arrivalNanos(packet, before);
-            return arrival.isPresent() ? OptionalLong.of(arrival.getAsLong() - beganNanos) : OptionalLong.empty();
-        }
-    }
-
     private interface Commands {
-        List<Sample> give(BareMessages bare, int count) throws InterruptedException;
+        List<RecordedPioneer.Sample> give(BareMessages bare, int count) throws InterruptedException;
     }
 
     /**
-     * Returns the median of the first commands, median and 99 of 100 of those after the warm-up, then of the bare
-     * messages beside them, and how many did not arrive.
+     * Returns the median of the first commands until their bytes arrived, median and 99 of 100 of those after the
+     * warm-up until their bytes were written, the same until they arrived, then of the bare messages beside them, and
+     * how many did not arrive.
      */
     private double[] commands(BrokerMessage like, int count, Commands commands) throws InterruptedException {
         try (BareMessages bare = new BareMessages(broker, like)) {
-            List<Double> warmingUp = times(commands.give(bare, WARMING_UP));
+            List<Double> warmingUp = times(commands.give(bare, WARMING_UP), RecordedPioneer.Sample::untilArrived);
             bare.reset();
-            List<Sample> samples = commands.give(bare, count);
-            List<Double> times = times(samples);
+            List<RecordedPioneer.Sample> samples = commands.give(bare, count);
+            List<Double> written = times(samples, RecordedPioneer.Sample::untilWritten);
+            List<Double> arrived = times(samples, RecordedPioneer.Sample::untilArrived);
             return new double[] {
                 within(warmingUp.subList(0, Math.min(FIRST, warmingUp.size())), 0.5),
-                within(times, 0.5),
-                within(times, 0.99),
+                within(written, 0.5),
+                within(written, 0.99),
+                within(arrived, 0.5),
+                within(arrived, 0.99),
                 within(bare.times(), 0.5),
                 within(bare.times(), 0.99),
-                samples.size() - times.size()
+                samples.size() - arrived.size()
             };
         }
     }
@@ -265,16 +268,17 @@ final class SharedLoad {
                 .answeredAt(topics.replies(BARE.session()), correlation.getBytes(StandardCharsets.UTF_8));
     }
 
-    private static List<Double> times(List<Sample> samples) {
+    private static List<Double> times(
+            List<RecordedPioneer.Sample> samples, Function<RecordedPioneer.Sample, OptionalLong> until) {
         return samples.stream()
-                .map(Sample::nanos)
+                .map(until)
                 .filter(OptionalLong::isPresent)
                 .map(nanos -> nanos.getAsLong() / 1e6)
                 .toList();
     }
 
-    private List<Sample> requests(BareMessages bare, int count) throws InterruptedException {
-        List<Sample> samples = new ArrayList<>();
+    private List<RecordedPioneer.Sample> requests(BareMessages bare, int count) throws InterruptedException {
+        List<RecordedPioneer.Sample> samples = new ArrayList<>();
         long began = System.nanoTime();
         while (samples.size() < count && isInTime(began)) {
             for (int robot = 0; robot < used(); robot++) {
@@ -288,8 +292,8 @@ final class SharedLoad {
         return samples;
     }
 
-    private List<Sample> drives(BareMessages bare, int count) throws InterruptedException {
-        List<Sample> samples = new ArrayList<>();
+    private List<RecordedPioneer.Sample> drives(BareMessages bare, int count) throws InterruptedException {
+        List<RecordedPioneer.Sample> samples = new ArrayList<>();
         for (int number = 0; number < count; number++) {
             boolean left = number / used() % 2 == 0;
             double rate = left ? DRIVE_DEG_PER_SEC : -DRIVE_DEG_PER_SEC;
@@ -308,9 +312,8 @@ final class SharedLoad {
         void run(BotControl control);
     }
 
-    private Sample give(int robot, String packet, Deed deed) {
-        RecordingRelay line = lines.get(robot);
-        Sample sample = new Sample(line, line.length(), packet, System.nanoTime());
+    private RecordedPioneer.Sample give(int robot, String packet, Deed deed) {
+        RecordedPioneer.Sample sample = recorded.get(robot).begin(packet);
         team.members()
                 .get(robot)
                 .submit(
@@ -333,7 +336,8 @@ final class SharedLoad {
         int rounds = 0;
         for (int round = 0; round <= STOPS && isInTime(partNanos); round++) {
             rounds = round;
-            List<Integer> before = lines.stream().map(RecordingRelay::length).toList();
+            List<Integer> before =
+                    recorded.stream().map(RecordedPioneer::arrivedBytes).toList();
             long began = System.nanoTime();
             team.stopAll();
             await(() -> arrivals(before).stream().allMatch(OptionalLong::isPresent));
@@ -352,7 +356,7 @@ final class SharedLoad {
             within(used, 0.99),
             within(all, 0.5),
             within(all, 0.99),
-            rounds * lines.size() - all.size()
+            rounds * recorded.size() - all.size()
         };
     }
 
@@ -362,8 +366,8 @@ final class SharedLoad {
     }
 
     private List<OptionalLong> arrivals(List<Integer> before) {
-        return IntStream.range(0, lines.size())
-                .mapToObj(robot -> lines.get(robot).arrivalNanos(STOP, before.get(robot)))
+        return IntStream.range(0, recorded.size())
+                .mapToObj(robot -> recorded.get(robot).arrivalNanos(STOP, before.get(robot)))
                 .toList();
     }
 

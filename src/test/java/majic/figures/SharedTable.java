@@ -16,14 +16,18 @@ final class SharedTable {
             "CPU robots %",
             "in B/s",
             "out B/s",
-            "request first",
-            "p50",
+            "turn first",
+            "written p50",
+            "p99",
+            "arrived p50",
             "p99",
             "bare p50",
             "p99",
             "lost",
             "drive first",
-            "p50",
+            "written p50",
+            "p99",
+            "arrived p50",
             "p99",
             "bare p50",
             "p99",
@@ -35,8 +39,9 @@ final class SharedTable {
             "lost");
     private static final List<String> FORMATS = List.of(
             "%.0f",
-            "%.0f", "%.1f", "%.1f", "%.1f", "%.0f", "%.0f", "%.2f", "%.2f", "%.2f", "%.2f", "%.2f", "%.0f", "%.2f",
-            "%.2f", "%.2f", "%.2f", "%.2f", "%.0f", "%.1f", "%.1f", "%.1f", "%.1f", "%.0f");
+            "%.0f", "%.1f", "%.1f", "%.1f", "%.0f", "%.0f", "%.2f", "%.2f", "%.2f", "%.2f", "%.2f", "%.2f", "%.2f",
+            "%.0f", "%.2f", "%.2f", "%.2f", "%.2f", "%.2f", "%.2f", "%.2f", "%.0f", "%.1f", "%.1f", "%.1f", "%.1f",
+            "%.0f");
 
     private SharedTable() {}
 

@@ -71,7 +71,7 @@ final class StopTimes {
         /** Returns when the first stop arrived that was sent after the first bytes of the line. */
         OptionalLong arrival(int before) {
             return stops.stream()
-                    .map(stop -> line.arrivalNanos(stop, before))
+                    .map(stop -> line.sent().nanosOf(stop, before))
                     .flatMapToLong(OptionalLong::stream)
                     .min();
         }
@@ -208,7 +208,7 @@ final class StopTimes {
         }
         Thread.sleep(FILLING_MS);
         List<Integer> before =
-                healthy.stream().map(robot -> robot.line().length()).toList();
+                healthy.stream().map(robot -> robot.line().sent().length()).toList();
         namedNanos.clear();
         long beginNanos = System.nanoTime();
         stopping.stop();

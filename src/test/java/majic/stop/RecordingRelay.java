@@ -8,16 +8,13 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
-import java.util.OptionalLong;
-import java.util.TreeMap;
 import majic.link.PseudoTerminal;
 
 /** Forwards a TCP port or a serial port of the system to a simulated robot and records the data sent to the robot. */
 public final class RecordingRelay implements AutoCloseable {
     private static final int NO_ROBOT = 0;
 
-    private final StringBuilder sent = new StringBuilder();
-    private final TreeMap<Integer, Long> arrivalNanos = new TreeMap<>();
+    private final TimedBytes sent = new TimedBytes();
     private final AutoCloseable plug;
     private final String address;
 
@@ -85,12 +82,7 @@ public final class RecordingRelay implements AutoCloseable {
     }
 
     private void pass(String text, Sink robot) throws IOException {
-        long arrivedNanos = System.nanoTime();
-        synchronized (sent) {
-            sent.append(text);
-            arrivalNanos.put(sent.length(), arrivedNanos);
-            sent.notifyAll();
-        }
+        sent.add(text, System.nanoTime());
         robot.take(text);
     }
 
@@ -129,40 +121,9 @@ public final class RecordingRelay implements AutoCloseable {
         return address;
     }
 
-    /** Returns the number of bytes sent so far. */
-    public int length() {
-        synchronized (sent) {
-            return sent.length();
-        }
-    }
-
-    /** Returns what was sent after the first bytes. */
-    String sentSince(int from) {
-        synchronized (sent) {
-            return sent.substring(from);
-        }
-    }
-
-    /** Waits until a text has been sent, after the first bytes. */
-    void await(String text, int from) throws InterruptedException {
-        synchronized (sent) {
-            while (sent.indexOf(text, from) < 0) {
-                sent.wait();
-            }
-        }
-    }
-
-    /**
-     * Returns when a text arrived that was sent after the first bytes, ns of the system's clock; empty if it was not.
-     */
-    public OptionalLong arrivalNanos(String text, int from) {
-        synchronized (sent) {
-            int at = sent.indexOf(text, from);
-            return at < 0
-                    ? OptionalLong.empty()
-                    : OptionalLong.of(
-                            arrivalNanos.ceilingEntry(at + text.length()).getValue());
-        }
+    /** Returns what was sent so far, with the times of its arrival. */
+    public TimedBytes sent() {
+        return sent;
     }
 
     @Override

@@ -95,12 +95,12 @@ class ShutdownTest {
                 if (awaitLine(program, "moving", EndedProgram.NOT_CONNECTED).startsWith(EndedProgram.NOT_CONNECTED)) {
                     return false;
                 }
-                int before = line.length();
+                int before = line.sent().length();
 
                 end(program, end);
 
                 program.waitFor();
-                line.await(robot.stop, before);
+                line.sent().await(robot.stop, before);
                 awaitStationary(lab, robot.type);
                 return true;
             } finally {
@@ -116,17 +116,17 @@ class ShutdownTest {
             Process program = start(EndedProgram.class, Map.of(), "aibo:" + line.address(), "80");
             try {
                 awaitLine(program, "moving");
-                line.await("robot.walk(", 0);
+                line.sent().await("robot.walk(", 0);
                 signal(program, "STOP");
                 lab.time().sleep(3);
-                int before = line.length();
+                int before = line.sent().length();
 
                 signal(program, "CONT");
 
                 awaitLine(program, "failed: ");
-                line.await("stop walk, stop turn,", before);
+                line.sent().await("stop walk, stop turn,", before);
                 lab.time().sleep(2);
-                assertThat(line.sentSince(before)).doesNotContain("robot.walk(");
+                assertThat(line.sent().since(before)).doesNotContain("robot.walk(");
                 awaitStationary(lab, "aibo");
             } finally {
                 program.destroyForcibly();
@@ -144,12 +144,12 @@ class ShutdownTest {
             Process program = start(Majic.class, home, "run", "--add", "pioneer:" + line.address(), script.toString());
             try {
                 awaitMoving(lab, "pioneer");
-                int before = line.length();
+                int before = line.sent().length();
 
                 end(program, end);
 
                 program.waitFor();
-                line.await(PIONEER_STOP, before);
+                line.sent().await(PIONEER_STOP, before);
                 awaitStationary(lab, "pioneer");
             } finally {
                 program.destroyForcibly();
@@ -172,13 +172,13 @@ class ShutdownTest {
                 RecordingRelay line = Robot.HEMISSON_ON_A_PORT.line(lab)) {
             Process program = start(Majic.class, home, "run", "--add", "hemisson:" + line.address(), script.toString());
             try {
-                line.await("D,3,3\r", 0);
-                int before = line.length();
+                line.sent().await("D,3,3\r", 0);
+                int before = line.sent().length();
 
                 end(program, End.HUP);
 
                 program.waitFor();
-                line.await("D,0,0\r", before);
+                line.sent().await("D,0,0\r", before);
                 awaitStationary(lab, "hemisson");
             } finally {
                 program.destroyForcibly();
