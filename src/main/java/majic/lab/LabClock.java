@@ -32,6 +32,9 @@ import org.jspecify.annotations.Nullable;
  * <p>A clock ends when a step of its lab throws, and a stepped one also when it has not advanced for 10 s of real time
  * although a thread waits for a later time and no member has used the processor. Every wait then throws a
  * {@link BotException} that gives the reason.
+ *
+ * <p>A closed clock takes no more steps, and its time goes on at the pace of the system's clock, so timed waits still
+ * end.
  */
 public final class LabClock implements TimeSource, AutoCloseable {
     private static final Logger LOG = System.getLogger(LabClock.class.getName());
@@ -52,7 +55,8 @@ public final class LabClock implements TimeSource, AutoCloseable {
     private int running;
     private long awakenings;
     private long pauses;
-    private boolean over;
+    private long overSystemNanos;
+    private volatile boolean over;
     private volatile boolean closed;
 
     /**
@@ -89,7 +93,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
 
     @Override
     public long nanos() {
-        return nowNanos;
+        return over ? nowNanos + System.nanoTime() - overSystemNanos : nowNanos;
     }
 
     @Override
@@ -196,12 +200,15 @@ public final class LabClock implements TimeSource, AutoCloseable {
         }
     }
 
-    /** From now on members wake at once, since no thread gives them their turn. */
+    /**
+     * From now on members wake at once and measure their timeouts themselves, since no thread gives them their turn.
+     */
     private void endTurns() {
         lock.lock();
         try {
+            overSystemNanos = System.nanoTime();
             over = true;
-            wakeAllDue();
+            List.copyOf(waiting).forEach(this::wake);
         } finally {
             lock.unlock();
         }
@@ -377,7 +384,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
 
         @Override
         protected long nanos() {
-            return nowNanos;
+            return LabClock.this.nanos();
         }
 
         @Override
@@ -386,12 +393,24 @@ public final class LabClock implements TimeSource, AutoCloseable {
             Waiter waiter = new Waiter(deadlineNanos);
             try {
                 fallAsleep(waiter);
-                while (!waiter.woken) {
-                    waiter.wakeUp.await();
+                while (!waiter.woken && !isOverdue(waiter)) {
+                    awaitWakeUp(waiter);
                 }
             } finally {
                 wake(waiter);
                 waiters.remove(waiter);
+            }
+        }
+
+        private boolean isOverdue(Waiter waiter) {
+            return over && waiter.deadline <= nanos();
+        }
+
+        private void awaitWakeUp(Waiter waiter) throws InterruptedException {
+            if (over && waiter.deadline != NEVER) {
+                waiter.wakeUp.awaitNanos(waiter.deadline - nanos());
+            } else {
+                waiter.wakeUp.await();
             }
         }
 

@@ -10,6 +10,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.time.Signal;
 import majic.time.TimeSource.Membership;
@@ -235,6 +236,43 @@ class LabClockTest {
                 .hasMessageContaining("stuck: running for 1")
                 .hasMessageContaining("CountDownLatch.await");
         testIsOver.countDown();
+    }
+
+    @Test
+    void timedWaitsEndAtTheSystemsPaceOnceTheClockIsClosed() throws InterruptedException {
+        LabClock closing = new LabClock(4_000_000, () -> {}, new NeverStepping());
+        closing.start();
+        Thread before = closing.thread("waits before", () -> sleepOn(closing));
+        before.start();
+        closing.close();
+        Thread after = closing.thread("waits after", () -> sleepOn(closing));
+        after.start();
+
+        before.join();
+        after.join();
+        assertThat(closing.nanos()).isGreaterThanOrEqualTo(10_000_000);
+    }
+
+    /** A pacing that allows no step. */
+    private static final class NeverStepping implements Pacing {
+        @Override
+        public boolean mayStep(long nowNanos, BooleanSupplier membersWait) {
+            Thread.yield();
+            return false;
+        }
+
+        @Override
+        public boolean awaitsMembers() {
+            return false;
+        }
+    }
+
+    private static void sleepOn(LabClock clock) {
+        try {
+            clock.sleep(0.01);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     private static void await(Signal signal, AtomicBoolean ready) {
