@@ -12,7 +12,6 @@ import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
-import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.message.Request;
@@ -140,30 +139,8 @@ final class RequestRunner {
 
     private void move(IncomingRequest incoming, RequestedAction.Motion motion) {
         Guard until = UntilText.guard(motion.until(), desk.team(), robot.member());
-        check(motion);
-        submit(incoming, true, control -> RequestReply.done(perform(motion, control, until)));
-    }
-
-    private void check(RequestedAction.Motion motion) {
-        MajicBot bot = robot.bot();
-        if (motion instanceof RequestedAction.Move move) {
-            bot.checkMove(move.mm());
-        } else if (motion instanceof RequestedAction.Turn turn) {
-            bot.checkTurn(turn.degrees());
-        } else if (motion instanceof RequestedAction.Drive drive) {
-            bot.checkDrive(drive.mmPerSec(), drive.degPerSec(), drive.seconds());
-        }
-    }
-
-    private static MotionReport perform(RequestedAction.Motion motion, BotControl control, Guard until) {
-        if (motion instanceof RequestedAction.Move move) {
-            return control.move(move.mm(), until);
-        }
-        if (motion instanceof RequestedAction.Turn turn) {
-            return control.turn(turn.degrees(), until);
-        }
-        RequestedAction.Drive drive = (RequestedAction.Drive) motion;
-        return control.drive(drive.mmPerSec(), drive.degPerSec(), drive.seconds(), until);
+        motion.check(robot.bot());
+        submit(incoming, true, control -> RequestReply.done(motion.perform(control, until)));
     }
 
     private void get(IncomingRequest incoming, RequestedAction.Get get) {

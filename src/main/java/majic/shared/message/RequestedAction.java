@@ -5,6 +5,10 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import majic.bot.BotControl;
+import majic.bot.Guard;
+import majic.bot.MajicBot;
+import majic.bot.MotionReport;
 import majic.bot.Value;
 
 /** What a request asks a robot to do. Immutable; {@code toString()} is how answers repeat it. */
@@ -19,6 +23,24 @@ public sealed interface RequestedAction {
          * @return MAJIC Script; empty for none
          */
         String until();
+
+        /**
+         * Checks the arguments; nothing is sent.
+         *
+         * @param bot the robot that is to move
+         * @throws majic.bot.BotException if the robot cannot do this
+         */
+        void check(MajicBot bot);
+
+        /**
+         * Moves the robot; returns when the motion has ended.
+         *
+         * @param control the permission to move the robot
+         * @param guard ends the motion early; made from {@link #until()}
+         * @return what the robot did
+         * @throws majic.bot.BotException if the motion was stopped or failed
+         */
+        MotionReport perform(BotControl control, Guard guard);
     }
 
     /**
@@ -32,6 +54,16 @@ public sealed interface RequestedAction {
         public String toString() {
             return "move " + Value.plain(mm) + behind(until);
         }
+
+        @Override
+        public void check(MajicBot bot) {
+            bot.checkMove(mm);
+        }
+
+        @Override
+        public MotionReport perform(BotControl control, Guard guard) {
+            return control.move(mm, guard);
+        }
     }
 
     /**
@@ -44,6 +76,16 @@ public sealed interface RequestedAction {
         @Override
         public String toString() {
             return "turn " + Value.plain(degrees) + behind(until);
+        }
+
+        @Override
+        public void check(MajicBot bot) {
+            bot.checkTurn(degrees);
+        }
+
+        @Override
+        public MotionReport perform(BotControl control, Guard guard) {
+            return control.turn(degrees, guard);
         }
     }
 
@@ -60,6 +102,16 @@ public sealed interface RequestedAction {
         public String toString() {
             return "drive " + Value.plain(mmPerSec) + " " + Value.plain(degPerSec) + " for " + Value.plain(seconds)
                     + "s" + behind(until);
+        }
+
+        @Override
+        public void check(MajicBot bot) {
+            bot.checkDrive(mmPerSec, degPerSec, seconds);
+        }
+
+        @Override
+        public MotionReport perform(BotControl control, Guard guard) {
+            return control.drive(mmPerSec, degPerSec, seconds, guard);
         }
     }
 
