@@ -2,8 +2,7 @@ package majic.gui.bots;
 
 import java.util.Locale;
 import java.util.OptionalInt;
-import majic.bot.BotException;
-import majic.bot.MajicBot;
+import java.util.function.Function;
 import majic.bot.Value;
 
 /**
@@ -19,25 +18,14 @@ record BatteryLevel(String parameter, OptionalInt percent, String text) {
 
     static final BatteryLevel UNKNOWN = new BatteryLevel(CHARGE, OptionalInt.empty(), "");
 
-    /** Reads the charge; may wait for the robot. */
-    static BatteryLevel read(MajicBot bot) {
-        if (read(bot, CHARGE) instanceof Value.Number charge) {
+    /** Reads the charge from the values of parameters by their names; unknown parameters have unknown values. */
+    static BatteryLevel of(Function<String, Value> values) {
+        if (values.apply(CHARGE) instanceof Value.Number charge) {
             int percent = (int) Math.round(Math.max(0, Math.min(100, charge.amount())));
             return new BatteryLevel(CHARGE, OptionalInt.of(percent), percent + " %");
         }
-        return read(bot, VOLTAGE) instanceof Value.Number volts
+        return values.apply(VOLTAGE) instanceof Value.Number volts
                 ? new BatteryLevel(VOLTAGE, OptionalInt.empty(), String.format(Locale.ROOT, "%.1f V", volts.amount()))
                 : UNKNOWN;
-    }
-
-    /** Reads a parameter; may wait for the robot. A robot that does not have it gives an unknown value. */
-    static Value read(MajicBot bot, String parameter) {
-        boolean known =
-                bot.parameters().stream().anyMatch(offered -> offered.name().equals(parameter) && offered.readable());
-        try {
-            return known ? bot.get(parameter) : new Value.Unknown("");
-        } catch (BotException e) {
-            return new Value.Unknown(String.valueOf(e.getMessage()));
-        }
     }
 }

@@ -1,5 +1,6 @@
 package majic.gui.bots;
 
+import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Value;
 
@@ -16,7 +17,18 @@ record CardReadings(BatteryLevel battery, boolean stopPressed) {
 
     /** Reads the parameters; may wait for the robot. */
     static CardReadings of(MajicBot bot) {
-        boolean pressed = BatteryLevel.read(bot, STOP_BUTTON) instanceof Value.Flag button && button.yes();
-        return new CardReadings(BatteryLevel.read(bot), pressed);
+        boolean pressed = read(bot, STOP_BUTTON) instanceof Value.Flag button && button.yes();
+        return new CardReadings(BatteryLevel.of(parameter -> read(bot, parameter)), pressed);
+    }
+
+    /** Reads a parameter; a robot that does not have it gives an unknown value. */
+    private static Value read(MajicBot bot, String parameter) {
+        boolean known =
+                bot.parameters().stream().anyMatch(offered -> offered.name().equals(parameter) && offered.readable());
+        try {
+            return known ? bot.get(parameter) : new Value.Unknown("");
+        } catch (BotException e) {
+            return new Value.Unknown(String.valueOf(e.getMessage()));
+        }
     }
 }
