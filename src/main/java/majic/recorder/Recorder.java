@@ -69,7 +69,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
         this.time = team.time();
         this.startNanos = time.nanos();
         this.due = time.signal();
-        this.writer = new RecordingWriter(folder, alarm);
+        this.writer = new RecordingWriter(folder, alarm, System::nanoTime);
         this.events = new EventLines(team, this::write);
     }
 

@@ -17,6 +17,7 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import java.util.zip.GZIPOutputStream;
 import majic.text.IoReason;
 import majic.text.LateLogger;
@@ -43,6 +44,7 @@ final class RecordingWriter {
 
     private final RecordingFolder folder;
     private final Consumer<String> alarm;
+    private final LongSupplier nanos;
     private final BlockingQueue<Runnable> work = new ArrayBlockingQueue<>(MOST_UNWRITTEN);
     private final Semaphore urgent = new Semaphore(0);
     private final List<Path> files = new CopyOnWriteArrayList<>();
@@ -53,7 +55,7 @@ final class RecordingWriter {
     private volatile boolean ended;
     private boolean failing;
     private long failedNanos;
-    private long flushNanos = System.nanoTime();
+    private long flushNanos;
     private @Nullable CountedFile file;
 
     /** A compressed file and how many bytes it has. */
@@ -105,10 +107,14 @@ final class RecordingWriter {
      *
      * @param alarm receives one sentence when nothing can be written, and one when it is possible again; called by the
      *     thread of this writer
+     * @param nanos the clock by which it flushes and tries again, ns; the system's one, since files are written in real
+     *     time also when a lab runs faster
      */
-    RecordingWriter(RecordingFolder folder, Consumer<String> alarm) {
+    RecordingWriter(RecordingFolder folder, Consumer<String> alarm, LongSupplier nanos) {
         this.folder = folder;
         this.alarm = alarm;
+        this.nanos = nanos;
+        this.flushNanos = nanos.getAsLong();
         thread.setDaemon(true);
         thread.setPriority(Thread.MIN_PRIORITY);
         thread.start();
@@ -206,16 +212,16 @@ final class RecordingWriter {
     }
 
     private void flushIfDue() {
-        if (System.nanoTime() - flushNanos > FLUSH_NANOS) {
+        if (nanos.getAsLong() - flushNanos > FLUSH_NANOS) {
             flush();
             retry();
-            flushNanos = System.nanoTime();
+            flushNanos = nanos.getAsLong();
         }
     }
 
     /** After a failure, another file is begun a minute later. */
     private void retry() {
-        if (failing && System.nanoTime() - failedNanos > RETRY_NANOS) {
+        if (failing && nanos.getAsLong() - failedNanos > RETRY_NANOS) {
             partIsOver = true;
         }
     }
@@ -268,7 +274,7 @@ final class RecordingWriter {
 
     private void failed(IOException problem) {
         closeFile();
-        failedNanos = System.nanoTime();
+        failedNanos = nanos.getAsLong();
         if (!failing) {
             failing = true;
             alarm.accept("nothing is recorded: " + folder.path() + " cannot be written (" + IoReason.of(problem)

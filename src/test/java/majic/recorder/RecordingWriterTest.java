@@ -12,6 +12,8 @@ import java.util.List;
 import java.util.Random;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import majic.gui.WindowWait;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -65,7 +67,7 @@ class RecordingWriterTest {
 
     @Test
     void aFileThatIsFullAsksForAnother() throws Exception {
-        RecordingWriter writer = new RecordingWriter(small(), alarms::add);
+        RecordingWriter writer = new RecordingWriter(small(), alarms::add, System::nanoTime);
         assertThat(writer.needsPart()).isTrue();
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         assertThat(writer.needsPart()).isFalse();
@@ -79,7 +81,7 @@ class RecordingWriterTest {
 
     @Test
     void whatWasWrittenIsReadableBeforeTheFileIsClosed() throws Exception {
-        RecordingWriter writer = new RecordingWriter(small(), alarms::add);
+        RecordingWriter writer = new RecordingWriter(small(), alarms::add, System::nanoTime);
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         writer.write("2.000\tline\tnotice\tgoes on\n");
         List<Path> files = writer.files();
@@ -91,7 +93,7 @@ class RecordingWriterTest {
 
     @Test
     void linesAreReadableSoonWithoutARequest() throws Exception {
-        RecordingWriter writer = new RecordingWriter(small(), alarms::add);
+        RecordingWriter writer = new RecordingWriter(small(), alarms::add, System::nanoTime);
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         Path file = writer.files().get(0);
         writer.write("2.000\tline\tnotice\tgoes\n");
@@ -103,7 +105,7 @@ class RecordingWriterTest {
 
     @Test
     void moreLinesThanTheDiskTakesAtOnceAreAllWritten() throws Exception {
-        RecordingWriter writer = new RecordingWriter(new RecordingFolder(folder), alarms::add);
+        RecordingWriter writer = new RecordingWriter(new RecordingFolder(folder), alarms::add, System::nanoTime);
         writer.begin(head(1), "");
         int written = 0;
         for (int line = 0; line < 10_000; line++) {
@@ -129,11 +131,33 @@ class RecordingWriterTest {
     @Test
     void aFolderThatCannotBeWrittenIsReportedOnce() throws Exception {
         Path blocked = Files.writeString(folder.resolve("file"), "in the way");
-        RecordingWriter writer = new RecordingWriter(new RecordingFolder(blocked.resolve("recordings")), alarms::add);
+        RecordingWriter writer =
+                new RecordingWriter(new RecordingFolder(blocked.resolve("recordings")), alarms::add, System::nanoTime);
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         writer.begin(head(2), "2.000\tline\tnotice\tagain\n");
         writer.close();
         assertThat(alarms.take()).contains("nothing is recorded").contains("make room there");
         assertThat(alarms).isEmpty();
+    }
+
+    @Test
+    void anotherFileIsTriedAMinuteAfterAFailure() throws Exception {
+        AtomicLong nanos = new AtomicLong();
+        Path blocked = Files.writeString(folder.resolve("file"), "in the way");
+        RecordingFolder later = new RecordingFolder(blocked.resolve("recordings"));
+        RecordingWriter writer = new RecordingWriter(later, alarms::add, nanos::get);
+        writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
+        assertThat(alarms.take()).contains("nothing is recorded");
+        Files.delete(blocked);
+
+        nanos.addAndGet(TimeUnit.SECONDS.toNanos(59));
+        writer.files();
+        assertThat(writer.needsPart()).isFalse();
+        nanos.addAndGet(TimeUnit.SECONDS.toNanos(2));
+        WindowWait.await("another attempt", writer::needsPart);
+
+        writer.begin(head(2), "62.000\tline\tnotice\tgoes on\n");
+        assertThat(alarms.take()).contains("the recording goes on");
+        writer.close();
     }
 }
