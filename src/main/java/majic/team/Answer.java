@@ -27,13 +27,13 @@ public record Answer(
     public enum Outcome {
         /** Completed normally. */
         DONE,
-        /** Ended by a stop. */
+        /** Ended by a stop, or removed by it before it began. */
         STOPPED,
         /** Ended with an error. */
         FAILED,
         /** A stop that the robot did not confirm. */
         NOT_STOPPED,
-        /** Not begun, because an earlier command failed or was stopped. */
+        /** Not begun, because an earlier command failed or the robot was removed. */
         NOT_RUN
     }
 

@@ -88,9 +88,18 @@ final class CommandQueue {
         return dropped;
     }
 
-    /** Answers commands that were removed from the queue. */
+    /** Answers commands that were removed from the queue, though no stop has removed them. */
     void answerNotRun(List<QueuedCommand> commands, String because) {
-        commands.forEach(command -> end(command, Ending.of(Answer.Outcome.NOT_RUN, command, "not run: " + because)));
+        answerRemoved(commands, Answer.Outcome.NOT_RUN, because);
+    }
+
+    /** Answers commands that a stop has removed from the queue. */
+    void answerStopped(List<QueuedCommand> commands) {
+        answerRemoved(commands, Answer.Outcome.STOPPED, "stopped");
+    }
+
+    private void answerRemoved(List<QueuedCommand> commands, Answer.Outcome outcome, String because) {
+        commands.forEach(command -> end(command, Ending.of(outcome, command, "not run: " + because)));
     }
 
     /** Begins no further command, and ends the thread. */

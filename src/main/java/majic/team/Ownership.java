@@ -45,7 +45,7 @@ final class Ownership {
      */
     record Stopped(Map<CommandQueue, List<QueuedCommand>> notRun, List<Owner> ended) {
         void answer() {
-            notRun.forEach((from, commands) -> from.answerNotRun(commands, "stopped"));
+            notRun.forEach(CommandQueue::answerStopped);
         }
     }
 

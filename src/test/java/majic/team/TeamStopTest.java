@@ -45,6 +45,20 @@ class TeamStopTest {
     }
 
     @Test
+    void aQueuedCommandThatAStopRemovesEndsAsStopped() throws InterruptedException {
+        fixture.join();
+        QueuedCommand queued = move(100);
+        team.member(1).submit(move(3000), null);
+        team.member(1).submit(queued, null);
+        clock.time().sleep(1);
+
+        team.stop(List.of(team.member(1)), null);
+        fixture.awaitIdle(1);
+
+        assertThat(queued.outcome()).isEqualTo(Answer.Outcome.STOPPED);
+    }
+
+    @Test
     void aCommandSubmittedAfterAStopRunsAfterIt() throws InterruptedException {
         FakeBot bot = fixture.join();
         team.member(1).submit(move(3000), null);

@@ -270,8 +270,7 @@ final class RequestRunner {
 
     /** The answer to a command that was not begun. */
     private static RequestReply replyFor(Answer answer) {
-        boolean stopped =
-                answer.outcome() == Answer.Outcome.STOPPED || answer.text().endsWith("stopped");
+        boolean stopped = answer.outcome() == Answer.Outcome.STOPPED;
         return RequestReply.of(stopped ? Outcome.STOPPED : Outcome.REFUSED, answer.text());
     }
 
