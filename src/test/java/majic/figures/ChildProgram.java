@@ -117,7 +117,7 @@ final class ChildProgram {
                 .start());
     }
 
-    /** Starts a team whose robots report, and waits until all are connected. */
+    /** Starts a program with a team whose robots report while it is connected; connects to none yet. */
     Reporting reporting(List<String> addresses) throws IOException {
         return new Reporting(process(List.of(JAVA, "@" + OPTIONS), classAndArguments(ReportingTeam.class, addresses))
                 .start());
@@ -157,16 +157,32 @@ final class ChildProgram {
         return process.info().totalCpuDuration().orElseThrow();
     }
 
-    /** A team in a process of its own that does nothing but receive reports. */
+    /** A team in a process of its own that does nothing but receive reports while it is connected. */
     static final class Reporting implements AutoCloseable {
         private final Process process;
+        private final BufferedReader answers;
 
-        private Reporting(Process process) throws IOException {
+        private Reporting(Process process) {
             this.process = process;
-            String line = process.inputReader().readLine();
-            if (!ReportingTeam.CONNECTED.equals(line)) {
-                end(process);
-                throw new IOException("a team cannot be connected: " + line);
+            this.answers = process.inputReader();
+        }
+
+        /** Returns when all robots are connected. */
+        void connect() throws IOException {
+            demand(ReportingTeam.CONNECT, ReportingTeam.CONNECTED);
+        }
+
+        /** Returns when the program has closed the connections. */
+        void disconnect() throws IOException {
+            demand(ReportingTeam.DISCONNECT, ReportingTeam.DISCONNECTED);
+        }
+
+        private void demand(char command, String expected) throws IOException {
+            process.getOutputStream().write(command);
+            process.getOutputStream().flush();
+            String answer = answers.readLine();
+            if (!expected.equals(answer)) {
+                throw new IOException("a team is not " + expected + ": " + answer);
             }
         }
 

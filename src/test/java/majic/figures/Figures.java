@@ -179,8 +179,7 @@ public final class Figures {
 
     /** Measures teams of Pioneers, then a team of 60 robots of all makes. */
     private void load() throws IOException, InterruptedException {
-        say(
-                "teams without a window that report at the same time (a Pioneer at most 0.15 % of a core, flat within 20 %)");
+        say("teams without a window that report in turns (a Pioneer at most 0.15 % of a core, flat within 20 %)");
         FurtherRobots.measure(programs).forEach(line -> say("  " + line));
         say("one team at a time: 99 of 100 commands on the link within 1 ms with 100 robots on 2 cores,");
         say("at most 100 KB of heap a Pioneer");
