@@ -22,6 +22,8 @@ final class HemissonBodyDrawing {
     private static final double HULL_MM = Clearance.HULL_MM;
     private static final double WHEEL_HALF_WIDTH_MM = 7;
     private static final double ARROW_MM = 6;
+    /** Least distance of a text from the outline. */
+    private static final double APART_MM = 3;
 
     private final HemissonScene view;
     private final DrawingColors colors;
@@ -31,6 +33,20 @@ final class HemissonBodyDrawing {
         this.view = view;
         this.colors = colors;
         this.pxPerMm = pxPerMm;
+    }
+
+    /**
+     * Returns the place of a text beside or below the centre line, moved towards that line if it would touch the
+     * outline.
+     *
+     * @param centre the wanted centre of the text, pixels to the left
+     * @param width the width of the text, pixels
+     * @param foot how far its foot is behind the centre of the robot, pixels
+     */
+    static double insideHull(double centre, double width, double foot, double pxPerMm) {
+        double radius = (HULL_MM - APART_MM) * pxPerMm;
+        double most = Math.sqrt(Math.max(0, radius * radius - foot * foot)) - width / 2;
+        return Math.copySign(Math.min(Math.abs(centre), Math.max(0, most)), centre);
     }
 
     void paint(Graphics2D pen) {

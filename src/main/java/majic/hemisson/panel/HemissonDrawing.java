@@ -122,10 +122,11 @@ final class HemissonDrawing extends JPanel {
     private void paintSpeed(Graphics2D screen, DrawingColors colors, double y, int value) {
         String text = NumberText.signed(value);
         FontMetrics metrics = screen.getFontMetrics();
-        double x = -y * pxPerMm() - metrics.stringWidth(text) / 2.0;
+        int width = metrics.stringWidth(text);
+        double foot = HemissonBodyDrawing.WHEEL_HALF_MM * pxPerMm() + metrics.getAscent();
+        double centre = HemissonBodyDrawing.insideHull(y * pxPerMm(), width, foot, pxPerMm());
         screen.setColor(colors.line());
-        screen.drawString(
-                text, (float) x, (float) (HemissonBodyDrawing.WHEEL_HALF_MM * pxPerMm() + metrics.getAscent()));
+        screen.drawString(text, (float) (-centre - width / 2.0), (float) foot);
     }
 
     private static AffineTransform onScreen(double scale) {

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import majic.hemisson.MajicHemisson;
 import majic.hemisson.line.MotorValues;
+import majic.hemisson.readings.Clearance;
 import majic.hemisson.readings.Proximity;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -63,6 +64,18 @@ class HemissonDrawingTest {
         assertThat(at(turning, leftBehind)).isNotEqualTo(at(still, leftBehind));
         assertThat(at(turning, leftAhead)).isEqualTo(at(still, leftAhead));
         assertThat(at(turning, rightAhead)).isNotEqualTo(at(still, rightAhead));
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {8, 16, 24})
+    void theFigureOfAWheelIsInsideTheOutline(int width) {
+        double foot = HemissonBodyDrawing.WHEEL_HALF_MM * PX_PER_MM + 14;
+
+        double left = HemissonBodyDrawing.insideHull(94, width, foot, PX_PER_MM);
+
+        assertThat(Math.hypot(left + width / 2.0, foot)).isLessThan(Clearance.HULL_MM * PX_PER_MM - 3);
+        assertThat(HemissonBodyDrawing.insideHull(-94, width, foot, PX_PER_MM)).isEqualTo(-left);
+        assertThat(HemissonBodyDrawing.insideHull(30, width, foot, PX_PER_MM)).isEqualTo(30);
     }
 
     @Test
