@@ -89,9 +89,20 @@ final class TeamFloor implements MapContent {
             Rectangle2D way = new Rectangle2D.Double(at.xMm(), at.yMm(), 0, 0);
             robot.trail().extend(way);
             all = joined(all, grown(way, margin));
-            all = joined(all, around(at.xMm(), at.yMm(), robot.bodyMm() + margin));
+            // Outside of the room a selected robot needs space for its frame.
+            double beside = isInRoom(at) ? margin : FREE_MM;
+            all = joined(all, around(at.xMm(), at.yMm(), robot.bodyMm() + beside));
         }
         return all == null ? EMPTY : all;
+    }
+
+    private boolean isInRoom(Pose at) {
+        Rectangle2D room = null;
+        for (Wall wall : scene.walls()) {
+            room = joined(room, around(wall.x1(), wall.y1(), 0));
+            room = joined(room, around(wall.x2(), wall.y2(), 0));
+        }
+        return room != null && room.contains(at.xMm(), at.yMm());
     }
 
     private static Rectangle2D around(double xMm, double yMm, double radiusMm) {

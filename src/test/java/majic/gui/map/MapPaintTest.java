@@ -99,6 +99,13 @@ class MapPaintTest {
     }
 
     @Test
+    void aRobotBesideTheRoomHasSpaceForItsFrame() {
+        paint(scene(robot(new Pose(4600, 1500, 0), null)));
+
+        assertThat(map.view().pixel(4600 + 200 + 600, 1500).getX()).isLessThanOrEqualTo(WIDTH);
+    }
+
+    @Test
     void theTipNamesARobotAndElseThePosition() {
         paint(scene(robot(new Pose(1000, 1000, 0), null)));
 
