@@ -21,12 +21,12 @@ import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import javax.swing.ListCellRenderer;
 import majic.bot.Parameter;
-import majic.bot.Unit;
 import majic.gui.kit.DoubleClick;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.StyledLabel;
 import majic.gui.kit.TextChange;
 import majic.gui.plot.data.PlotSource;
+import majic.gui.plot.data.Quantity;
 import majic.panel.KeyAction;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -47,9 +47,7 @@ final class AddCurvesDialog extends MajicDialog {
     private record Entry(PlotSource.Robot robot, Parameter parameter) {
         @Override
         public String toString() {
-            String unit =
-                    parameter.unit() == Unit.NONE ? "" : " (" + parameter.unit().symbol() + ")";
-            return robot.number() + " " + parameter.name() + unit;
+            return robot.number() + " " + parameter.name() + Quantity.unitText(parameter.unit());
         }
 
         boolean matches(String words) {

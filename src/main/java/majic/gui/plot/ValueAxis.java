@@ -30,7 +30,7 @@ record ValueAxis(Unit unit, boolean switched, Span range) {
     }
 
     String title() {
-        return switched ? Texts.of(ValueAxis.class).get("axis.switches") : unit.symbol();
+        return switched ? Texts.of(ValueAxis.class).get("axis.switches") : Quantity.sign(unit);
     }
 
     /** Returns the axes of curves, in the order of the curves. */

@@ -97,7 +97,7 @@ class PlotWindowTest {
     void enterPlotsTheReadingsThatHaveTheFocus() {
         window.add("one");
         plotPose();
-        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (deg)");
+        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (°)");
     }
 
     @Test
@@ -141,9 +141,9 @@ class PlotWindowTest {
         window.push("addCurves");
         window.write("curveFilter", "2 turn");
         window.push("Add");
-        window.await("the curve", () -> curves().contains("2 turnRate (deg/s)"));
+        window.await("the curve", () -> curves().contains("2 turnRate (°/s)"));
         window.push("remove 1 y (mm)");
-        assertThat(curves()).containsExactly("1 x (mm)", "1 heading (deg)", "2 turnRate (deg/s)");
+        assertThat(curves()).containsExactly("1 x (mm)", "1 heading (°)", "2 turnRate (°/s)");
     }
 
     /**
@@ -199,7 +199,7 @@ class PlotWindowTest {
         plotPose();
         assertThat(drop(((PlotHost) window.find("card2", JPanel.class)).dragged(List.of("x"))))
                 .isTrue();
-        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (deg)", "2 x (mm)");
+        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (°)", "2 x (mm)");
     }
 
     @Test
@@ -210,7 +210,7 @@ class PlotWindowTest {
                 new Plots(window.frame, window.settings, () -> new LiveSource(window.team, null), JPanel::new)) {
             assertThat(drop(others.dragged(1, List.of("turnRate")))).isFalse();
         }
-        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (deg)");
+        assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (°)");
     }
 
     @Test

@@ -78,6 +78,16 @@ public record Quantity(int robot, String parameter, int index, Unit unit, boolea
 
     /** Returns the unit in brackets behind a blank; empty if there is none. */
     public String unitText() {
-        return unit == Unit.NONE ? "" : " (" + unit.symbol() + ")";
+        return unitText(unit);
+    }
+
+    /** Returns a unit in brackets behind a blank, as {@link #sign}; empty for a plain number. */
+    public static String unitText(Unit unit) {
+        return unit == Unit.NONE ? "" : " (" + sign(unit) + ")";
+    }
+
+    /** Returns a unit as windows show it: {@code °} and {@code °/s} in place of the words of commands. */
+    public static String sign(Unit unit) {
+        return unit.symbol().replace("deg", "°");
     }
 }
