@@ -29,12 +29,12 @@ record DescribedType(SharedType shared, Description.Kind kind, String desk) impl
 
     @Override
     public String label() {
-        return kind.label() + " at " + desk;
+        return kind.label() + " (" + desk + ")";
     }
 
     @Override
     public String make() {
-        return kind.make() + " at " + desk;
+        return kind.make() + " (" + desk + ")";
     }
 
     @Override

@@ -45,7 +45,7 @@ class SharedRobotInLabTest {
     @Test
     void theRobotHasTheTypeAndTheNameOfItsMake() {
         assertThat(anna.bot.type().name()).isEqualTo("pioneer");
-        assertThat(anna.robot().label()).isEqualTo("Pioneer at desk2");
+        assertThat(anna.robot().label()).isEqualTo("Pioneer (desk2)");
         assertThat(anna.bot.introduction()).startsWith("a MobileRobots Pioneer").endsWith("at desk2");
     }
 
