@@ -7,9 +7,12 @@ import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.ros.bridge.BridgeAddress;
 import majic.ros.panel.RosReplay;
+import majic.text.Texts;
 
 /** Robots that speak ROS among the types of robots. */
 public final class RosType implements BotType {
+    private static final Texts TEXTS = Texts.of(RosType.class);
+
     /** Used by the service loader. */
     public RosType() {}
 
@@ -30,12 +33,12 @@ public final class RosType implements BotType {
 
     @Override
     public String label() {
-        return "ROS robot";
+        return TEXTS.get("robot");
     }
 
     @Override
     public String make() {
-        return "ROS robot";
+        return TEXTS.get("robot");
     }
 
     @Override
