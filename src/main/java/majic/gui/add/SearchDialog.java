@@ -88,7 +88,7 @@ final class SearchDialog extends MajicDialog {
         status.setFocusable(true);
         status.show(TEXTS.get("looking"), false);
         JScrollPane scroll = new JScrollPane(list);
-        JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 8, wrap 1", "[440, grow, fill]", "[][][grow, fill]"));
+        JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 8, wrap 1", "[560, grow, fill]", "[][][grow, fill]"));
         panel.add(status, "wmin 0");
         panel.add(progress, "h 6!");
         panel.add(scroll, "h 180");
