@@ -105,6 +105,11 @@ public final class FakeBot extends BotDriver {
         return List.copyOf(sent);
     }
 
+    /** Returns how often this was sent so far. */
+    public long count(String command) {
+        return sent.stream().filter(command::equals).count();
+    }
+
     /** How far the next thing ahead is, mm; shrinks as the robot drives. */
     public void putObstacle(double mm) {
         ahead = mm;

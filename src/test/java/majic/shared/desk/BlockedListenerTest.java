@@ -7,7 +7,6 @@ import java.util.List;
 import majic.bot.FakeBot;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.driver.BotDriver;
 import majic.shared.broker.Quality;
 import majic.shared.message.RequestedAction;
 import majic.shared.message.SiteTopics.Part;
@@ -23,7 +22,7 @@ class BlockedListenerTest {
     @AutoClose
     private final SharingRig rig = SharingRig.started();
 
-    private final FakeBot bot = (FakeBot) BotDriver.of(rig.team.member(1).bot());
+    private final FakeBot bot = rig.bot();
     private final RemoteUser anna = rig.user("desk1", "Anna").beat();
     private final Signal released = rig.clock.time().signal();
     private volatile boolean blocked;

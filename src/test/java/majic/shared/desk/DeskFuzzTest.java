@@ -8,7 +8,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Pattern;
 import majic.bot.FakeBot;
-import majic.driver.BotDriver;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.Quality;
 import majic.shared.message.RequestReply.Outcome;
@@ -30,7 +29,7 @@ class DeskFuzzTest {
     @FuzzTest
     void afterAnyMessagesAStopHaltsTheRobotAndTheDeskAnswers(byte[] lines) {
         try (SharingRig rig = SharingRig.started()) {
-            FakeBot bot = (FakeBot) BotDriver.of(rig.team.member(1).bot());
+            FakeBot bot = rig.bot();
             RemoteUser anna = rig.user("desk1", "Anna").beat();
             publish(anna, lines);
             rig.sleep(0.1);

@@ -127,6 +127,12 @@ final class RemoteUser {
         ask(new RequestedAction.Move(mm, ""));
     }
 
+    /** Begins a motion of 900 mm, and returns while robot 1 moves. */
+    void moveOn() {
+        move(900);
+        rig.clock.until(() -> rig.bot().state().moving());
+    }
+
     void drive(double mmPerSec) {
         SpeedMessage speed = new SpeedMessage(sender, ++numbers, mmPerSec, 0, clockMs() + 500);
         publish(Part.SPEED, speed.toJson(), Quality.AT_MOST_ONCE, "speed");

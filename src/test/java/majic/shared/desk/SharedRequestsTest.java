@@ -8,7 +8,6 @@ import java.util.stream.Stream;
 import majic.bot.FakeBot;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.driver.BotDriver;
 import majic.shared.message.RequestReply;
 import majic.shared.message.RequestReply.Outcome;
 import majic.shared.message.RequestedAction;
@@ -21,7 +20,7 @@ class SharedRequestsTest {
     @AutoClose
     private final SharingRig rig = SharingRig.started();
 
-    private final FakeBot bot = (FakeBot) BotDriver.of(rig.team.member(1).bot());
+    private final FakeBot bot = rig.bot();
     private final RemoteUser anna = rig.user("desk1", "Anna").beat();
 
     private List<String> motions() {

@@ -5,6 +5,7 @@ import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.FakeBot;
+import majic.driver.BotDriver;
 import majic.drivertest.TestClock;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -80,6 +81,11 @@ final class SharingRig implements AutoCloseable {
         bot.connect();
         team.add(bot, OptionalInt.empty());
         return bot;
+    }
+
+    /** Returns robot 1. */
+    FakeBot bot() {
+        return (FakeBot) BotDriver.of(team.member(1).bot());
     }
 
     /** A user of the desk's robots at another desk. */
