@@ -10,9 +10,18 @@ import java.util.concurrent.atomic.AtomicBoolean;
  * Aborts a link whose write does not return in time, which wakes the writer. One thread monitors all writes; the abort,
  * which the driver of a serial port may block, runs on a thread of its own. The monitor runs by itself while there are
  * writes; waking it for each write would cost more than the write.
+ *
+ * <p>A write is aborted only if the monitor has found it in progress twice, with a pause in between. Otherwise, after a
+ * time in which the whole program did not run, as on a suspended virtual machine, each write that was in progress would
+ * end its connection before it could return.
  */
 final class WriteDeadline implements AutoCloseable {
     private static final long DEADLINE_NANOS = TimeUnit.MILLISECONDS.toNanos(Link.WRITE_DEADLINE_MS);
+
+    /** From the first time a late write is found to the second. */
+    static final long CONFIRM_NANOS = DEADLINE_NANOS / 4;
+
+    private static final long FIRST_LOOK_NANOS = DEADLINE_NANOS - CONFIRM_NANOS;
     private static final ScheduledThreadPoolExecutor MONITOR =
             new ScheduledThreadPoolExecutor(1, body -> daemon(body, "link write deadlines"));
     private static final Set<WriteDeadline> IN_PROGRESS = ConcurrentHashMap.newKeySet();
@@ -20,15 +29,18 @@ final class WriteDeadline implements AutoCloseable {
     private static volatile boolean begun;
 
     private final Link link;
-    private final long dueNanos = System.nanoTime() + DEADLINE_NANOS;
+    private long dueNanos;
+    private boolean foundLate;
     private volatile boolean passed;
 
-    private WriteDeadline(Link link) {
+    /** Creates the deadline of a write that begins at a time of {@link System#nanoTime}; it is not monitored yet. */
+    WriteDeadline(Link link, long nowNanos) {
         this.link = link;
+        this.dueNanos = nowNanos + FIRST_LOOK_NANOS;
     }
 
     static WriteDeadline start(Link link) {
-        WriteDeadline deadline = new WriteDeadline(link);
+        WriteDeadline deadline = new WriteDeadline(link, System.nanoTime());
         IN_PROGRESS.add(deadline);
         begun = true;
         startMonitor();
@@ -46,7 +58,7 @@ final class WriteDeadline implements AutoCloseable {
 
     private static void startMonitor() {
         if (!MONITORED.get() && MONITORED.compareAndSet(false, true)) {
-            checkAfter(DEADLINE_NANOS);
+            checkAfter(FIRST_LOOK_NANOS);
         }
     }
 
@@ -58,9 +70,9 @@ final class WriteDeadline implements AutoCloseable {
     private static void check() {
         boolean busy = begun;
         begun = false;
-        long nextNanos = DEADLINE_NANOS;
+        long nextNanos = FIRST_LOOK_NANOS;
         for (WriteDeadline write : IN_PROGRESS) {
-            nextNanos = Math.min(nextNanos, write.leftNanos());
+            nextNanos = Math.min(nextNanos, write.leftNanos(System.nanoTime()));
         }
         if (busy || !IN_PROGRESS.isEmpty()) {
             checkAfter(nextNanos);
@@ -72,16 +84,21 @@ final class WriteDeadline implements AutoCloseable {
         }
     }
 
-    /** Time to the next check of this write; aborts a late one. */
-    private long leftNanos() {
-        long left = dueNanos - System.nanoTime();
+    /** Returns the time to the next check of this write; aborts one that is late for the second time. */
+    long leftNanos(long nowNanos) {
+        long left = dueNanos - nowNanos;
         if (left > 0) {
             return left;
+        }
+        if (!foundLate) {
+            foundLate = true;
+            dueNanos = nowNanos + CONFIRM_NANOS;
+            return CONFIRM_NANOS;
         }
         IN_PROGRESS.remove(this);
         passed = true;
         daemon(link::abort, "aborting " + link.address()).start();
-        return DEADLINE_NANOS;
+        return FIRST_LOOK_NANOS;
     }
 
     private static Thread daemon(Runnable body, String name) {

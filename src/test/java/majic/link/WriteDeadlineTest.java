@@ -76,6 +76,22 @@ class WriteDeadlineTest {
         }
     }
 
+    @Test
+    void aWriteThatWasInProgressWhileTheProgramDidNotRunMayStillReturn() throws InterruptedException {
+        CountDownLatch aborted = new CountDownLatch(1);
+        WriteDeadline write = new WriteDeadline(new Ending(aborted::countDown), 0);
+        long resumedNanos = TimeUnit.HOURS.toNanos(1);
+
+        assertThat(write.leftNanos(resumedNanos)).isEqualTo(WriteDeadline.CONFIRM_NANOS);
+        assertThat(write.leftNanos(resumedNanos + WriteDeadline.CONFIRM_NANOS - 1))
+                .isEqualTo(1);
+        assertThat(write.passed()).isFalse();
+
+        write.leftNanos(resumedNanos + WriteDeadline.CONFIRM_NANOS);
+        assertThat(write.passed()).isTrue();
+        aborted.await();
+    }
+
     private static void hang(CountDownLatch over) {
         try {
             over.await();
