@@ -43,8 +43,10 @@ class HemissonActsInLabTest {
                 rounds.add(now);
                 worst = Math.max(worst, offTheTape(now));
             }
-            assertThat(rounds.done()).isGreaterThanOrEqualTo(2);
-            assertThat(worst).isLessThan(25);
+            assertThat(rounds.done())
+                    .as("rounds, with %.0f mm off the tape at most; messages: %s", worst, rig.said())
+                    .isGreaterThanOrEqualTo(2);
+            assertThat(worst).as("mm off the tape; messages: %s", rig.said()).isLessThan(25);
         }
     }
 
