@@ -15,6 +15,7 @@ import javax.swing.JComboBox;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
+import javax.swing.JTabbedPane;
 import javax.swing.JTable;
 import javax.swing.SwingUtilities;
 import majic.bot.Pose;
@@ -43,11 +44,19 @@ class ReplayWindowTest {
 
     /** Records a toy that reports two places. */
     private Path recorded() throws Exception {
+        return recorded(1);
+    }
+
+    /** Records toys, of which the first reports two places. */
+    private Path recorded(int toys) throws Exception {
         RecordingFolder recordings = new RecordingFolder(folder.resolve("recordings"));
         try (Recorder recorder = new Recorder(window.team, window.factory, recordings, problems::add)) {
             window.session.addListener(recorder);
             recorder.start();
             ToyBot toy = window.add("one");
+            for (int number = 2; number <= toys; number++) {
+                window.add("toy" + number);
+            }
             window.command("1 move 250");
             window.awaitMessage("1 move 250: done");
             toy.at(new Pose(250, 0, 0), false);
@@ -97,6 +106,15 @@ class ReplayWindowTest {
                 "the layout",
                 () -> timeline.getWidth()
                         > 2 * window.find("replaySpeed", JComboBox.class).getWidth());
+    }
+
+    @Test
+    void theTabsOfManyRobotsStayInOneRow() throws Exception {
+        open(recorded(12));
+        JTabbedPane robots = window.awaitShowing("replayRobots", JTabbedPane.class);
+        window.await("all tabs", () -> robots.getTabCount() == 12 && robots.getWidth() > 0);
+        window.run(() -> robots.setSelectedIndex(11));
+        window.await("the tabs in one row", () -> robots.getTabRunCount() == 1);
     }
 
     @Test

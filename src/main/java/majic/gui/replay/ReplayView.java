@@ -43,7 +43,7 @@ final class ReplayView extends JPanel implements AutoCloseable {
     private final transient ReplayControls.PartTurner turner;
     private final TeamMap map = new TeamMap();
     private final transient Map<ReplayRobot, JLabel> status = new LinkedHashMap<>();
-    private final JTabbedPane panels = new JTabbedPane();
+    private final JTabbedPane panels = new JTabbedPane(JTabbedPane.TOP, JTabbedPane.SCROLL_TAB_LAYOUT);
     private final JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
     private final ReplayBand band;
