@@ -79,6 +79,7 @@ class StatePictures {
             PictureWindow.add(program, parser, ROBOTS);
             new DialogPictures(program, frame, StatePictures::paint).paint();
             paintRobots(frame, "connected");
+            paintLayouts(frame);
             paintShared(program, parser, frame, home);
             paintTools(program, parser, frame, home);
             paintMotion(program, parser, frame);
@@ -87,6 +88,14 @@ class StatePictures {
             replay(program, frame);
             SwingUtilities.invokeAndWait(frame::dispose);
         }
+    }
+
+    /** Paints two robots side by side, a panel in a window of its own, and the window at its smallest. */
+    private static void paintLayouts(MajicFrame frame) throws Exception {
+        if (!isWanted("layout")) {
+            return;
+        }
+        new LayoutPictures(frame, StatePictures::paint).paint();
     }
 
     private static void paintTools(Program program, MajicParser parser, MajicFrame frame, Path home) throws Exception {
@@ -230,6 +239,9 @@ class StatePictures {
         awaitWindow(new Settled());
         WindowPicture.save(window, FOLDER.resolve(name + "-light.png"), SCALE);
         look(new FlatDarkLaf());
+        if (!(window instanceof MajicFrame)) {
+            awaitWindow(new Settled()); // charts are painted anew on a thread of their own
+        }
         WindowPicture.save(window, FOLDER.resolve(name + "-dark.png"), SCALE);
         look(new FlatLightLaf());
     }
