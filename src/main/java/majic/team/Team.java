@@ -85,15 +85,17 @@ public final class Team implements AutoCloseable {
      */
     public Member add(MajicBot bot, OptionalInt wanted) {
         BotDriver driver = BotDriver.of(bot);
-        Member member = roster.add(wanted, number -> place(number, driver));
+        Member member = roster.add(wanted, number -> newMember(number, driver));
         bot.addListener(new MemberListener(events, member));
         member.start();
         events.publish(listener -> listener.added(member));
         return member;
     }
 
-    /** Either STOP includes the new robot, or this method finds STOP latched. */
-    private Member place(int number, BotDriver bot) {
+    /**
+     * Latches a robot that joins during a STOP: either STOP includes the new robot, or this method finds it latched.
+     */
+    private Member newMember(int number, BotDriver bot) {
         Member member = new Member(number, bot, events, this::isLatched);
         bot.join(member, "robot " + number + " (" + bot.type().label() + ")");
         if (latched) {

@@ -48,9 +48,8 @@ record CredentialsFile(Path file, Properties entries) {
                     file + " cannot be read: " + IoReason.of(e) + "; is it a file that you may read?", e);
         } catch (IllegalArgumentException e) {
             throw new BotException(
-                    file
-                            + " cannot be read: a backslash followed by u needs four hexadecimal digits; is every backslash"
-                            + " doubled?",
+                    file + " cannot be read: a backslash followed by u needs four hexadecimal digits; is every"
+                            + " backslash doubled?",
                     e);
         }
         return Optional.of(new CredentialsFile(file, entries));
