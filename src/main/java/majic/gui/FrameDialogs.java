@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import java.util.stream.Stream;
 import majic.gui.acts.ActLoader;
 import majic.gui.acts.LoadActDialog;
+import majic.gui.acts.LoadTargets;
 import majic.gui.acts.MakeActDialog;
 import majic.gui.add.AddBotDialog;
 import majic.gui.bots.KillBotDialog;
@@ -26,6 +27,7 @@ import majic.gui.kit.RobotSelection;
 import majic.gui.kit.RobotSharing;
 import majic.gui.replay.RecordingsDialog;
 import majic.gui.replay.ReplayServices;
+import majic.gui.replay.ReplayWindow;
 import majic.gui.start.Tour;
 import majic.panel.PictureView;
 import majic.script.ActOffer;
@@ -104,6 +106,15 @@ final class FrameDialogs {
         withRobots(members -> loadAct(selection.members()));
     }
 
+    /** Opens the dialogs that load an act, with the act of a file selected; one that is open is closed. */
+    void loadAct(Path file) {
+        withRobots(members -> {
+            close(LoadActDialog.class);
+            newLoadAct(selection.members(), targets -> loader.load(targets, file))
+                    .setVisible(true);
+        });
+    }
+
     /** Opens the dialogs that load an act, with this robot chosen; one that is open for another robot is closed. */
     void loadAct(Member member) {
         close(LoadActDialog.class);
@@ -111,11 +122,11 @@ final class FrameDialogs {
     }
 
     private void loadAct(List<Member> chosen) {
-        open(LoadActDialog.class, () -> newLoadAct(chosen));
+        open(LoadActDialog.class, () -> newLoadAct(chosen, loader::load));
     }
 
-    private LoadActDialog newLoadAct(List<Member> chosen) {
-        return new LoadActDialog(frame, session.team().members(), chosen, loader::load);
+    private LoadActDialog newLoadAct(List<Member> chosen, Consumer<LoadTargets> load) {
+        return new LoadActDialog(frame, session.team().members(), chosen, load);
     }
 
     /** Ends the acts of the selected robots; shows a message if no robot is selected. */
@@ -212,6 +223,11 @@ final class FrameDialogs {
         open(RecordingsDialog.class, () -> new RecordingsDialog(frame, services.recordings(), replays()));
     }
 
+    /** Opens the replay of a recording; shows a message if the file cannot be read. */
+    void openRecording(Path file) {
+        ReplayWindow.open(frame, file, replays(), () -> {}, channel::showError);
+    }
+
     private ReplayServices replays() {
         return new ReplayServices(services.settings(), session.factory().types(), frame::stopButton);
     }
@@ -239,7 +255,7 @@ final class FrameDialogs {
         List<Member> members = session.team().members();
         if (!members.isEmpty()) {
             all.add(newKillBot(Optional.empty()));
-            all.add(newLoadAct(members));
+            all.add(newLoadAct(members, loader::load));
         }
         all.forEach(dialog -> {
             MajicFrame.paintUnseen(dialog);

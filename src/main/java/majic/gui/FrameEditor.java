@@ -18,6 +18,7 @@ final class FrameEditor {
 
     private final MajicFrame frame;
     private final ProgramServices services;
+    private final DroppedFiles droppedFiles;
     private final EditorContext context;
     private @Nullable EditorWindow window;
 
@@ -25,11 +26,20 @@ final class FrameEditor {
      * An editor that is not created yet.
      *
      * @param stopAll stops all robots
+     * @param dialogs makes acts of scripts, and opens the other files that are dropped
+     * @param teams opens the saved teams that are dropped
      */
-    FrameEditor(MajicFrame frame, Session session, ProgramServices services, Runnable stopAll, FrameDialogs dialogs) {
+    FrameEditor(
+            MajicFrame frame,
+            Session session,
+            ProgramServices services,
+            Runnable stopAll,
+            FrameDialogs dialogs,
+            FrameTeams teams) {
         this.frame = frame;
         this.services = services;
-        this.context = new EditorContext(session, services.settings(), stopAll, dialogs::makeActOf);
+        this.droppedFiles = new DroppedFiles(teams::open, dialogs::loadAct, dialogs::openRecording, this::open);
+        this.context = new EditorContext(session, services.settings(), stopAll, dialogs::makeActOf, droppedFiles::open);
     }
 
     private EditorWindow window() {
@@ -53,8 +63,9 @@ final class FrameEditor {
         window().open(file);
     }
 
-    void open(List<Path> files) {
-        files.forEach(this::open);
+    /** Opens files that were dropped on the window, each by its kind. */
+    void openDropped(List<Path> files) {
+        droppedFiles.open(files);
     }
 
     void fillRecent(JMenu menu) {

@@ -1,6 +1,7 @@
 package majic.gui;
 
 import java.awt.Window;
+import java.nio.file.Path;
 import javax.swing.filechooser.FileFilter;
 import javax.swing.filechooser.FileNameExtensionFilter;
 import majic.gui.kit.ChooseFile;
@@ -40,6 +41,11 @@ final class FrameTeams {
     /** Asks for the file of a team, and opens it. */
     void chooseAndOpen() {
         FileFilter files = new FileNameExtensionFilter(TEXTS.get("teamFiles"), "team");
-        ChooseFile.toOpen(owner, services.settings(), TEXTS.get("openTeam"), files, opener::open);
+        ChooseFile.toOpen(owner, services.settings(), TEXTS.get("openTeam"), files, this::open);
+    }
+
+    /** Connects the robots of a saved team. */
+    void open(Path file) {
+        opener.open(file);
     }
 }

@@ -90,9 +90,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         reconnect = new FrameReconnect(session.team(), services.settings(), this::attemptsChanged);
         parser.useDefaultRobots(selection::numbers);
         dialogs = new FrameDialogs(this, session, services, selection, channel);
-        editor = new FrameEditor(this, session, services, this::stopAll, dialogs);
         lab = new FrameLab(session, services, channel);
         teams = new FrameTeams(this, session, services, channel);
+        editor = new FrameEditor(this, session, services, this::stopAll, dialogs, teams);
         RobotActions actions = new RobotActions(
                 session.team(), channel, plots, dialogs::loadAct, dialogs::removeBot, reconnect.attempts());
         selection.addListener(() -> gamepad.choose(selection.members()));
@@ -155,7 +155,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         setIconImage(Icons.program(ICON_SIZE));
         commands.complete();
         menu.fill(this, actions, new FrameActions.MenuActions(this, dialogs, editor), editor);
-        FileDrop.installInside(getRootPane(), editor::open);
+        FileDrop.installInside(getRootPane(), editor::openDropped);
         MacMenu.install(this::quit, dialogs::about);
         WindowPreloader.preparePanels();
     }

@@ -143,7 +143,8 @@ class Screenshots {
                 wait 2s
                 3 drive 60mm/s 20deg/s for 3s
                 """);
-        EditorContext context = new EditorContext(program.session(), program.settings(), () -> {}, act -> {});
+        EditorContext context =
+                new EditorContext(program.session(), program.settings(), () -> {}, act -> {}, files -> {});
         EditorWindow[] made = new EditorWindow[1];
         SwingUtilities.invokeAndWait(() -> {
             made[0] = new EditorWindow(context, frame);

@@ -59,7 +59,8 @@ final class ToolPictures {
                 end
                 3 drive 60mm/s 20deg/s for 3x
                 """);
-        EditorContext context = new EditorContext(program.session(), program.settings(), () -> {}, act -> {});
+        EditorContext context =
+                new EditorContext(program.session(), program.settings(), () -> {}, act -> {}, files -> {});
         EditorWindow[] editor = new EditorWindow[1];
         SwingUtilities.invokeAndWait(() -> {
             editor[0] = new EditorWindow(context, frame);

@@ -1,6 +1,7 @@
 package majic.gui.acts;
 
 import java.awt.Window;
+import java.nio.file.Path;
 import majic.act.file.ActFile;
 import majic.bot.BotException;
 import majic.environment.Settings;
@@ -28,8 +29,16 @@ public final class ActLoader {
 
     /** Starts with the choice of the act. */
     public void load(LoadTargets targets) {
-        new ChooseActDialog(owner, session.offers(), settings, targets, act -> askConsent(targets, act))
-                .setVisible(true);
+        choice(targets).open();
+    }
+
+    /** Starts with the choice of the act, in which the act of a file is selected. */
+    public void load(LoadTargets targets, Path file) {
+        choice(targets).open(file);
+    }
+
+    private ChooseActDialog choice(LoadTargets targets) {
+        return new ChooseActDialog(owner, session.offers(), settings, targets, act -> askConsent(targets, act));
     }
 
     private void askConsent(LoadTargets targets, ChosenAct act) {

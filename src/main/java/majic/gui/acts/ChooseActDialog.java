@@ -52,7 +52,18 @@ final class ChooseActDialog extends MajicDialog {
         load.setName("loadChosen");
         fill(content(), load, closing(TEXTS.get("cancel")));
         show(null);
-        readAll();
+    }
+
+    /** Shows the dialog, and lists the acts as soon as they are read. */
+    void open() {
+        readAll(() -> {});
+        setVisible(true);
+    }
+
+    /** Shows the dialog, and selects the act of a file as soon as the listed ones are read. */
+    void open(Path file) {
+        readAll(() -> readFile(file));
+        setVisible(true);
     }
 
     private JPanel content() {
@@ -78,13 +89,16 @@ final class ChooseActDialog extends MajicDialog {
         ChooseFile.toOpen(getOwner(), settings, TEXTS.get("choose"), ChooseFile.acts(), this::readFile);
     }
 
-    private void readAll() {
+    private void readAll(Runnable then) {
         summary.say(TEXTS.get("reading"));
         EventThread.background(
                 "reading acts",
                 () -> {
                     List<ActEntry> all = ActEntry.readAll(offers);
-                    EventThread.later(() -> fillList(all));
+                    EventThread.later(() -> {
+                        fillList(all);
+                        then.run();
+                    });
                 },
                 summary::complain);
     }

@@ -94,7 +94,7 @@ public final class EditorWindow extends JFrame {
     private void listen() {
         tabs.addChangeListener(event -> showTab());
         context.session().team().addListener(team);
-        FileDrop.install(getRootPane(), files -> files.forEach(this::open));
+        FileDrop.install(getRootPane(), context.dropped());
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         addWindowListener(new WindowAdapter() {
             /**
@@ -172,7 +172,7 @@ public final class EditorWindow extends JFrame {
 
     private void add(ScriptFile file, boolean exists) {
         EditorTab tab = new EditorTab(context, runner, file, exists, this::showTab);
-        FileDrop.install(tab.area().text(), files -> files.forEach(this::open));
+        FileDrop.install(tab.area().text(), context.dropped());
         tabs.addTab(PlainTextUi.title(tab.title()), tab);
         tabs.setSelectedComponent(tab);
         bringToFront();
