@@ -12,8 +12,8 @@ import majic.time.TimeSource;
  * Thread-safe.
  */
 final class StopAnswerOrder {
-    /** Seconds; robots usually confirm a stop within a tenth of that of each other. */
-    private static final double BOUND_S = 0.3;
+    /** Seconds; a robot that drives at the speed of an act has braked within about half of that. */
+    private static final double BOUND_S = 2;
 
     private final TeamEvents events;
     private final TimeSource time;

@@ -94,7 +94,7 @@ class TeamStopTest {
 
     @Test
     void theAnswersToAStopComeInTheOrderOfTheRobotsNumbers() throws InterruptedException {
-        fixture.join().standAfter(0.2);
+        fixture.join().standAfter(1.2);
         fixture.join();
         fixture.join().standAfter(0.1);
         fixture.listen();
@@ -107,7 +107,7 @@ class TeamStopTest {
 
     @Test
     void anAnswerDoesNotWaitLongForTheRobotsWithLowerNumbers() throws InterruptedException {
-        fixture.join().standAfter(0.9);
+        fixture.join().standAfter(2.9);
         fixture.join();
         fixture.join().standAfter(0.1);
         fixture.listen();
