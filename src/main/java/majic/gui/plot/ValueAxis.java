@@ -29,8 +29,13 @@ record ValueAxis(Unit unit, boolean switched, Span range) {
         return quantity.unit() == unit && quantity.switched() == switched;
     }
 
+    /** Returns the unit; degrees as a word, because a sign alone looks like a part of the number beside it. */
     String title() {
-        return switched ? Texts.of(ValueAxis.class).get("axis.switches") : Quantity.sign(unit);
+        Texts texts = Texts.of(ValueAxis.class);
+        if (switched) {
+            return texts.get("axis.switches");
+        }
+        return unit == Unit.DEG ? texts.get("axis.degrees") : Quantity.sign(unit);
     }
 
     /** Returns the axes of curves, in the order of the curves. */
