@@ -7,12 +7,9 @@ import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.ros.bridge.BridgeAddress;
 import majic.ros.panel.RosReplay;
-import majic.text.Texts;
 
 /** Robots that speak ROS among the types of robots. */
 public final class RosType implements BotType {
-    private static final Texts TEXTS = Texts.of(RosType.class);
-
     /** Used by the service loader. */
     public RosType() {}
 
@@ -33,12 +30,12 @@ public final class RosType implements BotType {
 
     @Override
     public String label() {
-        return TEXTS.get("robot");
+        return "ROS robot";
     }
 
     @Override
     public String make() {
-        return TEXTS.get("robot");
+        return "ROS robot";
     }
 
     @Override
