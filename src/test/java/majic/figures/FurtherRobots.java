@@ -28,6 +28,9 @@ final class FurtherRobots {
     private static final int WARM_UP_S = 60;
 
     private static final int SETTLING_S = 4;
+    /** The cost is compared from this size on; the first robots of a program may cost more. */
+    private static final int FIRST_COMPARED = 10;
+
     private static final double MOST_DIFFERENCE_PERCENT = 20;
 
     private final List<Team> teams = new ArrayList<>();
@@ -75,8 +78,10 @@ final class FurtherRobots {
             Team team = teams.get(i);
             Team smaller = teams.get(i - 1);
             double further = (team.percent() - smaller.percent()) / (team.robots() - smaller.robots());
-            least = Math.min(least, further);
-            most = Math.max(most, further);
+            if (smaller.robots() >= FIRST_COMPARED) {
+                least = Math.min(least, further);
+                most = Math.max(most, further);
+            }
             lines.add(String.format(
                     Locale.ROOT,
                     "%3d Pioneers %6.2f %%, each beyond %3d %.4f %%",
@@ -87,7 +92,8 @@ final class FurtherRobots {
         }
         lines.add(String.format(
                 Locale.ROOT,
-                "the largest of these is %.0f %% above the smallest (at most %.0f %%)",
+                "from %d robots on, the largest of these is %.0f %% above the smallest (at most %.0f %%)",
+                FIRST_COMPARED,
                 100 * (most / least - 1),
                 MOST_DIFFERENCE_PERCENT));
         return lines;
