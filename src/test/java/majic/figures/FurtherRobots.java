@@ -28,6 +28,7 @@ final class FurtherRobots {
     private static final int WARM_UP_S = 60;
 
     private static final int SETTLING_S = 4;
+
     /** The cost is compared from this size on; the first robots of a program may cost more. */
     private static final int FIRST_COMPARED = 10;
 

@@ -78,31 +78,23 @@ final class TeamFloor implements MapContent {
 
     @Override
     public Rectangle2D extent() {
-        Rectangle2D all = null;
+        Rectangle2D room = null;
         for (Wall wall : scene.walls()) {
-            all = joined(all, around(wall.x1(), wall.y1(), MARGIN_MM));
-            all = joined(all, around(wall.x2(), wall.y2(), MARGIN_MM));
+            room = joined(room, around(wall.x1(), wall.y1(), 0));
+            room = joined(room, around(wall.x2(), wall.y2(), 0));
         }
-        double margin = scene.walls().isEmpty() ? FREE_MM : MARGIN_MM;
+        Rectangle2D all = room == null ? null : grown(room, MARGIN_MM);
+        double margin = room == null ? FREE_MM : MARGIN_MM;
         for (MapScene.Robot robot : scene.robots()) {
             Pose at = robot.reported();
             Rectangle2D way = new Rectangle2D.Double(at.xMm(), at.yMm(), 0, 0);
             robot.trail().extend(way);
             all = joined(all, grown(way, margin));
             // Outside of the room a selected robot needs space for its frame.
-            double beside = isInRoom(at) ? margin : FREE_MM;
+            double beside = room != null && room.contains(at.xMm(), at.yMm()) ? MARGIN_MM : FREE_MM;
             all = joined(all, around(at.xMm(), at.yMm(), robot.bodyMm() + beside));
         }
         return all == null ? EMPTY : all;
-    }
-
-    private boolean isInRoom(Pose at) {
-        Rectangle2D room = null;
-        for (Wall wall : scene.walls()) {
-            room = joined(room, around(wall.x1(), wall.y1(), 0));
-            room = joined(room, around(wall.x2(), wall.y2(), 0));
-        }
-        return room != null && room.contains(at.xMm(), at.yMm());
     }
 
     private static Rectangle2D around(double xMm, double yMm, double radiusMm) {
