@@ -132,7 +132,7 @@ final class FrameMemory {
     }
 
     /** Stores the present place. */
-    private void keep() {
+    void keep() {
         String text = place().toString();
         if (!text.equals(kept)) {
             kept = text;

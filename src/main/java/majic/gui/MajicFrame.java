@@ -66,6 +66,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient Plots plots;
     private final transient RobotSelection selection = new RobotSelection();
     private final transient GamepadControl gamepad;
+    private final transient FrameMemory memory;
     private final StartPage start;
     private final TeamPane team;
     private final CommandPane commands;
@@ -101,7 +102,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
         stopKeys = new StopKeys(session.team(), this::stopAll);
         helpKey = new HelpKey(dialogs::help);
-        place();
+        memory = place();
         listen(parser);
     }
 
@@ -121,7 +122,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         return new StartPage(starting, teams.last());
     }
 
-    private void place() {
+    private FrameMemory place() {
         FrameActions actions = new FrameActions(this, dialogs, editor);
         FrameContent content = new FrameContent(session.team(), actions.buttons(), this::stopAll, team, commands);
         setContentPane(content);
@@ -147,7 +148,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         setSize(Math.min(UIScale.scale(1280), screen.width), Math.min(UIScale.scale(800), screen.height));
         setLocationRelativeTo(null);
         FileDrop.postponeInside(getRootPane());
-        new FrameMemory(this, content.splits(), services.settings());
+        return new FrameMemory(this, content.splits(), services.settings());
     }
 
     /** Adds what would have delayed the window. */
@@ -257,11 +258,13 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     /**
      * Paints the window, its dialogs and the other look and feel without showing them, so that the Java machine can
-     * record the classes that they need. Must be called on the event dispatch thread.
+     * record the classes that they need, and keeps the place of the window, with which the next rehearsal begins. Must
+     * be called on the event dispatch thread.
      */
     public void rehearse() {
         paintUnseen(this);
         dialogs.rehearse();
+        memory.keep();
         for (boolean dark : List.of(true, false)) {
             LookAndFeels.change(dark, Settings.inMemory());
         }
