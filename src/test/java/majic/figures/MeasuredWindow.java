@@ -1,11 +1,15 @@
 package majic.figures;
 
 import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.AWTEvent;
+import java.awt.Toolkit;
 import java.awt.Window;
 import java.lang.reflect.InvocationTargetException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
@@ -16,7 +20,8 @@ final class MeasuredWindow {
     /** The line that a program prints when its window is visible. */
     static final String SHOWN = "shown";
 
-    private static final int LOOK_MS = 4;
+    private static final int LOOK_MS = 1;
+    private static final int LONGEST_START_S = 60;
 
     /** Tasks that start what they need themselves. */
     private static final Set<String> WITHOUT_WINDOW = Set.of("flood", "stop");
@@ -34,12 +39,19 @@ final class MeasuredWindow {
         }
     }
 
-    /** Waits for a visible window without loading the toolkit, then until it is painted by the events that follow. */
+    /**
+     * Waits for a window without loading the toolkit, then until the display has asked for its painting, which it does
+     * once the window is visible, and that is done.
+     */
     static void awaitWindow() throws InterruptedException, InvocationTargetException {
-        while (Window.getWindows().length == 0 || !Window.getWindows()[0].isShowing()) {
+        while (Window.getWindows().length == 0) {
             Thread.sleep(LOOK_MS);
         }
-        SwingUtilities.invokeAndWait(() -> {});
+        CountDownLatch asked = new CountDownLatch(1);
+        Toolkit.getDefaultToolkit().addAWTEventListener(event -> asked.countDown(), AWTEvent.PAINT_EVENT_MASK);
+        if (!asked.await(LONGEST_START_S, TimeUnit.SECONDS)) {
+            throw new IllegalStateException("the display has not asked for the painting of the window");
+        }
         SwingUtilities.invokeAndWait(() -> {});
     }
 
