@@ -264,7 +264,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private void mark(Refusal why) {
         putClientProperty("JComponent.outline", "error");
         wrongWord.set(why.from(), why.to());
-        if (why.isForAnotherReason()) {
+        if (why.isLineRight()) {
             selectAll();
         } else {
             select(why.from(), why.to());
