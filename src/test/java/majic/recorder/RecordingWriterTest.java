@@ -25,6 +25,7 @@ class RecordingWriterTest {
     private Path folder;
 
     private final BlockingQueue<String> alarms = new LinkedBlockingQueue<>();
+    private final AtomicLong nanos = new AtomicLong();
 
     private static RecordingHead head(int part) {
         return new RecordingHead(Instant.now(), part, part);
@@ -32,6 +33,10 @@ class RecordingWriterTest {
 
     private RecordingFolder small() {
         return new RecordingFolder(folder, 3 * FILE_BYTES, FILE_BYTES);
+    }
+
+    private void step(long seconds) {
+        nanos.addAndGet(TimeUnit.SECONDS.toNanos(seconds));
     }
 
     private Path old(String name, int daysAgo) throws IOException {
@@ -67,7 +72,7 @@ class RecordingWriterTest {
 
     @Test
     void aFileThatIsFullAsksForAnother() throws Exception {
-        RecordingWriter writer = new RecordingWriter(small(), alarms::add, System::nanoTime);
+        RecordingWriter writer = new RecordingWriter(small(), alarms::add, nanos::get);
         assertThat(writer.needsPart()).isTrue();
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         assertThat(writer.needsPart()).isFalse();
@@ -81,7 +86,7 @@ class RecordingWriterTest {
 
     @Test
     void whatWasWrittenIsReadableBeforeTheFileIsClosed() throws Exception {
-        RecordingWriter writer = new RecordingWriter(small(), alarms::add, System::nanoTime);
+        RecordingWriter writer = new RecordingWriter(small(), alarms::add, nanos::get);
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         writer.write("2.000\tline\tnotice\tgoes on\n");
         List<Path> files = writer.files();
@@ -93,19 +98,22 @@ class RecordingWriterTest {
 
     @Test
     void linesAreReadableSoonWithoutARequest() throws Exception {
-        RecordingWriter writer = new RecordingWriter(small(), alarms::add, System::nanoTime);
+        RecordingWriter writer = new RecordingWriter(small(), alarms::add, nanos::get);
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         Path file = writer.files().get(0);
         writer.write("2.000\tline\tnotice\tgoes\n");
         writer.write("3.000\tline\tnotice\ton\n");
 
-        WindowWait.await("the lines in the file", () -> texts(file).equals(List.of("begun", "goes", "on")));
+        WindowWait.await("the lines in the file", () -> {
+            step(1);
+            return texts(file).equals(List.of("begun", "goes", "on"));
+        });
         writer.close();
     }
 
     @Test
     void moreLinesThanTheDiskTakesAtOnceAreAllWritten() throws Exception {
-        RecordingWriter writer = new RecordingWriter(new RecordingFolder(folder), alarms::add, System::nanoTime);
+        RecordingWriter writer = new RecordingWriter(new RecordingFolder(folder), alarms::add, nanos::get);
         writer.begin(head(1), "");
         int written = 0;
         for (int line = 0; line < 10_000; line++) {
@@ -132,7 +140,7 @@ class RecordingWriterTest {
     void aFolderThatCannotBeWrittenIsReportedOnce() throws Exception {
         Path blocked = Files.writeString(folder.resolve("file"), "in the way");
         RecordingWriter writer =
-                new RecordingWriter(new RecordingFolder(blocked.resolve("recordings")), alarms::add, System::nanoTime);
+                new RecordingWriter(new RecordingFolder(blocked.resolve("recordings")), alarms::add, nanos::get);
         writer.begin(head(1), "1.000\tline\tnotice\tbegun\n");
         writer.begin(head(2), "2.000\tline\tnotice\tagain\n");
         writer.close();
@@ -142,7 +150,6 @@ class RecordingWriterTest {
 
     @Test
     void anotherFileIsTriedAMinuteAfterAFailure() throws Exception {
-        AtomicLong nanos = new AtomicLong();
         Path blocked = Files.writeString(folder.resolve("file"), "in the way");
         RecordingFolder later = new RecordingFolder(blocked.resolve("recordings"));
         RecordingWriter writer = new RecordingWriter(later, alarms::add, nanos::get);
@@ -150,10 +157,10 @@ class RecordingWriterTest {
         assertThat(alarms.take()).contains("nothing is recorded");
         Files.delete(blocked);
 
-        nanos.addAndGet(TimeUnit.SECONDS.toNanos(59));
+        step(59);
         writer.files();
         assertThat(writer.needsPart()).isFalse();
-        nanos.addAndGet(TimeUnit.SECONDS.toNanos(2));
+        step(2);
         WindowWait.await("another attempt", writer::needsPart);
 
         writer.begin(head(2), "62.000\tline\tnotice\tgoes on\n");
