@@ -1,3 +1,4 @@
+import majic.bot.BotException;
 import majic.pioneer.MajicPioneer;
 
 /** Moves a Pioneer without window, team or script. */
@@ -19,6 +20,9 @@ public final class TenLines {
             robot.move(300);
             robot.turn(90);
             System.out.println("ahead: " + robot.get("distanceFront"));
+        } catch (BotException e) {
+            System.err.println(args[0] + ": " + e.getMessage());
+            System.exit(1);
         }
     }
 }
