@@ -106,13 +106,33 @@ fetch_broker() {
     return 1
 }
 
-# fetch_wanted_broker HERE ARGUMENT...: the same if an argument is --broker.
+# may_start_broker ADDRESS: whether MAJIC accepts --broker with this address; one that other computers reach needs a password.
+may_start_broker() {
+    [ -z "${MAJIC_MQTT_USER-}" ] || [ -z "${MAJIC_MQTT_PASSWORD-}" ] || return 0
+    case $1 in
+        localhost | localhost:* | 127.* | ::1 | "[::1]"*) return 0 ;;
+        *.* | *:*) return 1 ;;
+    esac
+}
+
+# fetch_wanted_broker HERE ARGUMENT...: the same if an argument is --broker, unless MAJIC will refuse its address.
 fetch_wanted_broker() {
     folder=$1
     shift
+    wanted=
+    at=
+    before=
     for argument; do
-        case $argument in --broker | --broker=*) fetch_broker "$folder" || true ;; esac
+        [ "$before" != --broker ] || at=$argument
+        case $argument in
+            --broker) wanted=yes ;;
+            --broker=*) wanted=yes at=${argument#*=} ;;
+        esac
+        before=$argument
     done
+    if [ -n "$wanted" ] && may_start_broker "$at"; then
+        fetch_broker "$folder" || true
+    fi
 }
 
 # exec_packaging HERE: makes an image and an installer of MAJIC, in place of this process.

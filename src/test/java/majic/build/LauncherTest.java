@@ -9,12 +9,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.List;
+import majic.tool.Tool;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Tests the shell script that builds and starts MAJIC, with scripts in place of Maven and Java. */
 @Tag("jdk")
@@ -186,5 +189,33 @@ class LauncherTest {
         Files.deleteIfExists(file);
         Files.writeString(file, text);
         Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rwxr-xr-x"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--broker | fetched",
+                "--broker lab | fetched",
+                "--broker 127.0.0.1:1884 | fetched",
+                "--broker=localhost:1884 | fetched",
+                "--broker --listen 0.0.0.0:7000 | fetched",
+                "MAJIC_MQTT_USER=anna MAJIC_MQTT_PASSWORD=secret --broker 0.0.0.0 | fetched",
+                "MAJIC_MQTT_USER=anna --broker 0.0.0.0 | ''",
+                "--broker 0.0.0.0 | ''",
+                "--broker=0.0.0.0:1883 | ''",
+                "--lab | ''"
+            })
+    void theBrokerIsFetchedOnlyForAnAddressThatWillBeAccepted(String words, String output) throws Exception {
+        String script = """
+                unset MAJIC_MQTT_USER MAJIC_MQTT_PASSWORD
+                . config/tools.sh
+                fetch_broker() { echo fetched; }
+                for word in %s; do
+                    case $word in MAJIC_*) export "$word" ;; *) set -- "$@" "$word" ;; esac
+                done
+                fetch_wanted_broker here "$@"
+                """;
+        assertThat(Tool.run("sh", "-c", script.formatted(words)).strip()).isEqualTo(output);
     }
 }
