@@ -40,10 +40,10 @@ import org.junit.jupiter.api.io.TempDir;
 /**
  * Makes pictures of the window with each robot in each state and with each dialog, light and dark, to look at:
  * {@code mvn -Pstates test}, on a machine with a display. {@code -Dmajic.language=de} sets the language,
- * {@code -Dmajic.scale=2} the scale of the system, a whole number where Java takes no other from it (X11),
- * {@code -Dflatlaf.uiScale=1.5} that of the texts. Both need a display as much larger than 1280 × 800. If Mosquitto is
- * installed, one of the robots is that of another desk. {@code -Dstates="2-act plot"} makes only the pictures with one
- * of these words in their names, and {@code -Dmajic.states} names the folder in {@code target}.
+ * {@code -Dmajic.scale=1.5} the scale: as on X11, whole numbers are Java's own scale, others that of the look and feel.
+ * Other scales than 1 need a display as much larger than 1280 × 800. If Mosquitto is installed, one of the robots is
+ * that of another desk. {@code -Dstates="2-act plot"} makes only the pictures with one of these words in their names,
+ * and {@code -Dmajic.states} names the folder in {@code target}.
  */
 class StatePictures {
     private static final Path FOLDER =
@@ -53,6 +53,9 @@ class StatePictures {
             List.of(System.getProperty("states", "").split("[ ,]+"));
 
     private static final double SCALE = Double.parseDouble(System.getProperty("majic.scale", "1"));
+    /** Pixels of a picture for one of the window. */
+    private static final double PICTURE_SCALE = SCALE == Math.rint(SCALE) ? SCALE : 1;
+
     private static final LabOptions OPTIONS =
             LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7).withRos(RosOptions.parse("2+camera"));
     private static final List<String> ROBOTS = List.of("aibo", "pioneer", "hemisson", "ros");
@@ -63,7 +66,8 @@ class StatePictures {
     private static final double OUTAGE_S = 600;
 
     static {
-        System.setProperty("sun.java2d.uiScale", String.valueOf(SCALE));
+        System.setProperty("sun.java2d.uiScale", String.valueOf(PICTURE_SCALE));
+        System.setProperty("flatlaf.uiScale", String.valueOf(SCALE / PICTURE_SCALE));
         Locale.setDefault(Locale.forLanguageTag(System.getProperty("majic.language", "en")));
     }
 
@@ -237,12 +241,12 @@ class StatePictures {
             return;
         }
         awaitWindow(new Settled());
-        WindowPicture.save(window, FOLDER.resolve(name + "-light.png"), SCALE);
+        WindowPicture.save(window, FOLDER.resolve(name + "-light.png"), PICTURE_SCALE);
         look(new FlatDarkLaf());
         if (!(window instanceof MajicFrame)) {
             awaitWindow(new Settled()); // charts are painted anew on a thread of their own
         }
-        WindowPicture.save(window, FOLDER.resolve(name + "-dark.png"), SCALE);
+        WindowPicture.save(window, FOLDER.resolve(name + "-dark.png"), PICTURE_SCALE);
         look(new FlatLightLaf());
     }
 
