@@ -97,14 +97,15 @@ public final class LiveSource implements PlotSource {
 
     @Override
     public Feed feed(Quantity quantity, Samples samples) {
+        Feed live = member(quantity.robot())
+                .map(member ->
+                        readings.computeIfAbsent(member, this::readingsOf).feed(quantity, samples))
+                .orElse(() -> {});
         Past recorded = past;
         if (recorded != null) {
             recorded.read(quantity, samples, marks);
         }
-        return member(quantity.robot())
-                .map(member ->
-                        readings.computeIfAbsent(member, this::readingsOf).feed(quantity, samples))
-                .orElse(() -> {});
+        return live;
     }
 
     private LiveReadings readingsOf(Member member) {

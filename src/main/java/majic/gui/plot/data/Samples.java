@@ -34,9 +34,10 @@ public final class Samples {
     }
 
     /**
-     * Adds readings from before the first one; the oldest are left out if there are too many.
+     * Adds changes from before the first reading, the last of which holds until then; the oldest are left out if there
+     * are too many.
      *
-     * @param past readings, of which those from before the first one are added
+     * @param past changes, of which those from before the first reading are added
      */
     public synchronized void addPast(Points past) {
         Points present = copy(0, count);
@@ -45,6 +46,9 @@ public final class Samples {
         count = 0;
         for (int index = 0; index < past.size() && !(past.times()[index] >= start); index++) {
             add(past.times()[index], past.values()[index]);
+        }
+        if (count > 0 && present.size() > 0) {
+            add(Math.nextDown(start), newest());
         }
         for (int index = 0; index < present.size(); index++) {
             add(present.times()[index], present.values()[index]);

@@ -10,6 +10,9 @@ public record Span(double from, double to) {
     /** The part of the range of values that stays empty above and below a curve. */
     private static final double MARGIN = 0.05;
 
+    /** Of the values themselves: recorded numbers have four digits. */
+    private static final double LEAST_MARGIN = 0.001;
+
     /** About how many steps the ends of an axis are rounded to. */
     private static final double STEPS = 20;
 
@@ -29,14 +32,16 @@ public record Span(double from, double to) {
 
     /**
      * Returns the range of an axis that shows values with some room above and below, with round ends, so that it
-     * changes seldom.
+     * changes seldom. Differences that a recording does not keep, of less than a thousandth, fill only a part of it.
      *
      * @param least the lowest value
      * @param greatest the highest value, not below {@code least}
      */
     public static Span ofAxis(double least, double greatest) {
         double length = greatest - least;
-        double room = length > 0 ? length * MARGIN : Math.max(1, Math.abs(least) * MARGIN);
+        double magnitude = Math.max(Math.abs(least), Math.abs(greatest));
+        double room =
+                length > 0 ? Math.max(length * MARGIN, magnitude * LEAST_MARGIN) : Math.max(1, magnitude * MARGIN);
         double step = round((length + 2 * room) / STEPS);
         return new Span(step * Math.floor((least - room) / step), step * Math.ceil((greatest + room) / step));
     }

@@ -48,8 +48,16 @@ class SamplesTest {
     void pastReadingsComeBeforeTheFirstOne() {
         samples.add(5, 50);
         samples.addPast(new Points(new double[] {3, 4, 6}, new double[] {30, 40, 60}));
-        assertThat(samples.within(EVERYTHING).times()).containsExactly(3, 4, 5);
+        assertThat(samples.within(EVERYTHING).values()).containsExactly(30, 40, 40, 50);
         assertThat(samples.newest()).isEqualTo(50);
+    }
+
+    @Test
+    void theLastPastReadingHoldsUntilTheFirstOne() {
+        samples.add(60, 50);
+        samples.addPast(new Points(new double[] {3}, new double[] {30}));
+        assertThat(samples.at(59.9)).isEqualTo(30);
+        assertThat(samples.within(new Span(59.9, 60)).values()).containsExactly(30, 50);
     }
 
     @Test

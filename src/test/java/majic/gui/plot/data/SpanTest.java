@@ -17,6 +17,11 @@ class SpanTest {
     }
 
     @Test
+    void aDifferenceThatARecordingDoesNotKeepFillsOnlyAPartOfTheAxis() {
+        assertThat(Span.ofAxis(125.9, 125.947).length()).isBetween(0.2, 0.5);
+    }
+
+    @Test
     void anAxisChangesOnlyWhenValuesComeNearItsEnds() {
         assertThat(Span.ofAxis(0, 100.5)).isEqualTo(Span.ofAxis(0, 100));
     }
