@@ -74,17 +74,6 @@ class SharedClientsTest {
         }
     }
 
-    @Test
-    void theProgramEndsWithASentenceIfTheRobotIsNotShared() throws Exception {
-        assumeTrue(Mosquitto.installed().isPresent() && hasClient(), "needs Mosquitto and paho-mqtt 2");
-        try (Mosquitto broker = Mosquitto.start(folder)) {
-            String program = at(broker.port(), "move_shared.py").toString();
-            assertThat(Tool.run(PYTHON, program, "127.0.0.1", "lab", "desk2", "9", "30"))
-                    .isEqualToIgnoringNewLines(
-                            "lab/majic/1/desks/desk2/robots/9: no new state within 10 s; is it shared?");
-        }
-    }
-
     private static boolean hasClient() throws InterruptedException {
         try {
             return Tool.run(PYTHON, "-c", "from paho.mqtt.client import CallbackAPIVersion; print('found')")
