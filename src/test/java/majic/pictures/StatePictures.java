@@ -67,7 +67,9 @@ class StatePictures {
 
     static {
         System.setProperty("sun.java2d.uiScale", String.valueOf(PICTURE_SCALE));
-        System.setProperty("flatlaf.uiScale", String.valueOf(SCALE / PICTURE_SCALE));
+        if (PICTURE_SCALE != SCALE) {
+            System.setProperty("flatlaf.uiScale", String.valueOf(SCALE));
+        }
         Locale.setDefault(Locale.forLanguageTag(System.getProperty("majic.language", "en")));
     }
 
