@@ -1,10 +1,8 @@
 package majic.gui;
 
 import com.formdev.flatlaf.util.UIScale;
-import java.awt.BorderLayout;
 import java.awt.Dimension;
 import javax.swing.JComponent;
-import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import majic.gui.bots.RobotActions;
 import majic.gui.bots.RobotPanels;
@@ -52,10 +50,7 @@ final class TeamPane extends JSplitPane {
         strip = new TeamStrip(team, selection, actions, panels::openWindow);
         mapFeed = new MapFeed(team, session.factory(), map::show);
         map.select(team, selection, strip::showMenu);
-        JPanel overview = new JPanel(new BorderLayout(6, 0));
-        overview.add(new StripScroll(strip), BorderLayout.WEST);
-        overview.add(map, BorderLayout.CENTER);
-        setLeftComponent(overview);
+        setLeftComponent(new TeamOverview(new StripScroll(strip), map));
         setRightComponent(panels);
         setResizeWeight(0.58);
         panels.setPreferredSize(UIScale.scale(PANELS));

@@ -46,6 +46,18 @@ class NarrowWindowTest {
         window.await("words", () -> "Save Session".equals(button("Save Session").getText()));
     }
 
+    @Test
+    void theCardsHaveTheSpaceOfAMapThatWouldBeTooNarrow() {
+        window.add("one");
+        Component map = window.find("teamMap", Component.class);
+        window.await("no map", () -> !map.isVisible());
+        assertThat(window.find("teamStripScroll", Component.class).getWidth())
+                .isEqualTo(map.getParent().getWidth());
+
+        window.run(() -> window.frame.setSize(1280, 800));
+        window.await("the map", map::isVisible);
+    }
+
     private JButton button(String name) {
         return window.find(name, JButton.class);
     }
