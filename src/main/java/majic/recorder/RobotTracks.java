@@ -117,6 +117,23 @@ public final class RobotTracks {
     }
 
     /**
+     * Returns the pose in the robot's own frame at a time. While there is no reading, as after the loss of the
+     * connection, the last one counts.
+     *
+     * @param seconds time of the recording
+     * @return the pose at which the robot was added before the first reading
+     */
+    public Pose pose(double seconds) {
+        return new Pose(last("x", seconds), last("y", seconds), last("heading", seconds));
+    }
+
+    private double last(String parameter, double seconds) {
+        Track track = values.get(key(parameter));
+        double number = track == null ? Double.NaN : track.lastNumberAt(seconds);
+        return Double.isNaN(number) ? 0 : number;
+    }
+
+    /**
      * Returns what the team knew of the robot at a time.
      *
      * @param name {@code connection}, {@code owner}, {@code placed} or {@code stop}

@@ -72,6 +72,15 @@ final class Track {
         return index < 0 ? Double.NaN : numbers[index];
     }
 
+    /** The last number until a time; NaN if there was none. */
+    double lastNumberAt(double seconds) {
+        int index = indexAt(seconds);
+        while (index >= 0 && !Double.isFinite(numbers[index])) {
+            index--;
+        }
+        return index < 0 ? Double.NaN : numbers[index];
+    }
+
     /** The index of the value in force at a time; -1 before the first. */
     int indexAt(double seconds) {
         int found = Arrays.binarySearch(atMs, 0, size, ms(seconds) + 1);

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.zip.GZIPOutputStream;
 import majic.bot.Parameter;
+import majic.bot.Pose;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.Test;
@@ -60,6 +61,17 @@ class RecordingFileTest {
         assertThat(robot.value(x, 1.5)).isInstanceOf(Value.Unknown.class);
         assertThat(robot.value(x, 3.9)).isEqualTo(Value.of(5, Unit.MM));
         assertThat(robot.value(x, 4)).hasToString("unknown (no reading yet)");
+    }
+
+    @Test
+    void aRobotWithoutReadingsStaysWhereItWas() throws Exception {
+        RobotTracks robot = Recording.read(
+                        file(HEAD, ROBOT, X, "2.000\tvalue\t2\tx\t5\n", "4.000\tvalue\t2\tx\t?no reading yet\n"))
+                .tracks()
+                .get(0);
+        assertThat(robot.pose(1.5)).isEqualTo(Pose.START);
+        assertThat(robot.pose(3.9)).isEqualTo(new Pose(5, 0, 0));
+        assertThat(robot.pose(4)).isEqualTo(new Pose(5, 0, 0));
     }
 
     @Test

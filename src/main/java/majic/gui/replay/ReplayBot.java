@@ -6,7 +6,6 @@ import majic.bot.BotState;
 import majic.bot.BotType;
 import majic.bot.LinkLost;
 import majic.bot.Parameter;
-import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -66,15 +65,11 @@ final class ReplayBot extends BotDriver {
         }
         long reportedNanos = time().nanos() - (long) (ageS() * 1e9);
         publish(new BotState(
-                pose(),
+                tracks.pose(atS),
                 number("speed"),
                 number("turnRate"),
                 tracks.number("moving", atS).orElse(0.0) > 0,
                 reportedNanos));
-    }
-
-    private Pose pose() {
-        return new Pose(number("x"), number("y"), number("heading"));
     }
 
     private double number(String parameter) {

@@ -108,15 +108,7 @@ final class ReplayRobot implements AutoCloseable {
     }
 
     private Pose place(double atS) {
-        return tracks.origin(atS).plus(pose(atS));
-    }
-
-    private Pose pose(double atS) {
-        return new Pose(number("x", atS), number("y", atS), number("heading", atS));
-    }
-
-    private double number(String parameter, double atS) {
-        return tracks.number(parameter, atS).orElse(0.0);
+        return tracks.origin(atS).plus(tracks.pose(atS));
     }
 
     /** The robot on the map. */
@@ -138,7 +130,7 @@ final class ReplayRobot implements AutoCloseable {
         if (!isPresent(atS)) {
             return TEXTS.get("notInTeam");
         }
-        Pose at = pose(atS);
+        Pose at = tracks.pose(atS);
         return String.join(", ", conditions(atS)) + "   "
                 + TEXTS.get(
                         robot().estimates() ? "pose.about" : "pose",
