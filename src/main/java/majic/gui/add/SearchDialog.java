@@ -89,7 +89,7 @@ final class SearchDialog extends MajicDialog {
         status.show(TEXTS.get("looking"), false);
         JScrollPane scroll = new JScrollPane(list);
         JPanel panel = new JPanel(new MigLayout("insets 0, gap 8 8, wrap 1", "[560, grow, fill]", "[][][grow, fill]"));
-        panel.add(status, "wmin 0");
+        panel.add(status, "wmin 300"); // the least width decides the height of the dialog
         panel.add(progress, "h 6!");
         panel.add(scroll, "h 180");
         return panel;

@@ -12,6 +12,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
 import javax.swing.JList;
 import javax.swing.JProgressBar;
+import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.gui.TestWindow;
@@ -78,6 +79,12 @@ class SearchDialogWindowTest {
         window.push("Use");
 
         assertThat(chosen).isCompletedWithValue("toy:COM9");
+    }
+
+    @Test
+    void aTextThatIsThereFromTheBeginningDoesNotMakeTheDialogHigh() {
+        search(listening(BotType.Reach.SERIAL), Set.of());
+        assertThat(SwingUtilities.getWindowAncestor(list()).getHeight()).isLessThan(500);
     }
 
     @Test
