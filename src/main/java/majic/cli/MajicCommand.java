@@ -70,21 +70,26 @@ public final class MajicCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        boolean windowless = !console && GraphicsEnvironment.isHeadless();
-        if (windowless) {
-            System.err.println("majic: there is no display here; this is the console (help lists the commands)");
-        }
-        if (!console && !windowless) {
+        boolean windowFirst = !console && !GraphicsEnvironment.isHeadless();
+        if (windowFirst) {
             Window.preload();
         }
-        try (Program program = start.program(folder, !console && !windowless)) {
-            if (console || windowless) {
-                if (reconnect) {
-                    program.reconnectLost();
-                }
-                return Console.standard(program).run(start.firstRobots(program), List.of());
-            }
-            return new Window(program).run(start);
+        try (Program program = start.program(folder, windowFirst)) {
+            return console || withoutDisplay() ? console(program) : new Window(program).run(start);
         }
+    }
+
+    private static boolean withoutDisplay() {
+        Optional<String> problem = Window.displayProblem();
+        problem.ifPresent(sentence ->
+                System.err.println("majic: " + sentence + "; this is the console (help lists the commands)"));
+        return problem.isPresent();
+    }
+
+    private int console(Program program) throws IOException {
+        if (reconnect) {
+            program.reconnectLost();
+        }
+        return Console.standard(program).run(start.firstRobots(program), List.of());
     }
 }

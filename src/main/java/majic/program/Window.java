@@ -1,10 +1,12 @@
 package majic.program;
 
 import java.awt.AWTError;
-import java.awt.HeadlessException;
+import java.awt.GraphicsEnvironment;
+import java.awt.Toolkit;
 import java.awt.event.WindowEvent;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
@@ -36,11 +38,29 @@ public final class Window {
     }
 
     /**
+     * Returns why no window can be opened here, as the first half of a sentence; may block while the display is being
+     * connected.
+     *
+     * @return empty if there is a display that can be used
+     */
+    public static Optional<String> displayProblem() {
+        if (GraphicsEnvironment.isHeadless()) {
+            return Optional.of("there is no display here");
+        }
+        try {
+            Toolkit.getDefaultToolkit();
+            return Optional.empty();
+        } catch (AWTError | LinkageError e) {
+            // The second and later attempts fail with the error of a class that could not be initialised.
+            return Optional.of("the display " + System.getenv("DISPLAY") + ", which DISPLAY names, cannot be used");
+        }
+    }
+
+    /**
      * Shows the window and blocks until the end of the program.
      *
      * @param firstRobots asked for the robots to add once the window is painted; may block then
      * @return the exit status
-     * @throws UsageException if the display cannot be used
      */
     public int run(FirstRobots.Source firstRobots) {
         MajicFrame frame = open(true);
@@ -121,7 +141,7 @@ public final class Window {
             SwingUtilities.invokeAndWait(work);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
-        } catch (InvocationTargetException | AWTError e) {
+        } catch (InvocationTargetException e) {
             throw new WindowFailed(e);
         }
     }
@@ -156,9 +176,9 @@ public final class Window {
 
         private static String reason(Throwable cause) {
             Throwable root = cause.getCause() == null ? cause : cause.getCause();
-            return root instanceof HeadlessException || root.getMessage() == null
-                    ? "the display cannot be used"
-                    : root.getMessage().strip().lines().findFirst().orElse("the display cannot be used");
+            return root.getMessage() == null
+                    ? root.getClass().getSimpleName()
+                    : root.getMessage().strip().lines().findFirst().orElse("");
         }
     }
 }

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /** Whole programs, each a process with arguments, input, output and an exit status; closing ends them. */
 final class MajicProcesses implements AutoCloseable {
@@ -19,6 +20,12 @@ final class MajicProcesses implements AutoCloseable {
      * @param arguments its own
      */
     Process start(Path home, List<String> java, List<String> arguments) throws IOException {
+        return start(Map.of(), home, java, arguments);
+    }
+
+    /** Starts MAJIC as above, with these variables beside those of its environment. */
+    Process start(Map<String, String> variables, Path home, List<String> java, List<String> arguments)
+            throws IOException {
         List<String> command = new ArrayList<>();
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(java);
@@ -30,6 +37,7 @@ final class MajicProcesses implements AutoCloseable {
         command.addAll(arguments);
         ProcessBuilder builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().put("MAJIC_HOME", home.toString());
+        builder.environment().putAll(variables);
         Process process = builder.start();
         started.add(process);
         return process;

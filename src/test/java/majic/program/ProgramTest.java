@@ -11,12 +11,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import majic.bot.Pose;
 import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.condition.EnabledOnOs;
+import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -43,6 +46,22 @@ class ProgramTest {
         String said = talk(majic, "2 move 1000\nwait\nlab\nquit\n");
 
         assertThat(said).contains("2 move 1000: done (").containsPattern("lab: pioneer x=-?\\d+ y=-?\\d+ heading=");
+        assertThat(majic.exitValue()).as(said).isZero();
+    }
+
+    @Test
+    @EnabledOnOs(value = OS.LINUX, disabledReason = "other systems have no DISPLAY")
+    void aDisplayThatCannotBeUsedIsNamedInOneSentenceAndTheConsoleStarts() throws Exception {
+        Process majic = programs.start(
+                Map.of("DISPLAY", ":nowhere"), folder, List.of("-Djava.awt.headless=false"), List.of("--lab"));
+
+        String said = talk(majic, "2 get model\nquit\n");
+
+        assertThat(said)
+                .containsOnlyOnce(
+                        "majic: the display :nowhere, which DISPLAY names, cannot be used; this is the console")
+                .contains("model = ")
+                .doesNotContain("Exception", "Error", "\tat ");
         assertThat(majic.exitValue()).as(said).isZero();
     }
 
