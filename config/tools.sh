@@ -25,14 +25,55 @@ may_install() {
     sudo -n true 2>/dev/null || [ -t 2 ]
 }
 
+# install_packages PACKAGE...: installs Debian packages, and says how much there is to fetch, how far it is, and what failed.
+install_packages() {
+    size=$(as_root env LC_ALL=C apt-get install --assume-no --no-install-recommends "$@" 2>/dev/null |
+        sed -n 's/^Need to get \(.*\) of archives.*/\1/p')
+    [ -z "$size" ] || say "$size to fetch; this can take minutes"
+    {
+        as_root env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends \
+            -o APT::Status-Fd=1 "$@" 2>&1
+        echo "status:$?"
+    } | show_progress
+}
+
+# Reads the progress that apt-get reports, shows it on one line of a terminal, elsewhere by a line for each quarter; returns
+# the status of apt-get.
+show_progress() {
+    shown=
+    code=1
+    while IFS=: read -r kind what percent rest; do
+        case $kind in
+            dlstatus) doing=fetching ;;
+            pmstatus) doing=installing ;;
+            status) code=$what ;;
+            E) say "apt-get:$what${percent:+:$percent}${rest:+:$rest}" ;;
+        esac
+        percent=${percent%%.*}
+        case $kind:$percent in
+            dlstatus:*[!0-9]* | pmstatus:*[!0-9]* | dlstatus: | pmstatus:) ;;
+            dlstatus:* | pmstatus:*)
+                if [ -t 2 ]; then
+                    printf '\rmajic: %s, %s %% ' "$doing" "$percent" >&2
+                elif [ "$doing $((percent / 25))" != "$shown" ]; then
+                    shown="$doing $((percent / 25))"
+                    say "$doing, $percent %"
+                fi
+                ;;
+        esac
+    done
+    [ ! -t 2 ] || printf '\r%-40s\r' '' >&2
+    return "$code"
+}
+
 # install_or_name WHY PACKAGE...: installs Debian packages after one line that says so, or names the command.
 install_or_name() {
     why=$1
     shift
     if may_install; then
         say "$why is missing; installing $*"
-        as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq update >/dev/null 2>&1 || true
-        if as_root env DEBIAN_FRONTEND=noninteractive apt-get -qq install -y --no-install-recommends "$@" >/dev/null 2>&1; then
+        as_root apt-get -qq update >/dev/null 2>&1 || true
+        if install_packages "$@"; then
             return 0
         fi
         say "installing failed; try: apt-get update && apt-get install $*"
@@ -89,6 +130,20 @@ need_packaging_tools() {
 # Maven waits for half an hour when the network falls silent; the names are those of Maven 3.8 and of later ones.
 fetch_timeouts="-Dmaven.wagon.rto=30000 -Daether.connector.requestTimeout=30000"
 
+# fetch_problem LOG: why Maven could not fetch a file, and what helps, from what it printed; nothing if it could. The longest of
+# its lines has the reason.
+fetch_problem() {
+    problem=$(grep 'Could not transfer artifact' "$1" |
+        awk 'length > length(longest) { longest = $0 } END { print longest }' |
+        sed -e 's/.*Could not transfer artifact [^ ]* from[^(]*(\([^)]*\)): \(.*\)/\1: \2/' -e 's/ -> \[Help.*//' \
+            -e 's/transfer failed for [^ ]*\( @ line [0-9]*, column [0-9]*\)\{0,1\}:\{0,1\} *//' -e 's/sun\.[a-zA-Z.]*Exception: //')
+    case $problem in
+        '') ;;
+        *PKIX*) echo "$problem; Java does not trust the certificate, perhaps that of a proxy: get it from the proxy's owner and type keytool -importcert -cacerts -file CERTIFICATE" ;;
+        *) echo "$problem" ;;
+    esac
+}
+
 # fetch_broker HERE: copies the libraries of the embedded broker to target/broker, which are not part of MAJIC. The folder
 # gets this name when it is complete, so that a fetch that was interrupted is done again.
 fetch_broker() {
@@ -101,7 +156,7 @@ fetch_broker() {
         mv "$part" "$1/target/broker"
         return 0
     fi
-    reason=$(sed -n 's/.*Could not transfer artifact [^ ]* from[^(]*(\([^)]*\)): \(.*\)/\1: \2/p' "$log" | sed 's/ -> \[Help.*//' | head -n 1)
+    reason=$(fetch_problem "$log")
     say "the embedded broker was not fetched: ${reason:-an error that $log shows}; start MAJIC again to try again, or install another broker, such as Mosquitto"
     return 1
 }
@@ -146,16 +201,23 @@ build_majic() {
     say "building; the first time this fetches libraries and takes a minute or two"
     log=$1/target/build.log
     mkdir -p "$1/target"
-    if [ -t 2 ]; then
-        (cd "$1" && mvn -B -Dmaven.test.skip -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package 2>&1) | tee "$log" |
-            awk '/Downloaded from/ { n++; printf "\rmajic: %d files fetched", n > "/dev/stderr" }
-                 /^\[INFO\] --- / { sub(/^\[INFO\] --- /, ""); sub(/ @.*/, ""); printf "\rmajic: %-60s", $0 > "/dev/stderr" }
-                 END { printf "\r%-70s\r", "" > "/dev/stderr" }'
-    else
-        (cd "$1" && mvn -B -Dmaven.test.skip -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package >"$log" 2>&1) || true
-    fi
+    terminal=
+    [ ! -t 2 ] || terminal=yes
+    (cd "$1" && mvn -B $fetch_timeouts -Dmaven.test.skip -Dspotless.check.skip -Dcheckstyle.skip -Dmaven.javadoc.skip -Dmaven.source.skip package 2>&1) |
+        tee "$log" |
+        awk -v "terminal=$terminal" '
+            /Downloaded from/ { n++ }
+            /Downloaded from/ && terminal { printf "\rmajic: %d files fetched", n > "/dev/stderr" }
+            /Downloaded from/ && !terminal && n % 100 == 0 { print "majic: " n " files fetched" > "/dev/stderr" }
+            /^\[INFO\] --- / && terminal { sub(/^\[INFO\] --- /, ""); sub(/ @.*/, ""); printf "\rmajic: %-60s", $0 > "/dev/stderr" }
+            END { if (terminal) printf "\r%-70s\r", "" > "/dev/stderr" }'
     if ! grep -q 'BUILD SUCCESS' "$log"; then
-        grep '^\[ERROR\]' "$log" | head -n 5 >&2
+        problem=$(fetch_problem "$log")
+        if [ -n "$problem" ]; then
+            say "a library cannot be fetched: $problem"
+        else
+            grep '^\[ERROR\]' "$log" | head -n 5 >&2
+        fi
         say "the build failed; all of it stands in $log"
         exit 1
     fi

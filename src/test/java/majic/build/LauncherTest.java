@@ -121,6 +121,56 @@ class LauncherTest {
         assertThat(start("", "--broker")).contains("fetching").endsWith("\nbroker.jar\n");
     }
 
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "transfer failed for https://repo.example.org/maven2/a.pom @ line 57, column 19: PKIX path building failed:"
+                        + " sun.security.provider.certpath.SunCertPathBuilderException: unable to find valid certification path"
+                        + " | PKIX path building failed: unable to find valid certification path; Java does not trust the"
+                        + " certificate, perhaps that of a proxy: get it from the proxy's owner and type keytool"
+                        + " -importcert -cacerts -file CERTIFICATE",
+                "repo.example.org: Name or service not known | repo.example.org: Name or service not known"
+            })
+    void aLibraryThatCannotBeFetchedIsExplainedWithItsReason(String printed, String reason) throws Exception {
+        String said = "[ERROR] Non-resolvable import POM: Could not transfer artifact a:b:pom:1 from/to central"
+                + " (https://repo.example.org/maven2): ";
+        program(
+                "bin/mvn",
+                "#!/bin/sh\necho '" + said + "transfer failed @ line 57, column 19'\necho '" + said + printed
+                        + " -> [Help 2]'\n");
+        program("bin/javac", "#!/bin/sh\n");
+        program("bin/java", "#!/bin/sh\necho 'openjdk version \"17.0.1\"' >&2\n");
+
+        assertThat(start(""))
+                .contains("majic: a library cannot be fetched: https://repo.example.org/maven2: " + reason + "\n")
+                .doesNotContain("[ERROR]");
+    }
+
+    @Test
+    void theInstallationOfPackagesStatesItsSizeItsProgressAndItsProblem() throws Exception {
+        program("bin/apt-get", """
+                #!/bin/sh
+                case "$*" in
+                    *--assume-no*) echo "Need to get 230 MB of archives." ;;
+                    *Status-Fd*) printf '%s\\n' dlstatus:1:1.5:java dlstatus:2:30.1:java pmstatus:java:99.9:java \
+                            "E: no space left: /usr"; exit 100 ;;
+                esac
+                """);
+        String script = "PATH=%s/bin:$PATH; . config/tools.sh; as_root() { \"$@\"; }; may_install() { :; }\n"
+                + "install_or_name 'a JDK' default-jdk 2>&1";
+
+        assertThat(Tool.run("sh", "-c", script.formatted(clone))).isEqualTo("""
+                        majic: a JDK is missing; installing default-jdk
+                        majic: 230 MB to fetch; this can take minutes
+                        majic: fetching, 1 %
+                        majic: fetching, 30 %
+                        majic: installing, 99 %
+                        majic: apt-get: no space left: /usr
+                        majic: installing failed; try: apt-get update && apt-get install default-jdk
+                        """);
+    }
+
     /** Creates a Maven that does this when the broker is fetched, into {@code $folder}. */
     private void broker(String fetching) throws IOException {
         program(
