@@ -281,7 +281,7 @@ abstract class MovingRobot extends MajicBot {
 
     /**
      * Drives straight until done. Every command that moves the robot is sent through the motion; exceptions it throws
-     * must not be caught. Motors are switched on here when they are off, with a {@link #notice}.
+     * must not be caught. Motors are switched on here when they are off, with a notice.
      *
      * @param mm finite, within {@code maxMove}, ahead positive
      * @param motion for sending and waiting
