@@ -5,13 +5,17 @@ import java.util.Locale;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 
-/** Optional equipment of a model, named behind the model's name: {@code p3dx-sh+gripper+gyro}. */
+/** What is different from the plain model, named behind the model's name: {@code p3dx-sh+gripper+nowatchdog}. */
 enum Extra {
     GRIPPER(model -> model.with(model.equipment().withGripper())),
     GYRO(model -> model.with(model.equipment().withGyro())),
     CHARGER(model -> model.with(model.equipment().withCharger())),
     COMPASS(model -> model.with(model.equipment().withCompass())),
-    BUMPERS(PioneerModel::withBumpers);
+    BUMPERS(PioneerModel::withBumpers),
+    NOFRONTSONAR(model -> model.withoutSonars(true)),
+    NOREARSONAR(model -> model.withoutSonars(false)),
+    NOWATCHDOG(PioneerModel::withoutWatchdog),
+    UNLISTED(PioneerModel::unlisted);
 
     private final UnaryOperator<PioneerModel> fitting;
 

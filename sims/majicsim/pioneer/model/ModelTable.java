@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -33,6 +34,19 @@ final class ModelTable {
                         String.join(", ", subclasses()))));
     }
 
+    /**
+     * The subclass that a name with extras begins with, which may have a plus sign itself; else all before the first.
+     */
+    static String subclassAt(String name) {
+        String lower = name.toLowerCase(Locale.ROOT) + "+";
+        return MODELS.stream()
+                .map(PioneerModel::subclass)
+                .filter(subclass -> lower.startsWith(subclass.toLowerCase(Locale.ROOT) + "+"))
+                .max(Comparator.comparingInt(String::length))
+                .map(subclass -> name.substring(0, subclass.length()))
+                .orElse(name.split("\\+", -1)[0]);
+    }
+
     static List<String> subclasses() {
         return MODELS.stream().map(PioneerModel::subclass).toList();
     }
@@ -50,12 +64,19 @@ final class ModelTable {
                 number(row[4]),
                 number(row[5]),
                 number(row[6]),
-                new Scaling(number(row[7]), number(row[8]), number(row[9]), number(row[10]), number(row[11])),
+                new Scaling(
+                        number(row[7]),
+                        number(row[22]),
+                        number(row[8]),
+                        number(row[9]),
+                        number(row[10]),
+                        number(row[11])),
                 Boolean.parseBoolean(row[12]),
                 Integer.parseInt(row[13]),
                 Integer.parseInt(row[14]),
                 fitted(row[15]),
-                equipment(row));
+                equipment(row),
+                PioneerModel.USUAL_WATCHDOG_MS);
     }
 
     private static Equipment equipment(String[] row) {

@@ -18,6 +18,7 @@ import java.util.List;
  * @param rearBumpers bumper segments behind, 0 to 7
  * @param sonars the discs that are fitted, by number
  * @param equipment its other equipment
+ * @param watchdogMs after how long without a packet it stops, ms; 0 for never
  */
 public record PioneerModel(
         String subclass,
@@ -32,7 +33,11 @@ public record PioneerModel(
         int frontBumpers,
         int rearBumpers,
         List<SonarDisc> sonars,
-        Equipment equipment) {
+        Equipment equipment,
+        int watchdogMs) {
+    /** The factory setting (ARCOS sheet 5.3). */
+    static final int USUAL_WATCHDOG_MS = 2000;
+
     private static final int FITTED_SEGMENTS = 5;
 
     /** Copies the list of discs. */
@@ -47,10 +52,11 @@ public record PioneerModel(
      * @throws IllegalArgumentException if there is no such model or extra; the message lists the valid ones
      */
     public static PioneerModel of(String name) {
-        String[] parts = name.split("\\+", -1);
-        PioneerModel model = ModelTable.find(parts[0]);
-        for (int i = 1; i < parts.length; i++) {
-            model = Extra.named(parts[i]).fitTo(model);
+        String plain = ModelTable.subclassAt(name);
+        PioneerModel model = ModelTable.find(plain);
+        String[] extras = name.substring(plain.length()).split("\\+", -1);
+        for (int i = 1; i < extras.length; i++) {
+            model = Extra.named(extras[i]).fitTo(model);
         }
         return model;
     }
@@ -60,26 +66,60 @@ public record PioneerModel(
         return ModelTable.subclasses();
     }
 
-    public boolean hasSonarArray(int array) {
-        return sonars.stream().anyMatch(disc -> disc.array() == array);
-    }
-
     PioneerModel with(Equipment newEquipment) {
-        return fitted(frontBumpers, rearBumpers, newEquipment);
+        return with(subclass, frontBumpers, rearBumpers, sonars, newEquipment, watchdogMs);
     }
 
     /** With as many bumper segments as the vendor fits (ARCOS sheet 12), unless it has its own. */
     PioneerModel withBumpers() {
-        return fitted(orFitted(frontBumpers), orFitted(rearBumpers), equipment);
+        return with(subclass, orFitted(frontBumpers), orFitted(rearBumpers), sonars, equipment, watchdogMs);
     }
 
     private static int orFitted(int segments) {
         return segments == 0 ? FITTED_SEGMENTS : segments;
     }
 
-    private PioneerModel fitted(int newFrontBumpers, int newRearBumpers, Equipment newEquipment) {
+    /** Without the sonars in front, or without those behind, of which CONFIG tells. */
+    PioneerModel withoutSonars(boolean front) {
+        List<SonarDisc> left = sonars.stream()
+                .filter(disc -> isFrontArray(disc.array()) != front)
+                .toList();
+        return with(subclass, frontBumpers, rearBumpers, left, equipment, watchdogMs);
+    }
+
+    /** Never stopping by itself. */
+    PioneerModel withoutWatchdog() {
+        return with(subclass, frontBumpers, rearBumpers, sonars, equipment, 0);
+    }
+
+    /** Announcing itself by a name that is in no table. */
+    PioneerModel unlisted() {
+        return with(subclass + "-unlisted", frontBumpers, rearBumpers, sonars, equipment, watchdogMs);
+    }
+
+    /** Whether a sonar array that looks ahead is fitted, or one that looks back. */
+    public boolean hasSonars(boolean front) {
+        return sonars.stream().anyMatch(disc -> isFrontArray(disc.array()) == front);
+    }
+
+    /** The discs of an array look ahead or back as a whole; those of an AmigoBot's only array mostly ahead. */
+    private boolean isFrontArray(int array) {
+        double ahead = 0;
+        for (SonarDisc disc : sonars) {
+            ahead += disc.array() == array ? Math.cos(Math.toRadians(disc.axisDeg())) : 0;
+        }
+        return ahead >= 0;
+    }
+
+    private PioneerModel with(
+            String newSubclass,
+            int newFrontBumpers,
+            int newRearBumpers,
+            List<SonarDisc> newSonars,
+            Equipment newEquipment,
+            int newWatchdogMs) {
         return new PioneerModel(
-                subclass,
+                newSubclass,
                 className,
                 frontMm,
                 rearMm,
@@ -90,7 +130,8 @@ public record PioneerModel(
                 hasMove,
                 newFrontBumpers,
                 newRearBumpers,
-                sonars,
-                newEquipment);
+                newSonars,
+                newEquipment,
+                newWatchdogMs);
     }
 }

@@ -4,6 +4,7 @@ package majicsim.pioneer.model;
  * The factors between a model's raw numbers in packets and values: raw times factor is the value (ARCOS sheet 9.1).
  *
  * @param mmPerPositionUnit for x and y in the SIP only
+ * @param headingUnitsPerTurn for the heading, a power of two
  * @param mmPerSecPerSpeedUnit for the wheel speeds
  * @param mmPerRangeUnit for sonar ranges
  * @param radPerMm turn in radians for each mm that the right wheel does more than the middle, the left one less
@@ -11,20 +12,20 @@ package majicsim.pioneer.model;
  */
 public record Scaling(
         double mmPerPositionUnit,
+        double headingUnitsPerTurn,
         double mmPerSecPerSpeedUnit,
         double mmPerRangeUnit,
         double radPerMm,
         double vel2UnitMmPerSec) {
-    private static final double UNITS_PER_TURN = 4096;
-
     public int position(double mm) {
         return (int) Math.round(mm / mmPerPositionUnit);
     }
 
-    /** The heading in 4096ths of a turn, -2048 to 2047. */
+    /** The heading in these units, from half a turn to the right up to half a turn to the left. */
     public int heading(double degrees) {
-        int units = (int) Math.round(degrees * UNITS_PER_TURN / 360) & 0xFFF;
-        return units >= UNITS_PER_TURN / 2 ? units - (int) UNITS_PER_TURN : units;
+        int turn = (int) headingUnitsPerTurn;
+        int units = Math.floorMod((int) Math.round(degrees * turn / 360), turn);
+        return units >= turn / 2 ? units - turn : units;
     }
 
     public int speed(double mmPerSec) {

@@ -33,7 +33,6 @@ public record ConfigReport(
         int sonarCycleMs,
         int hostBaud) {
     public static final int SIP_CYCLE_MS = 100;
-    public static final int WATCHDOG_MS = 2000;
 
     private static final int TYPE = 0x20;
     private static final String SERIAL_NUMBER = "SIM";
@@ -80,8 +79,8 @@ public record ConfigReport(
     /** SIPCYCLE to JOYRVEL, fields 11 to 24. */
     private void writeEquipment(PacketWriter packet) {
         packet.uint8(SIP_CYCLE_MS).uint8(hostBaud).uint8(get(Setting.AUX1_BAUD));
-        packet.uint16s(flag(model.equipment().hasGripper()), hasSonar(0)).uint8(hasSonar(1));
-        packet.uint16s(get(Setting.LOW_BATTERY), get(Setting.REVCOUNT), WATCHDOG_MS)
+        packet.uint16s(flag(model.equipment().hasGripper()), hasSonar(true)).uint8(hasSonar(false));
+        packet.uint16s(get(Setting.LOW_BATTERY), get(Setting.REVCOUNT), model.watchdogMs())
                 .uint8(0);
         packet.uint16s(get(Setting.STALLVAL), get(Setting.STALLCOUNT), get(Setting.JOYVEL), get(Setting.JOYRVEL));
     }
@@ -120,8 +119,8 @@ public record ConfigReport(
         return settings.applyAsInt(setting);
     }
 
-    private int hasSonar(int array) {
-        return flag(model.hasSonarArray(array));
+    private int hasSonar(boolean front) {
+        return flag(model.hasSonars(front));
     }
 
     private static int flag(boolean set) {

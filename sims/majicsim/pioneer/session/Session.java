@@ -31,7 +31,7 @@ public final class Session {
     private final PacketReader reader = new PacketReader();
     private final Handshake handshake;
     private final Line line;
-    private Watchdog watchdog = new Watchdog();
+    private Watchdog watchdog;
     private Reports reports;
     private Simulation simulation;
     private boolean open;
@@ -48,6 +48,7 @@ public final class Session {
         this.board = board;
         this.hangsUp = hangsUp;
         this.handshake = new Handshake(board.name(), board.model());
+        this.watchdog = new Watchdog(board.model().watchdogMs());
         this.reports = new Reports(board);
         this.simulation = newSimulation();
     }
@@ -140,7 +141,7 @@ public final class Session {
             return;
         }
         if (isUnderWay() && watchdog.step(nanos)) {
-            LOG.log(System.Logger.Level.INFO, "pioneer: no packet for 2 s, stopping until the next");
+            LOG.log(System.Logger.Level.INFO, "pioneer: no packet for the watchdog''s time, stopping until the next");
             drive().hold(true);
         }
         if (open) {
@@ -238,7 +239,7 @@ public final class Session {
     private void greet(byte[] greeting) {
         send(greeting);
         if (isUnderWay()) {
-            watchdog = new Watchdog();
+            watchdog = new Watchdog(board.model().watchdogMs());
             reports = new Reports(board);
             simulation = newSimulation();
             board.beginSession();

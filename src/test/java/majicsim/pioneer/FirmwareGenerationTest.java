@@ -37,7 +37,7 @@ class FirmwareGenerationTest {
         ConfigView config = Rig.open(model).config();
         assertThat(config.texts()).containsEntry("SUBCLASS", model);
         boolean anyDisc = !PioneerModel.of(model).sonars().isEmpty();
-        assertThat(config.number("FRONTSONAR")).isEqualTo(anyDisc ? 1 : 0);
+        assertThat(config.number("FRONTSONAR") | config.number("REARSONAR")).isEqualTo(anyDisc ? 1 : 0);
     }
 
     @Test

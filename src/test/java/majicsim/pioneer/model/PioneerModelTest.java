@@ -77,7 +77,8 @@ class PioneerModelTest {
     void anUnknownExtraIsRefusedWithTheKnownOnes(String name) {
         assertThatThrownBy(() -> PioneerModel.of(name))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageEndingWith("'; known are gripper, gyro, charger, compass, bumpers");
+                .hasMessageEndingWith("'; known are gripper, gyro, charger, compass, bumpers, nofrontsonar,"
+                        + " norearsonar, nowatchdog, unlisted");
     }
 
     @Test
