@@ -37,6 +37,14 @@ class ForeignPeerTest {
         }
     }
 
+    @Test
+    void aLineThatSendsBackWhatItReceivesIsNoRobot() {
+        SteppedPeer.Robot echo = (line, packet) -> line.send(packet.bytes());
+        try (PioneerRig stage = new PioneerRig(ScriptedPioneer.robot(), echo, 0)) {
+            assertThatThrownBy(stage.bot::connect).hasMessageContaining("sends back what it receives");
+        }
+    }
+
     private static PioneerRig facing(byte[] greeting) {
         return new PioneerRig(ScriptedPioneer.robot(), new Greeter(greeting), 0);
     }

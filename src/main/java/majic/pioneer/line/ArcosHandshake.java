@@ -109,7 +109,7 @@ public final class ArcosHandshake {
             line.send(Packet.bare(step));
             Packet answer = inbox.next(ANSWER_S);
             if (answer != null && answer.type() == LAST_SYNC && step == LAST_SYNC) {
-                return PioneerIdentity.decode(answer);
+                return identity(answer);
             }
             step = answer != null && answer.type() == step ? step + 1 : startOver(answer);
         }
@@ -117,6 +117,14 @@ public final class ArcosHandshake {
         throw new ConnectFailed(
                 received.isEmpty() ? Reason.NO_ANSWER : Reason.WRONG_DEVICE,
                 ConnectErrors.nothingCameOfIt(line.address(), received, (int) limitS));
+    }
+
+    /** A robot answers the last SYNC with its names; a line that sends back what it receives does not. */
+    private PioneerIdentity identity(Packet answer) {
+        if (answer.data().length == 0) {
+            throw new ConnectFailed(Reason.WRONG_DEVICE, ConnectErrors.echo(line.address()));
+        }
+        return PioneerIdentity.decode(answer);
     }
 
     private int startOver(@Nullable Packet answer) {

@@ -11,6 +11,11 @@ final class ConnectErrors {
                 + " speaks telnet (RFC 2217), which garbles packets; can its serial server be set to raw TCP?";
     }
 
+    static String echo(String address) {
+        return address + " sends back what it receives, and no robot answers; is it another port, or a plug that joins"
+                + " both directions?";
+    }
+
     static String hungUp(String address, FirstBytes received) {
         String line = received.line();
         return address + " closed the connection in the handshake"
