@@ -73,7 +73,7 @@ public final class Comparisons {
     private static boolean holds(Value actual, Operator operator, Value wanted) {
         if (actual instanceof Value.Text || actual instanceof Value.Many || wanted instanceof Value.Text) {
             boolean equal = actual.toString().equalsIgnoreCase(wanted.toString());
-            return equal == (operator == Operator.EQUAL);
+            return operator.isEquality() && equal == (operator == Operator.EQUAL);
         }
         return operator.holds(actual.number(), wanted.number());
     }
