@@ -42,6 +42,9 @@ public final class BotFactory {
     private static final Pattern SERVER = Pattern.compile(
             "(?<type>\\w+)(?:\\+\\w+)?:(?:tcp:)?//(?<host>\\[[^]]+]|[^/:?]+)(?<port>:\\d+)?(?<rest>.*)");
 
+    /** An option that says how a robot is driven, and not which one it is. */
+    private static final Pattern DRIVEN_BY = Pattern.compile("\\?params=.*");
+
     private final List<BotType> types;
     private final Settings settings;
     private final Map<MajicBot, String> inLab = Collections.synchronizedMap(new WeakHashMap<>());
@@ -159,8 +162,8 @@ public final class BotFactory {
     }
 
     /**
-     * Returns whether two addresses are those of one robot. Upper and lower case, the makers' library, {@code tcp:} and
-     * a usual port that only one of them has make no difference.
+     * Returns whether two addresses are those of one robot. Upper and lower case, the makers' library, a parameter
+     * file, {@code tcp:} and a usual port that only one of them has make no difference.
      *
      * @param one as typed
      * @param other as typed
@@ -170,10 +173,22 @@ public final class BotFactory {
         return one.equalsIgnoreCase(other) || complete(one).equalsIgnoreCase(complete(other));
     }
 
+    /**
+     * Returns what an address says about how its robot is driven: the makers' library and the parameter file.
+     *
+     * @param text an address
+     * @return equal for two addresses that make the same driver for one robot
+     */
+    public static String drivenBy(String text) {
+        Matcher option = DRIVEN_BY.matcher(text);
+        return BotAddress.parse(text).library().orElse("") + (option.find() ? option.group() : "");
+    }
+
     private String complete(String text) {
-        Matcher server = SERVER.matcher(text);
+        String plain = DRIVEN_BY.matcher(text).replaceFirst("");
+        Matcher server = SERVER.matcher(plain);
         if (!server.matches()) {
-            return text;
+            return plain;
         }
         String scheme = server.group("type").toLowerCase(Locale.ROOT);
         String port = types.stream()

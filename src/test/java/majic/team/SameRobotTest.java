@@ -29,4 +29,14 @@ class SameRobotTest {
         assertThat(factory.isSameRobot("mqtts://broker/lab/desk/1", "mqtts://broker:1883/lab/desk/1"))
                 .isFalse();
     }
+
+    @Test
+    void theParameterFileMakesNoDifference() {
+        assertThat(factory.isSameRobot("pioneer:/dev/ttyS0?params=a.p", "pioneer:/dev/ttyS0"))
+                .isTrue();
+        assertThat(factory.isSameRobot("pioneer://10.0.0.5:8101?params=a.p", "pioneer://10.0.0.5:8101?params=b.p"))
+                .isTrue();
+        assertThat(factory.isSameRobot("ros://10.0.0.5?base=odom", "ros://10.0.0.5"))
+                .isFalse();
+    }
 }

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Stream;
-import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.MajicBot;
@@ -142,14 +141,11 @@ public final class RobotConnector {
                 .findFirst();
     }
 
-    /** The robots at an address that are driven by the library it names, or by none if it names none. */
+    /** The robots at an address that are driven by the library and the parameter file it names, or by none. */
     private Stream<Member> drivenAt(String address) {
         return at(address)
-                .filter(member -> address(member).map(RobotConnector::library).equals(Optional.of(library(address))));
-    }
-
-    private static Optional<String> library(String address) {
-        return BotAddress.parse(address).library();
+                .filter(member ->
+                        address(member).map(BotFactory::drivenBy).equals(Optional.of(BotFactory.drivenBy(address))));
     }
 
     private Stream<Member> at(String address) {
