@@ -2,12 +2,13 @@ package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import java.util.function.Consumer;
-import majic.bot.BotListener;
-import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
+import majic.bot.Unit;
+import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
@@ -78,6 +79,38 @@ class MotionEndsTest {
         stage.whenBeyond(50, () -> robot.stallBits = REAR_BUMPER);
 
         assertThat(PioneerRig.amount(stage.bot.move(300))).isBetween(290.0, 310.0);
+    }
+
+    @Test
+    void theDistanceInTheMessageIsThatAtWhichTheRobotComesToRest() {
+        connect();
+        stage.whenBeyond(300, () -> robot.stallBits = FRONT_BUMPER);
+
+        Throwable failure = catchThrowable(() -> stage.bot.move(2000));
+        double x = stage.bot.get("x").number();
+
+        assertThat(failure)
+                .hasMessage("front bumper touched after " + Value.of(robot.robot.x(), Unit.MM))
+                .hasMessageContaining(Value.of(x, Unit.MM).toString());
+        assertThat(x).isGreaterThan(350);
+    }
+
+    @Test
+    void motorsAreAnnouncedWhenTheRobotReportsThem() {
+        connect();
+        robot.neverEnables = true;
+        Throwable failure = catchThrowable(() -> stage.bot.move(100));
+        assertThat(failure).hasMessageContaining("do not switch on");
+        assertThatThrownBy(() -> stage.bot.set("motors", "on")).hasMessageContaining("did not switch on");
+        assertThat(stage.notices).doesNotContain("motors on");
+
+        robot.neverEnables = false;
+        stage.bot.move(100);
+        stage.bot.set("motors", "off");
+        stage.bot.set("motors", "on");
+        stage.line.pass(0.01);
+
+        assertThat(stage.notices).filteredOn("motors on"::equals).hasSize(2);
     }
 
     @Test
@@ -153,16 +186,9 @@ class MotionEndsTest {
     @Test
     void aGuardThatComesTrueWhileTheMotorsSwitchOnMovesNothing() {
         connect();
-        boolean[] holds = {false};
         robot.neverEnables = true;
-        stage.bot.addListener(new BotListener() {
-            @Override
-            public void notice(MajicBot from, String message) {
-                holds[0] = true;
-            }
-        });
 
-        stage.bot.move(1000, () -> holds[0]);
+        stage.bot.move(1000, () -> robot.heard.contains("ENABLE 1"));
         stage.line.pass(0.3);
 
         assertThat(robot.heard).contains("ENABLE 1").noneMatch(command -> command.matches("VEL [^0].*"));

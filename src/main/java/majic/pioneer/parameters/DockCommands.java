@@ -38,7 +38,11 @@ final class DockCommands {
     }
 
     private String undock(Motion motion) {
+        boolean docked = hasPower();
         motion.send(() -> access.send(ArcosCommand.CHARGE.packet(0)));
+        if (!docked) {
+            return "contacts lifted; there was no power from a charger before";
+        }
         return motion.await(() -> !hasPower(), CONTACT_S) ? "undocked" : "sent; the charger still has power";
     }
 

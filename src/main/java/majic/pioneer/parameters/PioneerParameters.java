@@ -24,7 +24,7 @@ public final class PioneerParameters {
 
     /** All themes. */
     public static List<ParameterTheme<Equipment>> themes(BotDriver bot, PioneerAccess access, RampParameters pace) {
-        PowerSwitches switches = new PowerSwitches(access, bot::notice);
+        PowerSwitches switches = new PowerSwitches(access);
         return List.of(
                 new PoseParameters(access, () -> bot.state().pose(), bot::place),
                 pace,

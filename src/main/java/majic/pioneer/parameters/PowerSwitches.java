@@ -1,6 +1,5 @@
 package majic.pioneer.parameters;
 
-import java.util.function.Consumer;
 import majic.pioneer.arcos.ArcosCommand;
 
 /** Switches motors and sonars on and off, and waits for the SIP that confirms it. */
@@ -8,16 +7,14 @@ final class PowerSwitches {
     private static final int ALL_ARRAYS = 0;
 
     private final PioneerAccess access;
-    private final Consumer<String> notice;
 
-    PowerSwitches(PioneerAccess access, Consumer<String> notice) {
+    PowerSwitches(PioneerAccess access) {
         this.access = access;
-        this.notice = notice;
     }
 
     void motors(boolean on) {
         if (on) {
-            notice.accept("motors on");
+            access.open().motors().announceOn();
         }
         access.sendAndConfirm(
                 ArcosCommand.ENABLE.packet(on ? 1 : 0),

@@ -1,5 +1,6 @@
 package majic.pioneer.session;
 
+import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import majic.bot.Value;
 import majic.driver.Motion;
@@ -61,7 +62,7 @@ public final class Maneuver {
             if (!awaitSip(now, motion)) {
                 return endEarly(motion);
             }
-            check(state.get(), motion.seconds() - startedS);
+            check(state.get(), motion.seconds() - startedS, motion);
         }
         motion.send(motors::zero);
         return target.value(state.get());
@@ -76,31 +77,38 @@ public final class Maneuver {
         return now.sipsPerSec() > 0 ? 1 / now.sipsPerSec() : USUAL_CYCLE_S;
     }
 
-    private void check(PioneerState now, double seconds) {
+    private void check(PioneerState now, double seconds, Motion motion) {
         speeds.reported(target.covered(now), now.isMoving(), seconds);
         movedS = now.isMoving() ? seconds : movedS;
         String fault = faults.check(now, seconds);
         if (fault != null) {
-            throw failed(fault, now);
+            throw failed(fault, motion);
         }
         if (motors.holds() != holdsBefore) {
-            throw failed("the robot fell silent", now);
+            throw failed("the robot fell silent", motion);
         }
         if (seconds - movedS > BLOCKED_S && !speeds.hasArrived(seconds)) {
-            throw failed("commanded to move, it has not moved for " + (int) BLOCKED_S + " s", now);
+            throw failed("commanded to move, it has not moved for " + (int) BLOCKED_S + " s", motion);
         }
         if (seconds > speeds.limitS()) {
-            throw failed("not there within " + Value.plain(speeds.limitS()) + " s: it stopped before", now);
+            throw failed("not there within " + Value.plain(speeds.limitS()) + " s: it stopped before", motion);
         }
     }
 
-    private MotionFailed failed(String reason, PioneerState now) {
-        return new MotionFailed(reason + " after " + target.value(now));
+    /** Stops the robot first: the distance in the message is that at which it comes to rest. */
+    private MotionFailed failed(String reason, Motion motion) {
+        motion.send(motors::stop);
+        try {
+            state.awaitStationary(STOP_S);
+        } catch (LinkLost e) {
+            // The last report is the last one of this session, so the pose stays there too.
+        }
+        return new MotionFailed(reason + " after " + target.value(state.get()));
     }
 
     private Value endEarly(Motion motion) {
         if (!motion.guardReached()) {
-            throw failed("no report from the robot", state.get());
+            throw failed("no report from the robot", motion);
         }
         motion.send(motors::stop);
         state.awaitStationary(STOP_S);

@@ -162,9 +162,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         if (tracking != null) {
             PioneerState now = tracking.track(sip, time.nanos());
             reported.set(now);
-            if (!now.isMoving()) {
-                motors.release();
-            }
+            motors.reported(now);
             driving.check(now);
             listener.stateReported(this, now);
         }

@@ -6,6 +6,7 @@ import majic.bot.MotionFailed;
 import majic.driver.Motion;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.state.PioneerState;
 import majic.time.TimeSource;
 
 /**
@@ -25,6 +26,7 @@ public final class WheelMotors {
     private final TimeSource time;
     private final Consumer<String> notice;
     private volatile long requestedNanos;
+    private volatile boolean announced = true;
     private long sentNanos;
     private boolean turning;
     private boolean rolling;
@@ -66,8 +68,24 @@ public final class WheelMotors {
             throw new BotException("the STOP button on the robot is pressed");
         }
         requestedNanos = time.nanos();
+        announceOn();
         line.send(ArcosCommand.ENABLE.packet(1));
-        notice.accept("motors on");
+    }
+
+    /** Announces the motors when the robot next reports them on. */
+    public void announceOn() {
+        announced = false;
+    }
+
+    /** Takes in a report: announces motors that were switched on, and ends a hold of a robot that is stationary. */
+    void reported(PioneerState now) {
+        if (!announced && now.motorsOn()) {
+            announced = true;
+            notice.accept("motors on");
+        }
+        if (!now.isMoving()) {
+            release();
+        }
     }
 
     /**
@@ -120,7 +138,7 @@ public final class WheelMotors {
         }
     }
 
-    /** Sends zero velocities and refuses all others until {@link #release}. */
+    /** Sends zero velocities and refuses all others until the robot reports that it is stationary. */
     synchronized void hold() {
         held = true;
         holds++;
@@ -130,7 +148,7 @@ public final class WheelMotors {
     }
 
     /** Accepts velocities again: the robot has reported that it is stationary. */
-    synchronized void release() {
+    private synchronized void release() {
         held = false;
     }
 
