@@ -18,6 +18,7 @@ import majic.driver.BotDriver;
 import majic.driver.Motion;
 import majic.environment.BotEnvironment;
 import majic.pioneer.arcos.ArcosCommand;
+import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.line.ArcosHandshake;
@@ -57,6 +58,7 @@ public final class MajicPioneer extends BotDriver {
 
     private static final double EMERGENCY_S = 1;
 
+    private final PioneerAddress address;
     private final Function<ConnectWait, PioneerConnection> connections;
     private final AtomicReference<@Nullable PioneerSession> session = new AtomicReference<>();
     private final PioneerParameters parameters;
@@ -69,8 +71,9 @@ public final class MajicPioneer extends BotDriver {
      * Creates the driver of a robot, with the system's clock and no settings.
      *
      * @param address as users type it: {@code pioneer://10.0.0.5}, {@code pioneer:/dev/ttyS0},
-     *     {@code pioneer+aria://10.0.0.5}
-     * @throws BotException if it is no such address, or the library that it names is missing
+     *     {@code pioneer+aria://10.0.0.5}, {@code pioneer://10.0.0.5?params=p3at.p}
+     * @throws BotException if it is no such address, the library that it names is missing, or its parameter file is
+     *     wrong
      */
     public MajicPioneer(String address) {
         this(BotAddress.parse(address), BotEnvironment.plain());
@@ -79,21 +82,29 @@ public final class MajicPioneer extends BotDriver {
     /**
      * Creates the driver of a robot.
      *
-     * @param address may name a library
+     * @param address may name a library, or a parameter file
      * @param environment the clock and settings to use
-     * @throws BotException if it is no such address, or the library is missing; the message says what is right
+     * @throws BotException if it is no such address, the library is missing, or the parameter file is wrong; the
+     *     message says what is right
      */
     public MajicPioneer(BotAddress address, BotEnvironment environment) {
-        this(PioneerConnections.of(address, environment), environment);
+        this(PioneerAddress.parse(address), environment);
+    }
+
+    private MajicPioneer(PioneerAddress address, BotEnvironment environment) {
+        this(address, PioneerConnections.of(address.place(), environment), environment);
     }
 
     /**
      * Creates the driver of a robot.
      *
+     * @param address as users type it
      * @param connections makes the connection of each session
      */
-    MajicPioneer(Function<ConnectWait, PioneerConnection> connections, BotEnvironment environment) {
+    MajicPioneer(
+            PioneerAddress address, Function<ConnectWait, PioneerConnection> connections, BotEnvironment environment) {
         super(new PioneerType(), Models.USUAL.profile(Ramps.careful(Limits.of(Models.USUAL, null))), environment);
+        this.address = address;
         this.connections = connections;
         PioneerAccess access = new PioneerAccess(session::get);
         RampParameters pace = new RampParameters(access, this::useRamps);
@@ -141,7 +152,8 @@ public final class MajicPioneer extends BotDriver {
 
     private void openOnce() {
         ConnectWait wait = new ConnectWait(waiting(), () -> connection() == Connection.CLOSED);
-        PioneerSession opening = new PioneerSession(connections.apply(wait), wait, lastPose, new SessionEvents());
+        PioneerSession opening =
+                new PioneerSession(connections.apply(wait), wait, lastPose, address::model, new SessionEvents());
         session.set(opening);
         opening.open(requestedRamps);
         try {
@@ -155,8 +167,13 @@ public final class MajicPioneer extends BotDriver {
     private void adopt(PioneerSession opened) {
         Model model = opened.equipment().model();
         if (!model.known()) {
-            notice("it calls itself " + model.subclass()
-                    + ", a model that is not known here; it is driven slowly, and its distances cannot be computed");
+            notice(address.unscaled(model.subclass()));
+        }
+        address.otherModel(model.subclass()).ifPresent(this::notice);
+        Config config = opened.config();
+        if (config != null && config.isWithoutWatchdog()) {
+            notice("its watchdog is off: when the connection is lost, it drives on until something stops it; set"
+                    + " WATCHDOG in its controller, 2000 ms from the factory");
         }
         adoptProfile(opened);
         describe(opened.equipment());
@@ -180,13 +197,13 @@ public final class MajicPioneer extends BotDriver {
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
-        PioneerSession open = current();
+        PioneerSession open = scaled();
         return Maneuver.run(open, new MotionTarget.Straight(open.state(), mm, cruiseMmPerSec(), open.ramps()), motion);
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
-        PioneerSession open = current();
+        PioneerSession open = scaled();
         return Maneuver.run(
                 open, new MotionTarget.Turning(open.state(), degrees, cruiseTurnDegPerSec(), open.ramps()), motion);
     }
@@ -251,6 +268,16 @@ public final class MajicPioneer extends BotDriver {
         PioneerSession open = session.get();
         if (open == null) {
             throw new BotException(name() + " is not connected");
+        }
+        return open;
+    }
+
+    /** Returns the session of a robot whose counts can be converted; throws a {@link BotException} for another. */
+    private PioneerSession scaled() {
+        PioneerSession open = current();
+        Model model = open.equipment().model();
+        if (!model.known()) {
+            throw new BotException(address.unscaled(model.subclass()));
         }
         return open;
     }

@@ -20,7 +20,7 @@ class ConnectingTest {
         try (PioneerRig stage = PioneerRig.connected(robot)) {
             stage.line.pass(5);
 
-            assertThat(robot.heard).startsWith("OPEN 1", "CONFIG 1").contains("SONAR 1");
+            assertThat(robot.heard).startsWith("OPEN 1", "CONFIG 1").doesNotContain("SONAR 1");
             assertThat(robot.heard).noneMatch(command -> command.matches(MOTION));
             assertThat(stage.bot.get("motors")).hasToString("no");
             assertThat(stage.bot.get("model")).hasToString("p3dx-sh");
@@ -115,14 +115,37 @@ class ConnectingTest {
     }
 
     @Test
-    void anUnknownModelIsReportedAndDrivenSlowly() {
+    void sonarsThatAreOffAreSwitchedOn() {
         ScriptedPioneer robot = ScriptedPioneer.robot();
-        robot.subclass = "p9xl";
+        robot.sonarsOff = true;
+        try (PioneerRig stage = PioneerRig.connected(robot)) {
+            assertThat(robot.heard).contains("SONAR 1");
+            assertThat(stage.bot.get("sonar0")).hasToString("clear");
+        }
+    }
+
+    /** A quarter of a second of listening, the handshake, and the first SIP. */
+    @Test
+    void connectingEndsWithTheFirstReportAndReadingADistanceWaitsForTheSonars() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.sonarsOff = true;
+        try (PioneerRig stage = new PioneerRig(robot)) {
+            assertThat(stage.secondsOf(stage.bot::connect)).isLessThan(0.38);
+            assertThat(stage.secondsOf(
+                            () -> assertThat(stage.bot.get("distanceFront")).hasToString("clear")))
+                    .isBetween(0.01, 0.3);
+            assertThat(stage.bot.get("sonar15")).hasToString("clear");
+        }
+    }
+
+    @Test
+    void readingASonarThatNeverFiresWaitsOnlyInTheFirstSecond() {
+        ScriptedPioneer robot = ScriptedPioneer.robot();
+        robot.rearSonar = 0;
         robot.answersConfig = false;
         try (PioneerRig stage = PioneerRig.connected(robot)) {
-            assertThat(stage.notices).anyMatch(notice -> notice.contains("p9xl") && notice.contains("slowly"));
-            assertThat(stage.bot.profile().speed().max()).isEqualTo(300);
-            assertThat(robot.heard).contains("SETV 300");
+            assertThat(stage.bot.get("sonar15")).hasToString("unknown (no reading yet)");
+            assertThat(stage.secondsOf(() -> stage.bot.get("distanceBack"))).isLessThan(0.01);
         }
     }
 

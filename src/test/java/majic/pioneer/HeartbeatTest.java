@@ -26,7 +26,7 @@ class HeartbeatTest {
         stage.bot.move(300);
         stage.line.pass(20);
 
-        List<Long> times = List.copyOf(robot.heardAt).subList(robot.heard.indexOf("SONAR 1"), robot.heardAt.size());
+        List<Long> times = List.copyOf(robot.heardAt).subList(robot.heard.indexOf("OPEN 1"), robot.heardAt.size());
         assertThat(IntStream.range(1, times.size()).mapToObj(index -> times.get(index) - times.get(index - 1)))
                 .allMatch(pause -> pause <= 400);
         assertThat(robot.heard).contains("PULSE 0");

@@ -27,10 +27,11 @@ class PacketsInLabTest {
     }
 
     @Test
-    void portsAndBatteriesAreThereAfterConnecting() {
+    void portsAndBatteriesComeByThemselvesAfterConnecting() throws InterruptedException {
+        rig.await(() -> state().reports().latest(Batteries.class).isPresent());
+
         assertThat(state().ports().allDigitalIn()).isNotEmpty();
         assertThat(state().ports().allAnalogVolts()).isNotEmpty();
-        assertThat(state().reports().latest(Batteries.class)).isPresent();
     }
 
     @Test

@@ -32,7 +32,8 @@ class PioneerPageTest {
 
     private static MajicPioneer wellEquipped() {
         MajicPioneer bot = new MajicPioneer("pioneer://127.0.0.1:1");
-        bot.describe(new Equipment(Models.USUAL, new Bumpers(5, 5), true, true, true, Limits.of(Models.USUAL, null)));
+        bot.describe(
+                new Equipment(Models.USUAL, true, new Bumpers(5, 5), true, true, true, Limits.of(Models.USUAL, null)));
         return bot;
     }
 }

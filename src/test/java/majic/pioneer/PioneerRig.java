@@ -28,12 +28,22 @@ public final class PioneerRig implements AutoCloseable {
         this(robot, robot, latencyMs);
     }
 
+    /** With an option behind the address. */
+    PioneerRig(ScriptedPioneer robot, String option) {
+        this(robot, robot, 0, option);
+    }
+
     /** With another peer than the robot itself. */
     PioneerRig(ScriptedPioneer robot, SteppedPeer.Robot peer, int latencyMs) {
+        this(robot, peer, latencyMs, "");
+    }
+
+    private PioneerRig(ScriptedPioneer robot, SteppedPeer.Robot peer, int latencyMs, String option) {
         this.robot = robot;
         this.line = new SteppedPeer(peer, latencyMs);
         this.bot = new MajicPioneer(
-                new BotAddress("pioneer", line.address()), new BotEnvironment(line.time(), Settings.inMemory()));
+                new BotAddress("pioneer", line.address() + option),
+                new BotEnvironment(line.time(), Settings.inMemory()));
         bot.addListener(new BotListener() {
             @Override
             public void notice(MajicBot from, String message) {

@@ -22,6 +22,11 @@ import org.jspecify.annotations.Nullable;
 public final class ScriptedPioneer implements SteppedPeer.Robot {
     private static final int LOST_STEP = 0xFF;
 
+    /** Where fields are in the data of {@link Bytes#CONFIG}: FRONTSONAR, and after REARSONAR WATCHDOG. */
+    private static final int FRONT_SONAR = 41;
+
+    private static final int WATCHDOG = 48;
+
     /** The commands received, as {@code "VEL 250"}, without the handshake. */
     public final List<String> heard = new CopyOnWriteArrayList<>();
 
@@ -41,6 +46,10 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
     boolean ignoresRamps;
     boolean ignoresEmergency;
     boolean answersConfig = true;
+    int frontSonar = 1;
+    int rearSonar = 1;
+    int watchdogMs = 2000;
+    boolean sonarsOff;
     boolean hangsUpAtClose = true;
     boolean miscountsAfterSonar;
     boolean held;
@@ -165,11 +174,16 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
             case 18 -> config(line);
             case 21 -> robot.rate(moves(Integer.MAX_VALUE) ? value : 0);
             case 23 -> turnRamp(value);
-            case 28 -> lieNext = miscountsAfterSonar && value == 1;
+            case 28 -> sonar(value);
             case 29 -> halt();
             case 55 -> emergency();
             default -> {}
         }
+    }
+
+    private void sonar(int value) {
+        sonarsOff &= value != 1;
+        lieNext = miscountsAfterSonar && value == 1;
     }
 
     private boolean moves(int speed) {
@@ -222,7 +236,12 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
     private void config(SteppedPeer line) {
         if (answersConfig) {
             byte[] whole = Bytes.of(Bytes.CONFIG);
-            line.send(Bytes.wire(0x20, Arrays.copyOfRange(whole, 4, whole.length - 2)));
+            byte[] data = Arrays.copyOfRange(whole, 4, whole.length - 2);
+            data[FRONT_SONAR] = (byte) frontSonar;
+            data[FRONT_SONAR + 2] = (byte) rearSonar;
+            data[WATCHDOG] = (byte) watchdogMs;
+            data[WATCHDOG + 1] = (byte) (watchdogMs >> 8);
+            line.send(Bytes.wire(0x20, data));
         }
     }
 
@@ -244,13 +263,13 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
                 (int) Math.round((wholeDegrees ? Math.round(robot.heading()) : robot.heading()) / Scaling.DEG_PER_UNIT);
         double difference = Math.toRadians(robot.rate()) / 0.0056;
         SipBytes data = new SipBytes();
-        for (int disc = 0; disc < 16 && !lieNext; disc++) {
+        for (int disc = frontSonar == 1 ? 0 : 8; disc < (rearSonar == 1 ? 16 : 8) && !lieNext && !sonarsOff; disc++) {
             data.sonar(disc, 5000);
         }
         byte[] bytes = data.pose(
                         (int) Math.round(robot.x() / mmPerCount), (int) Math.round(robot.y() / mmPerCount), units)
                 .wheels((int) Math.round(robot.speed() - difference), (int) Math.round(robot.speed() + difference))
-                .state(stallBits, (motors ? 0x1F : 0x1E) | extraFlags)
+                .state(stallBits, (motors ? 1 : 0) | (sonarsOff ? 0 : 0x1E) | extraFlags)
                 .bytes();
         if (lieNext) {
             lieNext = false;

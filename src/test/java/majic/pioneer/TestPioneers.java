@@ -1,6 +1,7 @@
 package majic.pioneer;
 
 import java.util.function.Function;
+import majic.bot.BotAddress;
 import majic.environment.BotEnvironment;
 import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.PioneerConnection;
@@ -11,6 +12,7 @@ public final class TestPioneers {
 
     /** A driver over other connections than an address can name. */
     public static MajicPioneer over(Function<ConnectWait, PioneerConnection> connections, BotEnvironment environment) {
-        return new MajicPioneer(connections, environment);
+        BotAddress address = new BotAddress("pioneer", "//test");
+        return new MajicPioneer(new PioneerAddress(address, null), connections, environment);
     }
 }

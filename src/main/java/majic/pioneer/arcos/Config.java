@@ -2,15 +2,21 @@ package majic.pioneer.arcos;
 
 import java.util.Collections;
 import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.Map;
+import java.util.Set;
 
 /**
- * The answer to CONFIG: how the robot is built and set (ARCOS sheet 10). Older firmware sends fewer fields; those that
- * did not come are zero or empty. A library may give access to some fields only. Immutable.
+ * The answer to CONFIG: how the robot is built and set (ARCOS sheet 10). Older firmware sends fewer fields, and a
+ * library may give access to some fields only; those that did not come are not known, and read as zero or empty.
+ * Immutable.
  */
 public final class Config {
     /** The type of the packet. */
     public static final int TYPE = 0x20;
+
+    /** Equipment that older firmware does not support: without the field there is none. */
+    private static final Set<ConfigField> NEWER = EnumSet.of(ConfigField.CHARGER, ConfigField.HASGYRO);
 
     private final Map<ConfigField, Object> fields;
 
@@ -23,7 +29,9 @@ public final class Config {
         FieldReader data = packet.fields();
         Map<ConfigField, Object> fields = new EnumMap<>(ConfigField.class);
         for (ConfigField field : ConfigField.values()) {
-            fields.put(field, field.read(data));
+            if (data.remaining() > 0 || NEWER.contains(field)) {
+                fields.put(field, field.read(data));
+            }
         }
         return new Config(fields);
     }
@@ -37,7 +45,7 @@ public final class Config {
         return new Config(new EnumMap<>(known));
     }
 
-    /** Whether the robot or the library gives this field at all. */
+    /** Whether the robot has sent this field, or the library gives it. */
     public boolean isKnown(ConfigField field) {
         return fields.containsKey(field);
     }
@@ -70,9 +78,14 @@ public final class Config {
         return fields.getOrDefault(field, field.missing());
     }
 
-    /** Whether a field about equipment is not zero. */
-    public boolean has(ConfigField field) {
-        return number(field) != 0;
+    /** Whether a field about equipment is not zero, or not known. */
+    public boolean mayHave(ConfigField field) {
+        return !isKnown(field) || number(field) != 0;
+    }
+
+    /** Whether the robot never stops by itself, however long no packet comes. */
+    public boolean isWithoutWatchdog() {
+        return isKnown(ConfigField.WATCHDOG) && number(ConfigField.WATCHDOG) == 0;
     }
 
     private int small(ConfigField field) {

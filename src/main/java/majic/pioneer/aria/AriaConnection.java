@@ -263,6 +263,11 @@ final class AriaConnection implements PioneerConnection, RobotLine {
     }
 
     @Override
+    public boolean scales() {
+        return true;
+    }
+
+    @Override
     public String missing() {
         return "ARIA does not tell";
     }

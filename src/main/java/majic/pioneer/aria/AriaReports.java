@@ -49,7 +49,7 @@ final class AriaReports {
     PioneerIdentity identity() {
         PioneerIdentity identity = new PioneerIdentity(
                 told(robot::getRobotName, ""), told(robot::getRobotType, ""), told(robot::getRobotSubType, ""));
-        scaling = Models.of(identity.subclass()).scaling();
+        scaling = Models.of(identity.subclass()).scaledByLibrary().scaling();
         return identity;
     }
 
@@ -96,13 +96,13 @@ final class AriaReports {
                 0x32,
                 counter(robot.getX() / scaling.mmPerCount()),
                 counter(robot.getY() / scaling.mmPerCount()),
-                rounded(robot.getTh() / Scaling.DEG_PER_UNIT),
+                rounded(robot.getTh() / scaling.degPerCount()),
                 rounded(robot.getLeftVel() / scaling.mmPerSecPerCount()),
                 rounded(robot.getRightVel() / scaling.mmPerSecPerCount()),
                 rounded(robot.getBatteryVoltageNow() * 10),
                 stall & BYTE,
                 stall >> 8 & BYTE,
-                told(() -> rounded(robot.getControl() / Scaling.DEG_PER_UNIT), 0),
+                told(() -> rounded(robot.getControl() / scaling.degPerCount()), 0),
                 robot.getFlags(),
                 told(() -> rounded(robot.getCompass() / DEG_PER_COMPASS_STEP), 0),
                 sonar(),

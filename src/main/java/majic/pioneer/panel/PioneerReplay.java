@@ -1,9 +1,11 @@
 package majic.pioneer.panel;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
 import majic.bot.BotType.ReplayDisplay;
@@ -12,9 +14,12 @@ import majic.bot.Range;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.SipText;
 import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Hull;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.Scaling;
+import majic.pioneer.state.SonarDisc;
 import majic.pioneer.state.StateTracker;
 import org.jspecify.annotations.Nullable;
 
@@ -26,6 +31,9 @@ public final class PioneerReplay implements ReplayDisplay {
     private static final String PACKET_RATE = "rate";
     private static final String PACKETS = "packets";
     private static final String LIMITS = "limits";
+    private static final String SCALE = "scale";
+    private static final String HULL = "hull";
+    private static final String SONARS = "sonars";
     private static final long NANOS_PER_MS = 1_000_000;
 
     private final MajicBot bot;
@@ -46,6 +54,7 @@ public final class PioneerReplay implements ReplayDisplay {
         PacketCounts packets = scene.packets();
         Map<String, String> texts = new LinkedHashMap<>();
         texts.put(MODEL, scene.model().subclass());
+        texts.putAll(differences(scene.model()));
         texts.put(SIP, state.atNanos() / NANOS_PER_MS + " " + SipText.of(state.sip()));
         texts.put(
                 BUMPERS, words(scene.bumpers().frontSegments(), scene.bumpers().rearSegments()));
@@ -59,6 +68,52 @@ public final class PioneerReplay implements ReplayDisplay {
                         scene.turnLimits().min(),
                         scene.turnLimits().max()));
         return texts;
+    }
+
+    /** What a robot's own parameter file, or its CONFIG packet, has changed in its model. */
+    private static Map<String, String> differences(Model model) {
+        if (model.equals(Models.of(model.subclass()))) {
+            return Map.of();
+        }
+        Scaling scale = model.scaling();
+        Hull hull = model.hull();
+        return Map.of(
+                SCALE,
+                words(
+                        scale.mmPerCount(),
+                        scale.degPerCount(),
+                        scale.mmPerSecPerCount(),
+                        scale.mmPerRangeCount(),
+                        scale.radPerMm()),
+                HULL,
+                words(hull.frontMm(), hull.rearMm(), hull.halfWidthMm()),
+                SONARS,
+                model.discs().stream()
+                        .map(disc -> words(disc.number(), disc.xMm(), disc.yMm(), disc.axisDeg()))
+                        .collect(Collectors.joining(" ")));
+    }
+
+    /** The model of a recorded robot. */
+    static Model model(Map<String, String> texts) {
+        Model usual = Models.of(texts.getOrDefault(MODEL, ""));
+        if (!texts.containsKey(SCALE)) {
+            return usual;
+        }
+        double[] scale = numbers(texts, SCALE, 5);
+        double[] hull = numbers(texts, HULL, 3);
+        return usual.with(
+                new Hull(hull[0], hull[1], hull[2]),
+                discs(texts),
+                new Scaling(scale[0], scale[1], scale[2], scale[3], scale[4]));
+    }
+
+    private static List<SonarDisc> discs(Map<String, String> texts) {
+        String[] words = texts.getOrDefault(SONARS, "").split(" ");
+        double[] numbers = numbers(texts, SONARS, words.length);
+        return IntStream.range(0, numbers.length / 4)
+                .map(disc -> 4 * disc)
+                .mapToObj(at -> new SonarDisc((int) numbers[at], numbers[at + 1], numbers[at + 2], numbers[at + 3]))
+                .toList();
     }
 
     private static String words(Number... numbers) {
@@ -84,7 +139,7 @@ public final class PioneerReplay implements ReplayDisplay {
         if (sip == null) {
             return;
         }
-        Model model = Models.of(texts.getOrDefault(MODEL, ""));
+        Model model = model(texts);
         PioneerState state = before == null || !sip.equals(lastSip) ? track(model, sip, nanos) : before.state();
         lastSip = sip;
         scene = scene(model, state, texts);

@@ -27,7 +27,9 @@ final class IdentityParameters implements ParameterTheme<Equipment> {
         text(table, "firmware", ConfigField.FIRMWARE, "version of the controller's program");
         text(table, "bootLoader", ConfigField.BOOTLOADER, "version of the program that starts the firmware");
         number(table, "ticksPerMm", Unit.NONE, ConfigField.TICKSMM, "encoder ticks for a millimetre");
-        number(table, "watchdog", Unit.MS, ConfigField.WATCHDOG, "the robot stops after this time without a packet");
+        table.add(
+                Parameter.number("watchdog", Unit.MS, "the robot stops after this time without a packet, or never"),
+                access.configOrNever(ConfigField.WATCHDOG, Unit.MS, 1));
         number(table, "cycle", Unit.MS, ConfigField.SIPCYCLE, "from one packet of the robot to the next");
     }
 

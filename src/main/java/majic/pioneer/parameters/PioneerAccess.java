@@ -26,6 +26,8 @@ import org.jspecify.annotations.Nullable;
 public final class PioneerAccess {
     static final Value NOTHING_YET = Value.unknown("no reading yet");
     static final Value NOTHING_RECENT = Value.unknown("no reading of late");
+    static final Value UNSCALED = Value.unknown("the scale of this model is not known");
+    static final Value NEVER = Value.text("never");
     static final Value NOT_REPORTED = Value.unknown("this robot does not tell");
 
     /** Time enough for a command and the SIP that shows its effect, seconds. */
@@ -56,6 +58,28 @@ public final class PioneerAccess {
     /** Reads from the robot's last state. */
     Supplier<Value> state(Function<PioneerState, Value> reader) {
         return session(open -> open.hasReported() ? reader.apply(open.state()) : NOTHING_YET);
+    }
+
+    /**
+     * Reads from the sonars. In the first second after connecting, when not all of them have fired, the first readings
+     * are awaited, if the thread may wait.
+     *
+     * @param come whether the readings have come
+     */
+    Supplier<Value> sonar(Predicate<PioneerState> come, Function<PioneerState, Value> reader) {
+        return session(open -> {
+            if (!open.hasReported()) {
+                return NOTHING_YET;
+            }
+            open.awaitFirstReadings(come);
+            return scaled(reader).get();
+        });
+    }
+
+    /** Reads from the robot's last state what can be computed only with the scale of its counts. */
+    Supplier<Value> scaled(Function<PioneerState, Value> reader) {
+        Supplier<Value> scaled = state(reader);
+        return session(open -> open.equipment().model().known() ? scaled.get() : UNSCALED);
     }
 
     /**
@@ -123,6 +147,18 @@ public final class PioneerAccess {
                 config -> Optional.of((double) config.number(number) / divisor)
                         .filter(value -> value != 0)
                         .map(value -> Value.of(value, unit)));
+    }
+
+    /**
+     * Reads a number of the CONFIG packet, of which zero means that something never happens.
+     *
+     * @param divisor the number for one unit
+     */
+    Supplier<Value> configOrNever(ConfigField number, Unit unit, int divisor) {
+        return config(
+                number,
+                config -> Optional.of(
+                        config.number(number) == 0 ? NEVER : Value.of((double) config.number(number) / divisor, unit)));
     }
 
     /**

@@ -46,6 +46,17 @@ final class PoseParameters implements ParameterTheme<Equipment> {
         table.add(heading, read(Pose::headingDeg, Unit.DEG))
                 .writes(values -> put(
                         here -> new Pose(here.xMm(), here.yMm(), values.get(0).number())));
+        if (!equipment.model().known()) {
+            describeUnscaled(table);
+        }
+    }
+
+    /** In place of those that every robot has. */
+    private void describeUnscaled(ParameterTable table) {
+        Supplier<Value> unknown = () -> PioneerAccess.UNSCALED;
+        table.add(Parameter.list("pose", Unit.MM, "x, y and heading"), unknown);
+        table.add(Parameter.number("speed", Unit.MM_PER_S, "how fast it goes now, ahead positive"), unknown);
+        table.add(Parameter.number("turnRate", Unit.DEG_PER_S, "how fast it turns now, left positive"), unknown);
     }
 
     private static Parameter length(String name, String help) {
@@ -53,7 +64,7 @@ final class PoseParameters implements ParameterTheme<Equipment> {
     }
 
     private Supplier<Value> read(ToDoubleFunction<Pose> part, Unit unit) {
-        return access.state(state -> Value.of(part.applyAsDouble(pose.get()), unit));
+        return access.scaled(state -> Value.of(part.applyAsDouble(pose.get()), unit));
     }
 
     private void put(UnaryOperator<Pose> change) {

@@ -29,8 +29,8 @@ final class PowerParameters implements ParameterTheme<Equipment> {
                 Parameter.number("battery", Unit.PERCENT, "charge, on robots that report it"),
                 access.state(state -> charge(state.power().percent())));
         table.add(
-                Parameter.number("lowVoltage", Unit.V, "below it the robot gives an alarm"),
-                access.config(ConfigField.LOWBATTERY, Unit.V, 10));
+                Parameter.number("lowVoltage", Unit.V, "below it the robot gives an alarm, or never"),
+                access.configOrNever(ConfigField.LOWBATTERY, Unit.V, 10));
         List<String> words =
                 Arrays.stream(Charging.values()).map(Charging::words).toList();
         table.add(

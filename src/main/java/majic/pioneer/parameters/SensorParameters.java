@@ -48,7 +48,7 @@ final class SensorParameters implements ParameterTheme<Equipment> {
     private void wheel(ParameterTable table, String name, String help, ToDoubleFunction<PioneerState> speed) {
         table.add(
                 Parameter.number(name, Unit.MM_PER_S, help),
-                access.state(state -> Value.of(speed.applyAsDouble(state), Unit.MM_PER_S)));
+                access.scaled(state -> Value.of(speed.applyAsDouble(state), Unit.MM_PER_S)));
     }
 
     private void encoder(ParameterTable table, String name, String help, ToDoubleFunction<EncoderTicks> ticks) {

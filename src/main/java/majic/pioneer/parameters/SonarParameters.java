@@ -37,7 +37,7 @@ final class SonarParameters implements ParameterTheme<Equipment> {
             if (equipment.model().discs().stream().anyMatch(side::isCoveredBy)) {
                 table.add(
                         Parameter.number(side.parameter(), Unit.MM, side.help()),
-                        access.state(state -> gap(side, state)));
+                        access.sonar(state -> state.gaps().containsKey(side), state -> gap(side, state)));
             }
         }
         List<Integer> discs = equipment.discs();
@@ -50,12 +50,14 @@ final class SonarParameters implements ParameterTheme<Equipment> {
     private void describeDiscs(ParameterTable table, List<Integer> discs) {
         table.add(
                 Parameter.list("sonar", Unit.MM, "all sonar ranges in the order of the discs"),
-                access.state(state -> Value.many(
-                        discs.stream().map(disc -> range(disc, state)).toList())));
+                access.sonar(
+                        state -> discs.stream().allMatch(state.sonar()::hasReading),
+                        state -> Value.many(
+                                discs.stream().map(disc -> range(disc, state)).toList())));
         for (int disc : discs) {
             table.add(
                     Parameter.number("sonar" + disc, Unit.MM, "range from the surface of this sonar disc"),
-                    access.state(state -> range(disc, state)));
+                    access.sonar(state -> state.sonar().hasReading(disc), state -> range(disc, state)));
         }
     }
 

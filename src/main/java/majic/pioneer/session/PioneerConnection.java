@@ -46,6 +46,11 @@ public interface PioneerConnection {
     /** The address as a user would type it. */
     String address();
 
+    /** Whether it converts the robot's counts by itself, so that the scale of an unknown model is known. */
+    default boolean scales() {
+        return false;
+    }
+
     /** Why a value is unknown that does not come over this connection, as half a sentence. */
     default String missing() {
         return "this robot does not tell";

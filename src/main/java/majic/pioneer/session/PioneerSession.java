@@ -1,7 +1,8 @@
 package majic.pioneer.session;
 
-import java.util.Arrays;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
@@ -18,10 +19,10 @@ import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.LatestReports;
 import majic.pioneer.state.Limits;
+import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
-import majic.pioneer.state.Side;
 import majic.pioneer.state.StateTracker;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -31,7 +32,8 @@ import org.jspecify.annotations.Nullable;
  * connection; everything else may be called from any thread.
  */
 public final class PioneerSession implements PioneerConnection.Listener {
-    private static final double SONAR_CYCLE_S = 1;
+    /** All sonars have fired by then, seconds from the first SIP. */
+    private static final double SONAR_ROUND_S = 1;
 
     /** Time for the robot to act on the last commands, seconds. */
     private static final double CLOSING_S = 0.1;
@@ -41,6 +43,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final ConnectWait wait;
     private final TimeSource time;
     private final Listener listener;
+    private final Function<String, Model> models;
     private final ReportedState reported;
     private final RoundTrip roundTrip;
     private final WheelMotors motors;
@@ -49,11 +52,13 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final Subscriptions subscriptions;
     private final Pose start;
     private final AtomicBoolean lost = new AtomicBoolean();
+    private volatile Model model = Models.USUAL;
     private volatile Equipment equipment = Equipment.of(Models.USUAL, null);
     private volatile Ramps ramps = Ramps.careful(equipment.limits());
     private volatile @Nullable PioneerIdentity identity;
     private volatile @Nullable Config config;
     private volatile @Nullable StateTracker tracker;
+    private volatile long openedNanos;
 
     /** Is notified of what happens in a session. */
     public interface Listener {
@@ -75,13 +80,20 @@ public final class PioneerSession implements PioneerConnection.Listener {
      *
      * @param wait of the thread that connects
      * @param start the pose that the odometry begins with
+     * @param models finds a model by its subclass
      */
-    public PioneerSession(PioneerConnection connection, ConnectWait wait, Pose start, Listener listener) {
+    public PioneerSession(
+            PioneerConnection connection,
+            ConnectWait wait,
+            Pose start,
+            Function<String, Model> models,
+            Listener listener) {
         this.connection = connection;
         this.line = connection.line();
         this.wait = wait;
         this.time = wait.waiting().time();
         this.start = start;
+        this.models = models;
         this.listener = listener;
         this.reported = new ReportedState(line, wait.waiting());
         this.roundTrip = new RoundTrip(line, wait.waiting());
@@ -111,32 +123,53 @@ public final class PioneerSession implements PioneerConnection.Listener {
         }
     }
 
+    /**
+     * Switches the sonars on if they are not on from OPEN. The vendor's simulator sends no readings in the SIP after
+     * this command (ARCOS sheet 8.2).
+     */
     private void startSonar() {
-        line.send(ArcosCommand.SONAR.packet(1));
-        wait.await(() -> line.hasEnded() || hasReadingsOnAllSides(), SONAR_CYCLE_S);
+        openedNanos = time.nanos();
+        PioneerState now = state();
+        boolean on = now.sonarOn() && equipment.sonarArrays().stream().allMatch(now::sonarOn);
+        if (!on) {
+            line.send(ArcosCommand.SONAR.packet(1));
+        }
         if (line.hasEnded()) {
             throw new ConnectFailed(
                     Reason.BUSY, connection.address() + " closed the connection right after the handshake");
         }
     }
 
-    private boolean hasReadingsOnAllSides() {
-        return Arrays.stream(Side.values())
-                .filter(side -> equipment.model().discs().stream().anyMatch(side::isCoveredBy))
-                .allMatch(state().gaps()::containsKey);
+    /**
+     * Waits for the first readings of sonars, which come in the first second of a session; later, and on a thread that
+     * must not wait, does nothing.
+     *
+     * @param come whether they have come
+     */
+    public void awaitFirstReadings(Predicate<PioneerState> come) {
+        double leftS = SONAR_ROUND_S - time.secondsSince(openedNanos);
+        if (leftS > 0) {
+            reported.await(come, leftS);
+        }
     }
 
     @Override
     public void identified(PioneerIdentity known) {
         identity = known;
-        equipment = Equipment.of(Models.of(known.subclass()), null);
-        tracker = new StateTracker(equipment.model(), start);
+        Model found = models.apply(known.subclass());
+        model = connection.scales() ? found.scaledByLibrary() : found;
+        equipment = Equipment.of(model, null);
+        tracker = new StateTracker(model, start);
     }
 
     @Override
     public void configured(Config reportedConfig) {
-        equipment = Equipment.of(equipment.model(), reportedConfig);
+        StateTracker tracking = tracker;
+        equipment = Equipment.of(model, reportedConfig);
         config = reportedConfig;
+        if (tracking != null) {
+            tracking.use(equipment.model());
+        }
         roundTrip.answered();
         listener.otherReported();
     }

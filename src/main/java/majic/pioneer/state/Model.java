@@ -8,7 +8,8 @@ import majic.bot.Range;
  * The properties of one model of robot. Immutable.
  *
  * @param subclass its name in the handshake
- * @param known whether it is in the table; if not, the values are careful ones
+ * @param known whether its scaling is known, by the table, a parameter file or a library; if not, the values are
+ *     careful ones
  * @param hull its outline
  * @param discs its sonars; none where they are not known
  * @param scaling of its SIPs
@@ -30,6 +31,35 @@ public record Model(
     private static final double CRUISE_MM_PER_SEC = 300;
     private static final double CRUISE_TURN_DEG_PER_SEC = 50;
     private static final double NEAR_MM = 500;
+
+    /** Copies the list of sonars. */
+    public Model {
+        discs = List.copyOf(discs);
+    }
+
+    /** This model behind a library, which scales the reports itself. */
+    public Model scaledByLibrary() {
+        return known ? this : with(hull, discs, Scaling.CURRENT);
+    }
+
+    /** This model with a part of its sonars only. */
+    Model with(List<SonarDisc> fitted) {
+        return with(hull, fitted, scaling);
+    }
+
+    /** This model as one robot is built and counts; it is known if its scale is. */
+    public Model with(Hull newHull, List<SonarDisc> newDiscs, Scaling newScaling) {
+        return new Model(
+                subclass,
+                newScaling.isKnown(),
+                newHull,
+                newDiscs,
+                newScaling,
+                topSpeedMmPerSec,
+                topTurnDegPerSec,
+                frontBumpers,
+                rearBumpers);
+    }
 
     public BotProfile profile(Ramps ramps) {
         int speed = ramps.topSpeedMmPerSec();

@@ -19,9 +19,6 @@ public final class Models {
     /** Used until a robot has reported its model: by far the most common one. */
     public static final Model USUAL;
 
-    /** Of current robots, which count in mm. */
-    private static final Scaling CURRENT_SCALING = new Scaling(1, 1, 1, 0.0056);
-
     private static final Map<String, Model> BY_SUBCLASS = read();
 
     static {
@@ -32,16 +29,16 @@ public final class Models {
 
     /**
      * The model of a subclass, in any case; laser variants count as the plain model. An unknown one counts as large and
-     * slow, without sonars of known position.
+     * slow, without a scale and without sonars of known position.
      */
     public static Model of(String subclass) {
-        String plain = subclass.strip().toLowerCase(Locale.ROOT).replaceFirst("-lms\\d.*$", "");
+        String plain = subclass.strip().toLowerCase(Locale.ROOT).replaceFirst("-(lms|tim)\\d.*$", "");
         Model model = BY_SUBCLASS.get(plain);
         return model != null ? model : unknown(subclass);
     }
 
     private static Model unknown(String subclass) {
-        return new Model(subclass, false, new Hull(400, 400, 300), List.of(), CURRENT_SCALING, 300, 50, 0, 0);
+        return new Model(subclass, false, new Hull(400, 400, 300), List.of(), Scaling.UNKNOWN, 300, 50, 0, 0);
     }
 
     private static Map<String, Model> read() {
@@ -65,13 +62,21 @@ public final class Models {
         return new Model(
                 row[0],
                 true,
-                Hull.around(discs, number(row[2]), number(row[3])),
+                hull(row, discs),
                 discs,
-                new Scaling(number(row[6]), number(row[7]), number(row[8]), number(row[9])),
+                new Scaling(number(row[6]), 360.0 / number(row[12]), number(row[7]), number(row[8]), number(row[9])),
                 number(row[4]),
                 number(row[5]),
                 Integer.parseInt(row[10]),
                 Integer.parseInt(row[11]));
+    }
+
+    private static Hull hull(String[] row, List<SonarDisc> discs) {
+        double length = number(row[2]);
+        double front = number(row[13]);
+        return front == 0
+                ? Hull.around(discs, length, number(row[3]))
+                : new Hull(front, length - front, number(row[3]) / 2);
     }
 
     private static double number(String cell) {

@@ -34,18 +34,18 @@ final class Odometry {
         Sip before = last;
         last = sip;
         if (before == null) {
-            rotationDeg = headingDeg - sip.thPos() * Scaling.DEG_PER_UNIT;
+            rotationDeg = headingDeg - sip.thPos() * scaling.degPerCount();
             return;
         }
         int dx = difference(sip.xPos(), before.xPos(), COUNTER);
         int dy = difference(sip.yPos(), before.yPos(), COUNTER);
-        int turned = difference(sip.thPos(), before.thPos(), Scaling.UNITS_PER_TURN);
+        int turned = difference(sip.thPos(), before.thPos(), scaling.countsPerTurn());
         if (Math.abs(dx) > LONGEST_STEP || Math.abs(dy) > LONGEST_STEP) {
-            rotationDeg = headingDeg - sip.thPos() * Scaling.DEG_PER_UNIT;
+            rotationDeg = headingDeg - sip.thPos() * scaling.degPerCount();
             return;
         }
         shift(dx * scaling.mmPerCount(), dy * scaling.mmPerCount());
-        headingDeg += turned * Scaling.DEG_PER_UNIT;
+        headingDeg += turned * scaling.degPerCount();
     }
 
     /** Rotates a step from the robot's own frame into ours. */

@@ -57,7 +57,7 @@ public enum RequestedReport {
     public boolean isRequestedAtStart(@Nullable Config config) {
         return switch (this) {
             case BATTERIES, PORTS -> true;
-            case GRIPPER -> config != null && config.has(ConfigField.GRIPPER);
+            case GRIPPER -> config != null && config.number(ConfigField.GRIPPER) != 0;
             case GYRO -> config != null && config.number(ConfigField.HASGYRO) == 1;
             case ENCODERS, JOYSTICK -> false;
         };

@@ -10,6 +10,11 @@ package majic.pioneer.state;
  */
 public record SonarDisc(int number, double xMm, double yMm, double axisDeg) {
 
+    /** The array that it belongs to, 1 to 4. */
+    int array() {
+        return number / Equipment.DISCS_OF_AN_ARRAY + 1;
+    }
+
     /** How far ahead an echo lies, mm. */
     public double echoX(double rangeMm) {
         return xMm + rangeMm * Math.cos(Math.toRadians(axisDeg));

@@ -12,7 +12,7 @@ public final class StateTracker {
     /** The weight of a new interval in the SIP rate. */
     private static final double RATE_SMOOTHING = 0.1;
 
-    private final Model model;
+    private Model model;
     private final Odometry odometry;
     private ObstacleMemory obstacles;
     private SonarScan scan = SonarScan.EMPTY;
@@ -26,6 +26,14 @@ public final class StateTracker {
         this.model = model;
         this.odometry = new Odometry(model.scaling(), start);
         this.obstacles = new ObstacleMemory(model);
+    }
+
+    /** Goes on with the model with other sonars; the obstacles detected by those before are dropped. */
+    public void use(Model newModel) {
+        if (!newModel.equals(model)) {
+            model = newModel;
+            obstacles = new ObstacleMemory(newModel);
+        }
     }
 
     public PioneerState track(Sip sip, long nanos) {

@@ -20,8 +20,8 @@ class ConfigTest {
         assertThat(config.speedTopMmPerSec()).isEqualTo(9999);
         assertThat(config.number(ConfigField.PWMMAX)).isEqualTo(400);
         assertThat(config.number(ConfigField.SIPCYCLE)).isEqualTo(100);
-        assertThat(config.has(ConfigField.FRONTSONAR)).isTrue();
-        assertThat(config.has(ConfigField.REARSONAR)).isTrue();
+        assertThat(config.mayHave(ConfigField.FRONTSONAR)).isTrue();
+        assertThat(config.mayHave(ConfigField.REARSONAR)).isTrue();
         assertThat(config.number(ConfigField.WATCHDOG)).isEqualTo(2000);
     }
 

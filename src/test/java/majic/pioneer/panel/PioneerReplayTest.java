@@ -7,6 +7,7 @@ import static org.mockito.Mockito.when;
 
 import java.awt.Component;
 import java.awt.Container;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -24,8 +25,11 @@ import majic.panel.RefreshingPanel;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.SipBytes;
 import majic.pioneer.state.Bumpers;
+import majic.pioneer.state.Hull;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
+import majic.pioneer.state.Scaling;
+import majic.pioneer.state.SonarDisc;
 import majic.pioneer.state.StateTracker;
 import org.junit.jupiter.api.Test;
 
@@ -49,10 +53,25 @@ class PioneerReplayTest {
         });
     }
 
+    /** As a parameter file and a CONFIG packet change a model. */
+    @Test
+    void aRobotWithItsOwnScaleAndSonarsIsRecordedWithThem() {
+        Model own = MODEL.with(
+                new Hull(300, 200, 150), List.of(new SonarDisc(3, 1, 2, 30)), new Scaling(0.5, 0.25, 2, 0.1, 0.01));
+
+        assertThat(PioneerReplay.model(PioneerReplay.texts(scene(own, 10)))).isEqualTo(own);
+        assertThat(PioneerReplay.model(PioneerReplay.texts(scene(MODEL, 10)))).isEqualTo(MODEL);
+        assertThat(PioneerReplay.texts(scene(MODEL, 10))).doesNotContainKey("scale");
+    }
+
     private static PioneerScene sceneWithRate(double packetRate) {
+        return scene(MODEL, packetRate);
+    }
+
+    private static PioneerScene scene(Model model, double packetRate) {
         return new PioneerScene(
-                MODEL,
-                new StateTracker(MODEL, Pose.START).track(new SipBytes().sip(), MS),
+                model,
+                new StateTracker(model, Pose.START).track(new SipBytes().sip(), MS),
                 new Bumpers(0, 0),
                 Connection.CONNECTED,
                 0,

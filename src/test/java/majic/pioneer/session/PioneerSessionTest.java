@@ -10,6 +10,7 @@ import majic.bot.LinkLost;
 import majic.bot.Pose;
 import majic.driver.RobotWait;
 import majic.pioneer.arcos.PioneerIdentity;
+import majic.pioneer.state.Models;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -24,7 +25,11 @@ class PioneerSessionTest {
         TimeSource time = TimeSource.system();
         when(connection.line()).thenReturn(mock());
         session = new PioneerSession(
-                connection, new ConnectWait(new RobotWait(time, time.signal()), () -> false), Pose.START, listener);
+                connection,
+                new ConnectWait(new RobotWait(time, time.signal()), () -> false),
+                Pose.START,
+                Models::of,
+                listener);
     }
 
     /** A second report could end the next attempt to connect, which may have begun already. */

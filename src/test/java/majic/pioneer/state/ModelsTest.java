@@ -13,6 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.aggregator.ArgumentsAccessor;
 import org.junit.jupiter.params.provider.CsvFileSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ModelsTest {
@@ -43,7 +44,12 @@ class ModelsTest {
 
         assertThat(model.known()).isTrue();
         assertThat(model.scaling())
-                .isEqualTo(new Scaling(row.getDouble(6), row.getDouble(7), row.getDouble(8), row.getDouble(9)));
+                .isEqualTo(new Scaling(
+                        row.getDouble(6),
+                        360 / row.getDouble(12),
+                        row.getDouble(7),
+                        row.getDouble(8),
+                        row.getDouble(9)));
         assertThat(List.of(model.topSpeedMmPerSec(), model.topTurnDegPerSec()))
                 .isEqualTo(List.of(row.getDouble(4), row.getDouble(5)));
         assertThat(List.of(model.frontBumpers(), model.rearBumpers()))
@@ -89,28 +95,51 @@ class ModelsTest {
         assertThat(Models.of(subclass).known()).isTrue();
     }
 
+    /** Facts of the maker's parameter files. */
+    @ParameterizedTest(name = "{0}")
+    @CsvSource({
+        "powerbot, 0.5813, 4096, 1",
+        "p2pb, 0.424, 4096, 1",
+        "p2at8+, 0.465, 4096, 1",
+        "p2pp, 0.485, 4096, 1",
+        "perfpb, 0.485, 4096, 1",
+        "perfpb+, 0.485, 4096, 1",
+        "p2df, 0.485, 4096, 1",
+        "p2d8+, 0.485, 4096, 1",
+        "p2it, 1.136, 4096, 1",
+        "pion1m, 0.05066, 1024, 2.5332",
+        "pion1x, 0.05066, 1024, 2.5332",
+        "psos1m, 0.05066, 1024, 2.5332",
+        "psos1x, 0.05066, 1024, 2.5332",
+        "psos43m, 0.05066, 1024, 2.5332",
+        "pionat, 0.07, 1024, 2.5332",
+        "amigo-sh-tim3xx, 1, 4096, 1",
+        "researchPB, 1, 4096, 1",
+        "researchPB-lms500, 1, 4096, 1",
+        "mt400, 1, 4096, 1",
+        "pioneer-lx-ld, 1, 4096, 1",
+        "powerbot-sh-uarcs, 1, 4096, 1",
+        "wheelchair-sh, 1, 4096, 1"
+    })
+    void olderAndRarerModelsHaveTheirOwnScale(String subclass, double mm, double counts, double speed) {
+        Model model = Models.of(subclass);
+
+        assertThat(model.known()).isTrue();
+        assertThat(model.scaling().mmPerCount()).isEqualTo(mm);
+        assertThat(model.scaling().countsPerTurn()).isEqualTo((int) counts);
+        assertThat(model.scaling().mmPerSecPerCount()).isEqualTo(speed);
+    }
+
+    @Test
+    void theAmigoBotWithALaserHasItsSpeedAndSonars() {
+        assertThat(Models.of("amigo-sh-tim3xx")).isEqualTo(Models.of("amigo-sh"));
+        assertThat(Models.of("researchPB").discs())
+                .isEqualTo(Models.of("patrolbot-sh").discs());
+    }
+
     @ParameterizedTest
-    @ValueSource(
-            strings = {
-                "p2df",
-                "p2d8+",
-                "p2at8+",
-                "p2it",
-                "p2pb",
-                "p2pp",
-                "perfpb",
-                "perfpb+",
-                "pion1m",
-                "pion1x",
-                "pionat",
-                "psos1m",
-                "psos1x",
-                "psos43m",
-                "powerbot",
-                "wheelchair-sh",
-                ""
-            })
-    void modelsOfWhichOnlyTheNameIsKnownAreDrivenCarefully(String subclass) {
+    @ValueSource(strings = {"p9xx", ""})
+    void anUnknownModelIsDrivenCarefully(String subclass) {
         Model model = Models.of(subclass);
 
         assertThat(model.known()).isFalse();

@@ -9,7 +9,7 @@ import majic.pioneer.arcos.SipBytes;
 import org.junit.jupiter.api.Test;
 
 class OdometryTest {
-    private final Odometry odometry = new Odometry(new Scaling(1, 1, 1, 0.0056), Pose.START);
+    private final Odometry odometry = new Odometry(Scaling.CURRENT, Pose.START);
 
     @Test
     void theFirstSipIsTheReference() {
