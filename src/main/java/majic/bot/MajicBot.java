@@ -121,6 +121,17 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Returns what distinguishes the robot from all others, where connecting found it out. Two connections with one
+     * robot have the same identity, whatever their addresses are.
+     *
+     * @return as found by the newest connection; empty before, and for robots that are distinguished by their addresses
+     *     alone
+     */
+    public Optional<String> identity() {
+        return Optional.empty();
+    }
+
+    /**
      * Returns the component that displays this robot in the window.
      *
      * @return its panel, made on the event dispatch thread; null for "no display available"

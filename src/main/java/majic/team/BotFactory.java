@@ -163,14 +163,15 @@ public final class BotFactory {
 
     /**
      * Returns whether two addresses are those of one robot. Upper and lower case, the makers' library, a parameter
-     * file, {@code tcp:} and a usual port that only one of them has make no difference.
+     * file, {@code tcp:} and a usual port that only one of them has make no difference. Where an address names one of
+     * several robots behind a server, its case counts, since theirs does, but further slashes do not.
      *
      * @param one as typed
      * @param other as typed
      * @return false for two names of one computer, which are not looked up
      */
     public boolean isSameRobot(String one, String other) {
-        return one.equalsIgnoreCase(other) || complete(one).equalsIgnoreCase(complete(other));
+        return complete(one).equals(complete(other));
     }
 
     /**
@@ -188,17 +189,23 @@ public final class BotFactory {
         String plain = DRIVEN_BY.matcher(text).replaceFirst("");
         Matcher server = SERVER.matcher(plain);
         if (!server.matches()) {
-            return plain;
+            return plain.toLowerCase(Locale.ROOT);
         }
         String scheme = server.group("type").toLowerCase(Locale.ROOT);
-        String port = types.stream()
-                .filter(type -> type.isMeantBy(scheme))
-                .findFirst()
-                .map(type -> ":" + type.defaultPort(scheme))
-                .orElse("");
-        return scheme + "://" + server.group("host")
+        Optional<BotType> meant =
+                types.stream().filter(type -> type.isMeantBy(scheme)).findFirst();
+        String port = meant.map(type -> ":" + type.defaultPort(scheme)).orElse("");
+        String rest = server.group("rest");
+        return scheme + "://" + server.group("host").toLowerCase(Locale.ROOT)
                 + Objects.requireNonNullElse(server.group("port"), port)
-                + server.group("rest");
+                + (meant.filter(BotType::isOneOfSeveral).isPresent() ? one(rest) : rest.toLowerCase(Locale.ROOT));
+    }
+
+    /** One of several robots: a path with single slashes and none at its end, and options. */
+    private static String one(String rest) {
+        int options = rest.indexOf('?');
+        String path = options < 0 ? rest : rest.substring(0, options);
+        return path.replaceAll("/+", "/").replaceFirst("/$", "") + rest.substring(path.length());
     }
 
     private MajicBot createSimulated(BotAddress address) {

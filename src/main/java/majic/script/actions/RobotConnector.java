@@ -69,9 +69,40 @@ public final class RobotConnector {
         checkUnused(address);
         MajicBot bot = factory.create(address);
         connectNew(bot, address);
-        Member member = join(bot, number);
+        Member member = joinOnce(bot, address, number);
         joined(member, address);
         return member;
+    }
+
+    /** Takes a robot in that only the connection shows to be another one than those of the team: one at a time. */
+    private Member joinOnce(MajicBot bot, String address, OptionalInt number) {
+        synchronized (addresses) {
+            try {
+                checkIdentity(bot, address);
+            } catch (BotException e) {
+                bot.close();
+                throw e;
+            }
+            return join(bot, number);
+        }
+    }
+
+    /** Two robots of the team would command one device, of which the addresses differ. */
+    private void checkIdentity(MajicBot bot, String address) {
+        Optional<Member> there = team.members().stream()
+                .filter(member -> member.bot() != bot)
+                .filter(member ->
+                        bot.identity().isPresent() && member.bot().identity().equals(bot.identity()))
+                .findFirst();
+        if (there.isPresent()) {
+            Member same = there.get();
+            if (same.bot().isConnected()) {
+                throw connectedAlready(address, same, null);
+            }
+            throw new BotException(address + ": it is robot " + same.number()
+                    + ", whose connection was lost; type \"add " + address(same).orElse(address)
+                    + "\" to connect it again");
+        }
     }
 
     /**
