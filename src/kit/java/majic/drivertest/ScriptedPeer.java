@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  * The robot's end of a connection over a real socket, on a stepped clock: time advances by 1 ms when every thread that
  * uses the clock waits and all bytes have been processed at both ends. Bytes in both directions may have a latency.
  *
- * <p>It has one client at a time: a new connection ends the one before. The methods of its {@link Robot} are called one
- * at a time, on the clock's thread or on one that calls a method of the peer; they must not wait.
+ * <p>It has one client at a time: a new connection ends the one before, or is refused. The methods of its {@link Robot}
+ * are called one at a time, on the clock's thread or on one that calls a method of the peer; they must not wait.
  */
 public final class ScriptedPeer implements AutoCloseable {
     private static final int CHUNK = 4096;
@@ -34,6 +34,7 @@ public final class ScriptedPeer implements AutoCloseable {
     private final TestClock clock;
     private @Nullable SocketChannel client;
     private String clientAddress = "";
+    private boolean refusesFurther;
     private long heldUntilNanos;
     private long sent;
     private long received;
@@ -148,6 +149,11 @@ public final class ScriptedPeer implements AutoCloseable {
         heldUntilNanos = nanos + (long) (seconds * 1e9);
     }
 
+    /** Refuses a new connection from now on while there is one, which goes on. */
+    public synchronized void refuseFurther() {
+        refusesFurther = true;
+    }
+
     /** Closes the connection, if there is one, as a robot does that is switched off; the next client is accepted. */
     public synchronized void hangUp() {
         SocketChannel open = client;
@@ -180,6 +186,13 @@ public final class ScriptedPeer implements AutoCloseable {
         if (coming == null) {
             return;
         }
+        while (refusesFurther && read()) {
+            // The client may have ended its connection before.
+        }
+        if (refusesFurther && client != null) {
+            close(coming);
+            return;
+        }
         hangUp();
         coming.configureBlocking(false);
         coming.setOption(StandardSocketOptions.TCP_NODELAY, true);
@@ -192,7 +205,8 @@ public final class ScriptedPeer implements AutoCloseable {
         robot.connected(this);
     }
 
-    private void read() throws IOException {
+    /** Reads a part of what has arrived; returns whether there was any. */
+    private boolean read() throws IOException {
         SocketChannel open = client;
         ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
         int count = open == null ? 0 : open.read(chunk);
@@ -203,6 +217,7 @@ public final class ScriptedPeer implements AutoCloseable {
             byte[] bytes = Arrays.copyOf(chunk.array(), count);
             underWay.add(new Due(nanos + latencyNanos, () -> robot.received(this, bytes)));
         }
+        return count > 0;
     }
 
     private void leave(boolean reset) {

@@ -162,6 +162,13 @@ public final class MajicRos extends BotDriver {
                 + open.graph().title() + ", drives by " + open.base() + ")";
     }
 
+    /** The server and the topic that takes the velocities: two connections with the same ones drive one base. */
+    @Override
+    public Optional<String> identity() {
+        RosSession open = session.get();
+        return open == null ? Optional.empty() : open.identity();
+    }
+
     @Override
     protected void shut() {
         RosMotion moving = motions;
@@ -353,6 +360,11 @@ public final class MajicRos extends BotDriver {
         @Override
         public ObstructionSource obstructions() {
             return sensing;
+        }
+
+        @Override
+        public double roundTripS() {
+            return session().roundTripS();
         }
 
         @Override

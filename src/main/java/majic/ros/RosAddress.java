@@ -1,5 +1,8 @@
 package majic.ros;
 
+import java.net.InetAddress;
+import java.net.UnknownHostException;
+import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
@@ -76,6 +79,15 @@ record RosAddress(
             options.put(key, option.substring(equals + 1));
         }
         return options;
+    }
+
+    /** Returns the number and port of the computer that the server runs on; its name if that is not known. */
+    String serverAddress() {
+        try {
+            return InetAddress.getByName(bridge.host()).getHostAddress() + ":" + bridge.port();
+        } catch (UnknownHostException e) {
+            return bridge.hostAndPort().toLowerCase(Locale.ROOT);
+        }
     }
 
     /** Returns the address of the server, to which a namespace can be appended. */

@@ -1,25 +1,32 @@
 package majic.ros;
 
 import java.util.List;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
 import majic.ros.bridge.BridgeAddress;
 import majic.ros.bridge.RosBridge;
+import majic.ros.bridge.TopicActivity;
+import majic.ros.readings.BridgeClient;
+import majic.ros.readings.TopicSource;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The connections to the server of one robot: one for sensors and velocities, and in ROS 2 another one for services and
- * actions, because servers up to 2.1.0 handle nothing else of a connection until a call is answered (rosbridge sheet
- * 1). Thread-safe.
+ * The connections to the server of one robot: one for velocities, odometry and contacts; in ROS 2 another one for
+ * services and actions, because servers up to 2.1.0 handle nothing else of a connection until a call is answered
+ * (rosbridge sheet 1); one for sensors, and one for what may be large, both of which delay neither odometry nor stop.
+ * The loss of one of the first two is that of the robot. Thread-safe.
  */
-final class RosConnections {
+final class RosConnections implements BridgeClient.Connections {
     private static final int TIMEOUT_MS = 3000;
 
     private final BridgeAddress address;
     private final TimeSource time;
     private final RosBridge.Listener listener;
+    private final SideConnection sensors;
+    private final SideConnection large;
     private @Nullable RosBridge drive;
     private @Nullable RosBridge services;
     private boolean closed;
@@ -28,6 +35,8 @@ final class RosConnections {
         this.address = address;
         this.time = time;
         this.listener = listener;
+        this.sensors = new SideConnection("ros sensors", time, new SideOpener());
+        this.large = new SideConnection("ros large topics", time, new SideOpener());
     }
 
     /**
@@ -42,6 +51,8 @@ final class RosConnections {
             services = opened;
         }
         endIfClosed(opened);
+        // The first motion needs the round trip, which is measured by pings.
+        opened.ping();
         return opened;
     }
 
@@ -59,16 +70,42 @@ final class RosConnections {
      *
      * @throws ConnectFailed if the server does not accept it
      */
-    RosBridge openFurther() {
-        RosBridge opened = RosBridge.open(address, TIMEOUT_MS, time, new Further());
+    @Override
+    public RosBridge openFurther() {
+        return openFurther(() -> {});
+    }
+
+    private RosBridge openFurther(Runnable lost) {
+        RosBridge opened = RosBridge.open(address, TIMEOUT_MS, time, new Further(lost));
         endIfClosed(opened);
         return opened;
     }
 
-    /** Passes on what concerns the user; what is lost with the connection is reported to its user anyway. */
-    private final class Further implements RosBridge.Listener {
+    /** Opens what is beside the robot's own connections. */
+    private final class SideOpener implements SideConnection.Opener {
         @Override
-        public void lost(RosBridge bridge, LinkLost cause) {}
+        public RosBridge open(Runnable lost) {
+            return openFurther(lost);
+        }
+
+        @Override
+        public void notice(String message) {
+            listener.notice(message);
+        }
+    }
+
+    /** Passes on what concerns the user; what is lost with the connection is reported to its user. */
+    private final class Further implements RosBridge.Listener {
+        private final Runnable lost;
+
+        Further(Runnable lost) {
+            this.lost = lost;
+        }
+
+        @Override
+        public void lost(RosBridge bridge, LinkLost cause) {
+            lost.run();
+        }
 
         @Override
         public void notice(String message) {
@@ -87,14 +124,31 @@ final class RosConnections {
         }
     }
 
-    /** The connection for sensors and velocities. */
-    synchronized RosBridge drive() {
+    @Override
+    public synchronized RosBridge drive() {
         return present(drive);
     }
 
-    /** The connection for services and actions. */
-    synchronized RosBridge services() {
+    @Override
+    public synchronized RosBridge services() {
         return present(services);
+    }
+
+    @Override
+    public TopicSource sensors() {
+        return sensors;
+    }
+
+    @Override
+    public TopicSource large() {
+        return large;
+    }
+
+    /** Returns the topics that are subscribed to on any connection, in no order. */
+    List<TopicActivity> activity() {
+        return Stream.concat(all().stream().map(RosBridge::activity), Stream.of(sensors.activity(), large.activity()))
+                .flatMap(List::stream)
+                .toList();
     }
 
     private static RosBridge present(@Nullable RosBridge bridge) {
@@ -104,7 +158,7 @@ final class RosConnections {
         return bridge;
     }
 
-    /** Returns the connections, each once; none before the first was opened. */
+    /** Returns the robot's own connections, each once; none before the first was opened. */
     synchronized List<RosBridge> all() {
         if (drive == null || services == null) {
             return List.of();
@@ -121,12 +175,16 @@ final class RosConnections {
     void close(double seconds) {
         end();
         all().forEach(bridge -> bridge.close(seconds));
+        sensors.close(0);
+        large.close(0);
     }
 
     /** Cuts all connections. */
     void abort() {
         end();
         all().forEach(RosBridge::abort);
+        sensors.abort();
+        large.abort();
     }
 
     private synchronized void end() {

@@ -41,8 +41,7 @@ final class RosScenes {
      * @param readings of that session
      */
     RosScene scene(MajicBot bot, RosConnections connections, RosReadings readings) {
-        List<TopicActivity> activity = connections.all().stream()
-                .flatMap(bridge -> bridge.activity().stream())
+        List<TopicActivity> activity = connections.activity().stream()
                 .sorted(Comparator.comparing(TopicActivity::topic))
                 .toList();
         double silenceS = connections.all().stream()

@@ -74,9 +74,8 @@ final class RosSensing implements ObstructionSource {
         String namespace = session.base().namespace();
         RosConnections connections = session.connections();
         BridgeClient client = new BridgeClient(
-                connections.drive(),
-                connections.services(),
-                connections::openFurther,
+                connections,
+                session.rosapi(),
                 session.graph().isRos2(),
                 namespace,
                 session.graph().topics());
@@ -131,7 +130,7 @@ final class RosSensing implements ObstructionSource {
         List<String> actions = new ArrayList<>();
         if (client.isRos2()) {
             try {
-                JsonNode listed = client.call("/rosapi/action_servers", JsonNodeFactory.instance.objectNode(), ASK_S);
+                JsonNode listed = client.ask("action_servers", JsonNodeFactory.instance.objectNode(), ASK_S);
                 listed.path("action_servers").forEach(action -> actions.add(action.asText()));
             } catch (ServiceFailed e) {
                 System.getLogger(RosSensing.class.getName())

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -63,6 +64,7 @@ final class RosSession implements VelocityOutput {
     private final SuspendDetector suspend = new SuspendDetector();
     private final AtomicBoolean over = new AtomicBoolean();
     private final AtomicBoolean problemNoticed = new AtomicBoolean();
+    private volatile @Nullable RosApi api;
     private volatile @Nullable RosGraph graph;
     private volatile @Nullable Base base;
     private volatile @Nullable VelocityForm form;
@@ -103,12 +105,13 @@ final class RosSession implements VelocityOutput {
      * @throws ConnectFailed if there is no server, or no robot that the address means
      */
     void find(KnownRobots known) {
-        RosApi api = new RosApi(connections.open());
-        RosGraph found = api.graph();
-        BaseChoice choice = new BaseChoice(found, new BaseFinder(found, api::subscribers), address.server());
+        RosApi asking = new RosApi(connections.open(), address.namespace());
+        RosGraph found = asking.graph();
+        api = asking;
+        BaseChoice choice = new BaseChoice(found, new BaseFinder(found, asking::subscribers), address.server());
         Base chosen = choice.choose(address.namespace(), address.base());
         others = choice.besides(chosen);
-        robot = model(known, new RobotEvidence(found, chosen.namespace(), api::parameter));
+        robot = model(known, new RobotEvidence(found, chosen.namespace(), asking::parameter));
         // What the address names is used even if the table prefers another topic.
         base = address.base() == null ? KnownRobots.withTopics(robot, chosen, found) : chosen;
         graph = found;
@@ -263,9 +266,24 @@ final class RosSession implements VelocityOutput {
         connections.abort();
     }
 
+    /** How long a message takes to the server and back at present, s; 0 if that is not known. */
+    double roundTripS() {
+        return connections.drive().roundTripS();
+    }
+
     /** The topics and nodes at the time of the connection. */
     RosGraph graph() {
         return present(graph);
+    }
+
+    /** Returns the server and the topic of commands; empty before they were found. */
+    Optional<String> identity() {
+        return Optional.ofNullable(base).map(found -> address.serverAddress() + found.command());
+    }
+
+    /** The name of the node rosapi. */
+    String rosapi() {
+        return present(api).node();
     }
 
     /** The topics that drive the robot. */
@@ -289,7 +307,7 @@ final class RosSession implements VelocityOutput {
      * @return their names; none if it has no description
      */
     Set<String> slidingJoints() {
-        return RobotDescription.slidingJoints(new RosApi(connections.services()), graph(), base().namespace());
+        return RobotDescription.slidingJoints(present(api).on(connections.services()), graph(), base().namespace());
     }
 
     /** The topic of its camera that the address names; null if it names none. */

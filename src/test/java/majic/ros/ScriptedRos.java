@@ -21,7 +21,7 @@ import majic.environment.Settings;
 /**
  * A base behind a rosbridge server of ROS 1, on a stepped clock, as a turtlebot3_fake with rosapi answers in the
  * recorded session: it follows velocities with limited acceleration, stops 0.5 s after the last one, and reports its
- * odometry 30 times a second.
+ * odometry 30 times a second. It accepts one connection, so that nothing is read that needs a further one.
  */
 final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
     static final ObjectMapper JSON = new ObjectMapper();
@@ -82,6 +82,7 @@ final class ScriptedRos implements TestedRobot, ScriptedPeer.Robot {
                         subscribers.getOrDefault(arguments.path("topic").asText(), List.of())));
         services.put("/rosapi/get_param", this::parameter);
         peer = new ScriptedPeer(this);
+        peer.refuseFurther();
         bot = new MajicRos(
                 new BotAddress("ros", "//" + peer.address() + behindPort),
                 new BotEnvironment(peer.clock().time(), Settings.inMemory()));

@@ -7,7 +7,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import com.fasterxml.jackson.dataformat.cbor.databind.CBORMapper;
 import java.io.IOException;
 
 /**
@@ -22,8 +21,6 @@ final class BridgeCodec {
             .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .build();
-
-    private static final ObjectMapper CBOR = new CBORMapper();
 
     private BridgeCodec() {}
 
@@ -42,8 +39,7 @@ final class BridgeCodec {
      * @throws IOException if it is no object in either
      */
     static ObjectNode decode(byte[] bytes) throws IOException {
-        ObjectMapper mapper = bytes.length > 0 && bytes[0] == JSON_OBJECT ? JSON : CBOR;
-        return object(mapper.readTree(bytes));
+        return object(bytes.length > 0 && bytes[0] == JSON_OBJECT ? JSON.readTree(bytes) : CborTree.read(bytes));
     }
 
     private static ObjectNode object(JsonNode read) throws IOException {

@@ -20,13 +20,16 @@ final class OperationRouter implements WebSocketClient.Listener {
 
     /** The receivers of the operations. */
     interface Routes {
-        void published(String topic, JsonNode message);
+        void published(String topic, JsonNode message, int bytes);
 
         void answered(ObjectNode response);
 
         void feedback(ObjectNode feedback);
 
         void result(ObjectNode result);
+
+        /** Handles a message that was longer than the limit. */
+        void leftOut();
 
         /** Handles a message for the user, the first time that there is a reason for it. */
         void notice(String message);
@@ -41,7 +44,7 @@ final class OperationRouter implements WebSocketClient.Listener {
     @Override
     public void text(String text) {
         try {
-            route(BridgeCodec.decode(text));
+            route(BridgeCodec.decode(text), text.length());
         } catch (IOException e) {
             unusable(text.substring(0, Math.min(text.length(), SHOWN_CHARS)), e);
         }
@@ -50,7 +53,7 @@ final class OperationRouter implements WebSocketClient.Listener {
     @Override
     public void binary(byte[] bytes) {
         try {
-            route(BridgeCodec.decode(bytes));
+            route(BridgeCodec.decode(bytes), bytes.length);
         } catch (IOException e) {
             unusable(bytes.length + " binary bytes", e);
         }
@@ -61,10 +64,10 @@ final class OperationRouter implements WebSocketClient.Listener {
         noticeOnce("the rosbridge server sends messages that are not JSON objects; they are ignored");
     }
 
-    private void route(ObjectNode operation) {
+    private void route(ObjectNode operation, int bytes) {
         String kind = operation.path("op").asText();
         switch (kind) {
-            case "publish" -> routes.published(operation.path("topic").asText(), operation.path("msg"));
+            case "publish" -> routes.published(operation.path("topic").asText(), operation.path("msg"), bytes);
             case "service_response" -> routes.answered(operation);
             case "action_feedback" -> routes.feedback(operation);
             case "action_result" -> routes.result(operation);
@@ -86,6 +89,7 @@ final class OperationRouter implements WebSocketClient.Listener {
 
     @Override
     public void tooLong() {
+        routes.leftOut();
         noticeOnce("the rosbridge server sent a message of more than " + (RosBridge.LONGEST_MESSAGE >> 20)
                 + " MB, which was left out; such a topic is better throttled or compressed on the robot");
     }

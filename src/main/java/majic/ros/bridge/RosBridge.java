@@ -33,6 +33,7 @@ public final class RosBridge implements AutoCloseable {
     private final PendingCalls calls = new PendingCalls();
     private final Goals goals = new Goals();
     private final Map<String, TopicStream> streams = new ConcurrentHashMap<>();
+    private volatile boolean leftOut;
 
     /** Handles what concerns the whole connection. Called on the reader thread, which must not wait. */
     public interface Listener {
@@ -165,6 +166,18 @@ public final class RosBridge implements AutoCloseable {
      * @throws LinkLost if it could not be sent
      */
     public RosSubscription subscribe(TopicSubscription wanted, Consumer<JsonNode> onMessage) {
+        return subscribe(wanted, (message, bytes) -> onMessage.accept(message));
+    }
+
+    /**
+     * Subscribes to a topic, as the other method.
+     *
+     * @param wanted the topic, its type, and how often
+     * @param onMessage receives each message and its length
+     * @return the subscription, to be closed; it ends with the connection
+     * @throws LinkLost if it could not be sent
+     */
+    public RosSubscription subscribe(TopicSubscription wanted, MessageListener onMessage) {
         return streams.computeIfAbsent(wanted.topic(), topic -> new TopicStream(time, this::send))
                 .add(wanted, onMessage);
     }
@@ -188,6 +201,16 @@ public final class RosBridge implements AutoCloseable {
         return streams.values().stream()
                 .flatMap(stream -> stream.activity().stream())
                 .toList();
+    }
+
+    /**
+     * Returns what is arriving now.
+     *
+     * @return the message that is not complete; left out counts from one message that was too long to the next one that
+     *     was not
+     */
+    public Arriving arriving() {
+        return new Arriving(socket.arrivedBytes(), socket.knownBytes(), leftOut);
     }
 
     /**
@@ -292,6 +315,15 @@ public final class RosBridge implements AutoCloseable {
     }
 
     /**
+     * Returns how long a message takes to the server and back, by the newest ping.
+     *
+     * @return seconds; at least the time that an answer has been due; 0 before the first answer
+     */
+    public double roundTripS() {
+        return socket.roundTripS();
+    }
+
+    /**
      * Returns whether the connection can be used.
      *
      * @return false from its end on
@@ -331,11 +363,17 @@ public final class RosBridge implements AutoCloseable {
     /** The receivers of the messages of this connection. */
     private final class Routes implements OperationRouter.Routes {
         @Override
-        public void published(String topic, JsonNode message) {
+        public void published(String topic, JsonNode message, int bytes) {
+            leftOut = false;
             TopicStream stream = streams.get(topic);
             if (stream != null) {
-                stream.receive(message);
+                stream.receive(message, bytes);
             }
+        }
+
+        @Override
+        public void leftOut() {
+            leftOut = true;
         }
 
         @Override

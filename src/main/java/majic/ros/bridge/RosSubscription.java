@@ -1,15 +1,14 @@
 package majic.ros.bridge;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import java.util.function.Consumer;
 
 /** One subscription to a topic, until it is closed or the connection ends. Thread-safe. */
 public final class RosSubscription implements AutoCloseable {
     private final TopicStream stream;
     private final TopicSubscription wanted;
-    private final Consumer<JsonNode> onMessage;
+    private final MessageListener onMessage;
 
-    RosSubscription(TopicStream stream, TopicSubscription wanted, Consumer<JsonNode> onMessage) {
+    RosSubscription(TopicStream stream, TopicSubscription wanted, MessageListener onMessage) {
         this.stream = stream;
         this.wanted = wanted;
         this.onMessage = onMessage;
@@ -19,8 +18,8 @@ public final class RosSubscription implements AutoCloseable {
         return wanted;
     }
 
-    void receive(JsonNode message) {
-        onMessage.accept(message);
+    void receive(JsonNode message, int bytes) {
+        onMessage.message(message, bytes);
     }
 
     /**

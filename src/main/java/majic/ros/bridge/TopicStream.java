@@ -44,7 +44,7 @@ final class TopicStream {
         this.send = send;
     }
 
-    synchronized RosSubscription add(TopicSubscription wanted, Consumer<JsonNode> onMessage) {
+    synchronized RosSubscription add(TopicSubscription wanted, MessageListener onMessage) {
         RosSubscription added = new RosSubscription(this, wanted, onMessage);
         subscriptions.add(added);
         TopicSubscription merged = merged(wanted);
@@ -115,12 +115,12 @@ final class TopicStream {
     }
 
     /** Passes a message on, on the reader thread. What one subscription throws does not concern the others. */
-    void receive(JsonNode message) {
+    void receive(JsonNode message, int bytes) {
         newestNanos = time.nanos();
         count++;
         for (RosSubscription each : subscriptions) {
             try {
-                each.receive(message);
+                each.receive(message, bytes);
             } catch (RuntimeException | Error e) {
                 LOG.log(Level.WARNING, "could not process a message of " + each.topic(), e);
             }

@@ -9,9 +9,13 @@ package majic.ros.bridge;
  * @param throttleMs the least time between two messages, ms; 0 for all of them
  * @param queueLength how many messages the server keeps while the throttle holds them back; with 1 the newest one
  *     always arrives
- * @param binary whether messages come as CBOR, for pictures: a third less to carry and to decode
+ * @param binary whether messages come as CBOR, which is smaller. Servers send nothing then of types with an array of
+ *     fixed length, as odometry has, or with texts in an array
  */
 public record TopicSubscription(String topic, String type, int throttleMs, int queueLength, boolean binary) {
+    /** So long after the first message no other one comes, ms. */
+    private static final int ONCE_MS = 60_000;
+
     /** Refuses negative numbers and a name that is not absolute. */
     public TopicSubscription {
         if (!topic.startsWith("/")) {
@@ -31,5 +35,14 @@ public record TopicSubscription(String topic, String type, int throttleMs, int q
      */
     public TopicSubscription(String topic, String type, int throttleMs) {
         this(topic, type, throttleMs, 1, false);
+    }
+
+    /**
+     * Returns the subscription to one message, which ends by unsubscribing.
+     *
+     * @return of the same topic
+     */
+    public TopicSubscription once() {
+        return new TopicSubscription(topic, type, ONCE_MS, 1, binary);
     }
 }

@@ -28,7 +28,11 @@ public final class RosApi {
 
     private static final JsonMapper JSON = new JsonMapper();
 
+    private static final String NODE = "/rosapi";
+
     private final RosBridge bridge;
+    private final String namespace;
+    private volatile String node;
 
     /**
      * Whether a question that can do without an answer had none: the others are not asked then, since waiting for each
@@ -40,9 +44,35 @@ public final class RosApi {
      * Creates the client.
      *
      * @param bridge an open connection
+     * @param namespace of the robot, as in its address, in which the node may be; empty if the address has none
      */
-    public RosApi(RosBridge bridge) {
+    public RosApi(RosBridge bridge, String namespace) {
+        this(bridge, namespace, NODE);
+    }
+
+    private RosApi(RosBridge bridge, String namespace, String node) {
         this.bridge = bridge;
+        this.namespace = namespace;
+        this.node = node;
+    }
+
+    /**
+     * Returns the client of the same node on another connection.
+     *
+     * @param other open
+     * @return for the node that was found
+     */
+    public RosApi on(RosBridge other) {
+        return new RosApi(other, namespace, node);
+    }
+
+    /**
+     * Returns the name of the node.
+     *
+     * @return as found by {@link #graph}; {@code /rosapi} before
+     */
+    public String node() {
+        return node;
     }
 
     /**
@@ -54,37 +84,55 @@ public final class RosApi {
      */
     public RosGraph graph() {
         Version version = version();
-        JsonNode topics = required("/rosapi/topics");
+        JsonNode topics = required("topics");
         return new RosGraph(version.number(), version.distribution(), types(topics), nodes());
     }
 
     private record Version(int number, String distribution) {}
 
-    /** Only ROS 2 has a service for the version. */
+    /**
+     * Only ROS 2 has a service for the version. The node is in the namespace of the server since version 2.2.0 of
+     * rosbridge; without one before that, as in ROS 1.
+     */
     private Version version() {
-        JsonNode answer;
-        try {
-            answer = bridge.call("/rosapi/get_ros_version", empty(), TIMEOUT_S);
-        } catch (ServiceFailed e) {
-            if (!e.isAnswered()) {
-                throw silent(e);
+        for (String candidate : candidates()) {
+            node = candidate;
+            try {
+                JsonNode answer = call("get_ros_version", empty());
+                int number = answer.path("version").asInt(2);
+                return new Version(number, clean(answer.path("distro").asText("")));
+            } catch (ServiceFailed e) {
+                if (!e.isAnswered()) {
+                    throw silent(e);
+                }
+            } catch (LinkLost e) {
+                throw new ConnectFailed(
+                        Reason.NOT_ALLOWED,
+                        "the rosbridge server closed the connection at the first request (" + e.getMessage()
+                                + "); does it demand authentication? MAJIC has none; can the server be started with"
+                                + " authenticate:=false?",
+                        e);
             }
-            return new Version(1, parameter("/rosdistro").orElse(""));
-        } catch (LinkLost e) {
-            throw new ConnectFailed(
-                    Reason.NOT_ALLOWED,
-                    "the rosbridge server closed the connection at the first request (" + e.getMessage()
-                            + "); does it demand authentication? MAJIC has none; can the server be started with"
-                            + " authenticate:=false?",
-                    e);
         }
-        int number = answer.path("version").asInt(2);
-        return new Version(number, clean(answer.path("distro").asText("")));
+        node = NODE;
+        return new Version(1, parameter("/rosdistro").orElse(""));
     }
 
-    private JsonNode required(String service) {
+    private List<String> candidates() {
+        List<String> candidates = new ArrayList<>(List.of(NODE));
+        for (String inner = namespace; !inner.isEmpty(); inner = inner.substring(0, inner.lastIndexOf('/'))) {
+            candidates.add(inner + NODE);
+        }
+        return candidates;
+    }
+
+    private JsonNode call(String question, ObjectNode arguments) {
+        return bridge.call(node + "/" + question, arguments, TIMEOUT_S);
+    }
+
+    private JsonNode required(String question) {
         try {
-            return bridge.call(service, empty(), TIMEOUT_S);
+            return call(question, empty());
         } catch (ServiceFailed e) {
             throw silent(e);
         }
@@ -95,7 +143,8 @@ public final class RosApi {
                 Reason.NO_ANSWER,
                 "the rosbridge server is there, but its node rosapi is not, which lists the topics ("
                         + cause.getMessage()
-                        + "); were both started by the launch file rosbridge_websocket of the package rosbridge_server?",
+                        + "); were both started by the launch file rosbridge_websocket of the package rosbridge_server?"
+                        + " If they run in a namespace, it belongs behind the address, as in ros://HOST/NAMESPACE",
                 cause);
     }
 
@@ -109,7 +158,7 @@ public final class RosApi {
     }
 
     private TreeSet<String> nodes() {
-        return new TreeSet<>(names("/rosapi/nodes", empty(), "nodes").orElse(List.of()));
+        return new TreeSet<>(names("nodes", empty(), "nodes").orElse(List.of()));
     }
 
     /**
@@ -119,7 +168,7 @@ public final class RosApi {
      * @return without the rosbridge server; empty if rosapi does not answer
      */
     public Optional<List<String>> subscribers(String topic) {
-        return names("/rosapi/subscribers", empty().put("topic", topic), "subscribers")
+        return names("subscribers", empty().put("topic", topic), "subscribers")
                 .map(nodes -> nodes.stream().filter(node -> !isBridge(node)).toList());
     }
 
@@ -127,8 +176,8 @@ public final class RosApi {
         return node.contains("rosbridge");
     }
 
-    private Optional<List<String>> names(String service, ObjectNode arguments, String field) {
-        return asked(service, arguments).map(values -> {
+    private Optional<List<String>> names(String question, ObjectNode arguments, String field) {
+        return asked(question, arguments).map(values -> {
             List<String> names = new ArrayList<>();
             values.path(field).forEach(name -> names.add(name.asText()));
             return names;
@@ -136,12 +185,12 @@ public final class RosApi {
     }
 
     /** Asks a question that can do without an answer. */
-    private Optional<JsonNode> asked(String service, ObjectNode arguments) {
+    private Optional<JsonNode> asked(String question, ObjectNode arguments) {
         if (isSilent) {
             return Optional.empty();
         }
         try {
-            return Optional.of(bridge.call(service, arguments, TIMEOUT_S));
+            return Optional.of(call(question, arguments));
         } catch (ServiceFailed e) {
             isSilent = !e.isAnswered();
             return Optional.empty();
@@ -155,7 +204,7 @@ public final class RosApi {
      * @return its value as text, a string without quotes; empty if there is none
      */
     public Optional<String> parameter(String name) {
-        return asked("/rosapi/get_param", empty().put("name", name))
+        return asked("get_param", empty().put("name", name))
                 .map(values -> values.path("value").asText(""))
                 .filter(json -> !json.isBlank() && !json.equals("null"))
                 .map(RosApi::clean);
@@ -168,7 +217,7 @@ public final class RosApi {
      * @return the text unchanged; empty if there is none, or it is no text
      */
     public Optional<String> textParameter(String name) {
-        return asked("/rosapi/get_param", empty().put("name", name))
+        return asked("get_param", empty().put("name", name))
                 .map(values -> values.path("value").asText(""))
                 .flatMap(RosApi::textOf);
     }

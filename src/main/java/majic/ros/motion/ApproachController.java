@@ -13,7 +13,7 @@ final class ApproachController {
     /** A base may slow down faster than is planned, by this factor, so that it can follow the plan. */
     private static final double BRAKING_RESERVE = 2;
 
-    /** A base that does not move for so long at a rate is sent a higher one, seconds. */
+    /** A base whose odometry shows no effect of a rate for so long is sent a higher one, seconds. */
     private static final double STUCK_S = 0.4;
 
     /** By which part the rate for such a base is raised for each further second. */
@@ -29,7 +29,6 @@ final class ApproachController {
     private double lastS = Double.NaN;
     private double movedS = Double.NaN;
     private double movedAt;
-    private boolean accelerating = true;
     private boolean arrived;
 
     /**
@@ -62,11 +61,6 @@ final class ApproachController {
         this.movedAt = covered;
     }
 
-    /** Whether the base is still gaining speed, so that the delay of its odometry shows. */
-    boolean isAccelerating() {
-        return accelerating;
-    }
-
     /** Whether the target is reached: the last rate was zero. */
     boolean hasArrived() {
         return arrived;
@@ -87,7 +81,7 @@ final class ApproachController {
         if (arrived || left <= limits.tolerance()) {
             arrived = true;
         } else {
-            rate = direction * limited(raised(planned(left), covered, nowS), nowS);
+            rate = direction * limited(raised(planned(left), covered, nowS, delayS), nowS);
         }
         lastS = nowS;
         sent.add(rate, nowS);
@@ -101,12 +95,12 @@ final class ApproachController {
         return Math.max(limits.creep(), Math.min(limits.cruise(), braking));
     }
 
-    private double raised(double planned, double covered, double nowS) {
+    private double raised(double planned, double covered, double nowS, double delayS) {
         if (Double.isNaN(movedS) || Math.abs(covered - movedAt) >= limits.tolerance()) {
             movedS = nowS;
             movedAt = covered;
         }
-        double stuck = Math.max(0, nowS - movedS - STUCK_S);
+        double stuck = Math.max(0, nowS - movedS - delayS - STUCK_S);
         return Math.min(limits.cruise(), planned * (1 + RAISE_PER_SEC * stuck));
     }
 
@@ -114,7 +108,6 @@ final class ApproachController {
         double last = Math.abs(sent.newest());
         double seconds = Double.isNaN(lastS) ? VelocitySender.PERIOD_S : Math.min(LONGEST_STEP_S, nowS - lastS);
         double most = last + limits.acceleration() * seconds;
-        accelerating &= wanted > last;
         return Math.max(Math.min(wanted, most), last - BRAKING_RESERVE * limits.acceleration() * seconds);
     }
 }

@@ -14,6 +14,9 @@ public interface BaseOwner {
     /** The contact sensors of the robot. */
     ObstructionSource obstructions();
 
+    /** How long a message takes to the robot's server and back at present, s; 0 if that is not known. */
+    double roundTripS();
+
     /**
      * Runs a task once on the timer thread of the robot.
      *

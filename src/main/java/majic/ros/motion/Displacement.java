@@ -12,7 +12,7 @@ sealed interface Displacement {
     double rate(TrackedState now);
 
     /** Sends the velocity that covers it at a rate. */
-    void send(VelocitySender sender, double rate, TrackedState now);
+    void send(MovingBase base, double rate, TrackedState now);
 
     /** All of it, signed. */
     double amount();
@@ -26,7 +26,7 @@ sealed interface Displacement {
     /** What remains at the end without being corrected. */
     double acceptable();
 
-    /** What may remain where a correction is not possible, without the motion counting as failed. */
+    /** What may remain at most; otherwise the motion has failed. */
     double tolerable();
 
     /** mm or degrees. */
@@ -47,6 +47,9 @@ sealed interface Displacement {
     record Straight(TrackedState start, double amount, ApproachController.Limits limits) implements Displacement {
         /** deg/s for each degree off the heading. */
         private static final double HEADING_GAIN = 1.5;
+
+        /** A higher gain would let the heading swing about the right one: the loop is unstable from 1.57 on. */
+        private static final double MOST_GAIN_TIMES_DELAY = 0.6;
 
         private static final double MOST_DEG_PER_SEC = 15;
 
@@ -73,10 +76,12 @@ sealed interface Displacement {
         }
 
         @Override
-        public void send(VelocitySender sender, double rate, TrackedState now) {
+        public void send(MovingBase base, double rate, TrackedState now) {
             double off = start.turnedDeg() - now.turnedDeg();
-            double correction = Math.max(-MOST_DEG_PER_SEC, Math.min(MOST_DEG_PER_SEC, HEADING_GAIN * off));
-            sender.send(rate, rate == 0 ? 0 : correction);
+            double gain =
+                    Math.min(HEADING_GAIN, MOST_GAIN_TIMES_DELAY / base.delay().seconds());
+            double correction = Math.max(-MOST_DEG_PER_SEC, Math.min(MOST_DEG_PER_SEC, gain * off));
+            base.sender().send(rate, rate == 0 ? 0 : correction);
         }
 
         @Override
@@ -131,8 +136,8 @@ sealed interface Displacement {
         }
 
         @Override
-        public void send(VelocitySender sender, double rate, TrackedState now) {
-            sender.send(0, rate);
+        public void send(MovingBase base, double rate, TrackedState now) {
+            base.sender().send(0, rate);
         }
 
         @Override

@@ -65,7 +65,7 @@ final class MotionWatcher {
      * Checks the progress of a base.
      *
      * @param commanded whether a velocity is in force that it should follow
-     * @return whether it has not moved for 2 s in spite of such a velocity
+     * @return whether it has not moved for 2 s in spite of such a velocity, and the odometry shows it
      */
     boolean isBlocked(TrackedState now, boolean commanded) {
         long nowNanos = base.time().nanos();
@@ -75,7 +75,7 @@ final class MotionWatcher {
             progressed = now;
             progressNanos = nowNanos;
         }
-        return (nowNanos - progressNanos) / 1e9 >= BLOCKED_S;
+        return (nowNanos - progressNanos) / 1e9 >= BLOCKED_S + base.delay().seconds();
     }
 
     private @Nullable String obstructed() {

@@ -16,18 +16,35 @@ final class MovingBase {
     /** The odometry is silent if nothing usable has come for so long, seconds. */
     private static final double SILENCE_S = 1;
 
+    /** What a base has covered when the odometry shows the effect of a velocity. */
+    private static final double SHOWN_MM = 1;
+
+    private static final double SHOWN_DEG = 0.2;
+
     private final RobotWait waiting;
     private final VelocitySender sender;
-    private final OdometryDelay delay = new OdometryDelay();
+    private final OdometryDelay delay;
     private volatile @Nullable TrackedState now;
     private volatile @Nullable Unusable unusable;
+    private volatile @Nullable Begun begun;
     private volatile boolean ended;
+
+    /** The first velocity after a standstill: when it was sent, and the newest state at that time. */
+    private record Begun(TrackedState from, long atNanos) {
+        /** Whether a state shows its effect, or would show it by now if it had one. */
+        boolean isShownBy(TrackedState later, double longestS) {
+            return from.pose().distanceMm(later.pose()) >= SHOWN_MM
+                    || Math.abs(later.turnedDeg() - from.turnedDeg()) >= SHOWN_DEG
+                    || (later.atNanos() - atNanos) / 1e9 >= longestS;
+        }
+    }
 
     private record Unusable(String reason, long atNanos) {}
 
-    MovingBase(RobotWait waiting, VelocitySender sender) {
+    MovingBase(RobotWait waiting, VelocitySender sender, OdometryDelay delay) {
         this.waiting = waiting;
         this.sender = sender;
+        this.delay = delay;
     }
 
     TimeSource time() {
@@ -45,6 +62,14 @@ final class MovingBase {
     void set(TrackedState newest) {
         now = newest;
         waiting.changes().raise();
+    }
+
+    /** Takes the first velocity after a standstill, before it is sent. */
+    void begin() {
+        TrackedState newest = now;
+        if (newest != null) {
+            begun = new Begun(newest, time().nanos());
+        }
     }
 
     /** Wakes waiting threads for good: no reading will come any more. */
@@ -92,11 +117,18 @@ final class MovingBase {
         return newest;
     }
 
-    /** Whether a reading shows the base stationary that was made after a zero velocity took effect. */
+    /**
+     * Whether a reading shows the base stationary that was made after a zero velocity took effect. As long as the
+     * odometry has not shown the motion before it either, a stationary base is one that is about to move.
+     */
     boolean isStationarySince(long zeroNanos) {
         TrackedState newest = now;
+        Begun last = begun;
         double waitS = Math.max(LEAST_DELAY_S, delay.seconds());
-        return newest != null && newest.stationary() && (newest.atNanos() - zeroNanos) / 1e9 >= waitS;
+        return newest != null
+                && newest.stationary()
+                && (newest.atNanos() - zeroNanos) / 1e9 >= waitS
+                && (last == null || last.isShownBy(newest, delay.longestSeconds()));
     }
 
     /**

@@ -1,14 +1,18 @@
 package majic.ros.motion;
 
+import java.util.function.DoubleSupplier;
+
 /**
- * The time from the sending of a velocity to the arrival of the odometry that shows its effect. Learned while a base
- * accelerates, and kept from one motion to the next. Has no clock. Used by one motion at a time; thread-safe.
+ * The time from the sending of a velocity to the arrival of the odometry that shows its effect: the round trip of the
+ * connection, which is measured all the time, and the part of the base, which is learned while a base gains speed and
+ * kept from one motion to the next. Has no clock. Used by one motion at a time; thread-safe.
  */
 final class OdometryDelay {
-    /** Assumed before the first motion, seconds. */
-    private static final double USUAL_S = 0.1;
+    /** The longest delay with which a base is controlled, seconds. */
+    static final double LONGEST_S = 1.5;
 
-    private static final double LONGEST_S = 0.6;
+    /** Assumed of the base before the first motion, seconds. */
+    private static final double USUAL_S = 0.1;
 
     /** The part of the commanded rate within which a measured one is compared: noise below, overshoot above. */
     private static final double LEAST_PART = 0.2;
@@ -18,28 +22,47 @@ final class OdometryDelay {
     /** The weight of a new measurement. */
     private static final double WEIGHT = 0.25;
 
-    private volatile double seconds = USUAL_S;
+    private final DoubleSupplier roundTripS;
+    private volatile double baseS = USUAL_S;
+    private volatile boolean learned;
+
+    /**
+     * The delay before the first motion.
+     *
+     * @param roundTripS gives the round trip of the connection at present, s
+     */
+    OdometryDelay(DoubleSupplier roundTripS) {
+        this.roundTripS = roundTripS;
+    }
 
     double seconds() {
-        return seconds;
+        return Math.min(LONGEST_S, roundTripS.getAsDouble() + baseS);
+    }
+
+    /** The time after which a velocity without an effect counts as one that will have none. */
+    double longestSeconds() {
+        return learned ? Math.min(LONGEST_S, 2 * seconds() + USUAL_S) : LONGEST_S;
     }
 
     /**
-     * Compares a measured rate with the commanded ones of a motion that is still accelerating.
+     * Compares a measured rate with the commanded ones of a motion in which the base is still gaining speed.
      *
      * @param sent commanded since the motion began from rest
      * @param rate measured, by a reading that arrived now
      * @param nowS when it arrived
      * @param cycleS from one command to the next: half of it passes on average between two commanded rates
+     * @return whether later readings may still show it
      */
-    void learn(SentRates sent, double rate, double nowS, double cycleS) {
+    boolean learn(SentRates sent, double rate, double nowS, double cycleS) {
         double measured = Math.abs(rate);
         double highest = sent.highest();
         if (measured < LEAST_PART * highest || measured > LARGEST_PART * highest) {
-            return;
+            return measured <= LARGEST_PART * highest;
         }
-        double found = nowS - sent.reachedAt(measured) - cycleS / 2;
+        double found = nowS - sent.reachedAt(measured) - cycleS / 2 - roundTripS.getAsDouble();
         double bounded = Math.max(0, Math.min(LONGEST_S, found));
-        seconds += WEIGHT * (bounded - seconds);
+        learned = true;
+        baseS += WEIGHT * (bounded - baseS);
+        return true;
     }
 }

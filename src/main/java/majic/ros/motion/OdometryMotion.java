@@ -10,8 +10,14 @@ import majic.time.TimeSource;
  * come to rest, and corrects what then remains a few times at most. For one motion; used by its thread.
  */
 final class OdometryMotion {
-    /** Approaches of one motion: the first, and the corrections. */
-    private static final int MOST_APPROACHES = 4;
+    /** Approaches of one motion, the first and the corrections; further ones only while each helps. */
+    private static final int USUAL_APPROACHES = 4;
+
+    /** An approach that leaves more than this part of what was left before has not helped. */
+    private static final double HELPFUL_PART = 0.8;
+
+    /** A rate below this part of the highest one so far shows that the base is not gaining speed any more. */
+    private static final double FALLEN_PART = 0.9;
 
     /** Long enough for a heavy base to come to rest, seconds. */
     private static final double SETTLE_S = 4;
@@ -28,7 +34,9 @@ final class OdometryMotion {
     private final Displacement way;
     private final Motion motion;
     private final MotionWatcher watcher;
-    private final SentRates sent = new SentRates();
+    private SentRates sent = new SentRates();
+    private boolean gainsSpeed;
+    private double highestRate;
 
     OdometryMotion(MovingBase base, ObstructionSource obstructions, Displacement way, Motion motion) {
         this.base = base;
@@ -41,25 +49,39 @@ final class OdometryMotion {
      * Runs the motion.
      *
      * @return the distance or angle covered; less than the target where the guard condition ended the motion
-     * @throws MotionFailed if a contact or the odometry ended it, or the base did not move
+     * @throws MotionFailed if a contact or the odometry ended it, the base did not move, or it missed the target
      */
     Value run() {
         double most = way.limits().tolerance();
-        for (int approach = 0; approach < MOST_APPROACHES && isOff(most); approach++) {
-            if (!approach(approach == 0) || !settle()) {
+        boolean helped = false;
+        for (int approach = 0; isOff(most) && (approach < USUAL_APPROACHES || helped); approach++) {
+            double before = off();
+            if (!approach() || !settle()) {
                 return endEarly();
             }
+            helped = off() <= HELPFUL_PART * before;
             most = way.acceptable();
+        }
+        if (isOff(way.tolerable())) {
+            throw failed("the target was missed by more than " + Value.of(way.tolerable(), way.unit()));
         }
         return way.value(base.now());
     }
 
     private boolean isOff(double most) {
-        return Math.abs(way.amount() - way.covered(base.now())) > most;
+        return off() > most;
+    }
+
+    private double off() {
+        return Math.abs(way.amount() - way.covered(base.now()));
     }
 
     /** Goes to the target; false if the guard condition ended the motion. */
-    private boolean approach(boolean first) {
+    private boolean approach() {
+        // The base is at rest, so that nothing that was sent before has an effect any more.
+        sent = new SentRates();
+        gainsSpeed = true;
+        highestRate = 0;
         ApproachController controller =
                 new ApproachController(way.amount(), way.covered(base.now()), way.limits(), sent);
         while (true) {
@@ -70,21 +92,25 @@ final class OdometryMotion {
                     seconds(now.atNanos()),
                     seconds(time().nanos()),
                     base.delay().seconds());
-            motion.send(() -> way.send(base.sender(), rate, now));
+            motion.send(() -> way.send(base, rate, now));
             if (controller.hasArrived() || endsBlocked(now)) {
                 return true;
             }
             if (!motion.pause(VelocitySender.PERIOD_S)) {
                 return false;
             }
-            learn(now, first && controller.isAccelerating());
+            learn(now);
         }
     }
 
-    private void learn(TrackedState before, boolean accelerating) {
+    /** Learns the delay from the first readings that show the motion, at whatever time they arrive. */
+    private void learn(TrackedState before) {
         TrackedState now = base.now();
-        if (accelerating && now.atNanos() != before.atNanos()) {
-            base.delay().learn(sent, way.rate(now), seconds(now.atNanos()), VelocitySender.PERIOD_S);
+        if (gainsSpeed && now.atNanos() != before.atNanos()) {
+            double rate = Math.abs(way.rate(now));
+            gainsSpeed = rate >= FALLEN_PART * highestRate
+                    && base.delay().learn(sent, rate, seconds(now.atNanos()), VelocitySender.PERIOD_S);
+            highestRate = Math.max(highestRate, rate);
         }
     }
 
@@ -136,7 +162,7 @@ final class OdometryMotion {
     private MotionFailed failed(String reason) {
         motion.send(base.sender()::stop);
         if (base.silence() == null) {
-            base.awaitStationary(FAILED_S);
+            base.awaitStationary(FAILED_S + base.delay().seconds());
         }
         motion.check();
         return new MotionFailed(reason + " after " + way.value(base.now()));
@@ -144,8 +170,11 @@ final class OdometryMotion {
 
     private Value endEarly() {
         motion.send(base.sender()::stop);
-        base.awaitStationary(SETTLE_S);
+        boolean rests = base.awaitStationary(SETTLE_S);
         motion.check();
+        if (!rests) {
+            throw failed("it does not come to rest");
+        }
         return way.value(base.now());
     }
 

@@ -71,8 +71,8 @@ public final class RosMotion {
         this.owner = owner;
         this.dynamics = dynamics;
         this.obstructions = owner.obstructions();
-        this.sender = new VelocitySender(output, owner.waiting().time(), this::sent);
-        this.base = new MovingBase(owner.waiting(), sender);
+        this.sender = new VelocitySender(output, owner.waiting().time(), new Sent());
+        this.base = new MovingBase(owner.waiting(), sender, new OdometryDelay(owner::roundTripS));
         this.driving = new VelocityDrive(base, obstructions, dynamics);
         this.tracker = new OdometryTracker(dynamics, start);
         this.reckoning = source == PoseSource.COMMANDS ? new DeadReckoning() : null;
@@ -273,17 +273,6 @@ public final class RosMotion {
                 : "; the robot stops by itself " + Value.plain(timeoutS) + " s after the last command";
     }
 
-    /** Called under the lock of the sender. */
-    private void sent(double mmPerSec, double degPerSec) {
-        DeadReckoning estimating = reckoning;
-        if (estimating != null) {
-            long from = base.time().nanos();
-            estimating.begin(
-                    (start, at) -> start.after(mmPerSec * (at - from) / 1e9, degPerSec * (at - from) / 1e9), from);
-        }
-        schedule();
-    }
-
     private void schedule() {
         if (scheduled.compareAndSet(false, true)) {
             owner.once("ros velocity", VelocitySender.PERIOD_S, this::tick);
@@ -319,6 +308,25 @@ public final class RosMotion {
         if (estimating != null && !base.hasEnded()) {
             long now = base.time().nanos();
             reported(estimating.at(now), sender.mmPerSec(), sender.degPerSec());
+        }
+    }
+
+    /** Handles the velocities that are sent. */
+    private final class Sent implements VelocitySender.Listener {
+        @Override
+        public void begins() {
+            base.begin();
+        }
+
+        @Override
+        public void sent(double mmPerSec, double degPerSec) {
+            DeadReckoning estimating = reckoning;
+            if (estimating != null) {
+                long from = base.time().nanos();
+                estimating.begin(
+                        (start, at) -> start.after(mmPerSec * (at - from) / 1e9, degPerSec * (at - from) / 1e9), from);
+            }
+            schedule();
         }
     }
 }

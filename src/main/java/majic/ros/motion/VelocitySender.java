@@ -29,9 +29,12 @@ final class VelocitySender {
     private volatile boolean stopping;
     private volatile boolean ended;
 
-    /** Receives each velocity that is sent. */
+    /** Receives each velocity before it is sent. Called under the lock of the sender; must not wait. */
     interface Listener {
-        /** Called under the lock of the sender; must not wait. */
+        /** Takes the first velocity after zero ones. */
+        default void begins() {}
+
+        /** Takes each velocity. */
         void sent(double mmPerSec, double degPerSec);
     }
 
@@ -130,6 +133,9 @@ final class VelocitySender {
     }
 
     private void remember(double newMmPerSec, double newDegPerSec) {
+        if (!isMoving() && (newMmPerSec != 0 || newDegPerSec != 0)) {
+            listener.begins();
+        }
         mmPerSec = newMmPerSec;
         degPerSec = newDegPerSec;
         sentNanos = time.nanos();

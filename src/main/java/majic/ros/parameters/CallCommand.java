@@ -94,10 +94,7 @@ final class CallCommand {
     private static String type(RosClient connection, String service) {
         try {
             return connection
-                    .call(
-                            "/rosapi/service_type",
-                            JsonNodeFactory.instance.objectNode().put("service", service),
-                            ASK_S)
+                    .ask("service_type", JsonNodeFactory.instance.objectNode().put("service", service), ASK_S)
                     .path("type")
                     .asText("");
         } catch (ServiceFailed e) {
@@ -111,7 +108,7 @@ final class CallCommand {
     private static String near(RosClient connection, String name) {
         try {
             JsonNode listed = connection
-                    .call("/rosapi/services", JsonNodeFactory.instance.objectNode(), ASK_S)
+                    .ask("services", JsonNodeFactory.instance.objectNode(), ASK_S)
                     .path("services");
             List<String> all = new ArrayList<>();
             listed.forEach(service -> all.add(service.asText()));

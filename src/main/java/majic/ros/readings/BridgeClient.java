@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
+import majic.bot.BotException;
 import majic.ros.bridge.RosBridge;
 import majic.ros.bridge.TopicSubscription;
 
@@ -20,32 +20,50 @@ public final class BridgeClient implements RosClient {
 
     private final RosBridge driving;
     private final RosBridge services;
-    private final Supplier<RosBridge> opener;
+    private final Connections connections;
+    private final String rosapi;
     private final boolean ros2;
     private final String namespace;
     private final Set<String> advertised = ConcurrentHashMap.newKeySet();
     private volatile Map<String, String> topics;
 
+    /** The connections with the server. */
+    public interface Connections {
+        /** The one for velocities and what is needed for motion and stop. */
+        RosBridge drive();
+
+        /** The one for calls; the same on ROS 1. */
+        RosBridge services();
+
+        /**
+         * Opens a further one, for a goal or a long call.
+         *
+         * @throws BotException if the server does not accept it
+         */
+        RosBridge openFurther();
+
+        /** The one for sensors. */
+        TopicSource sensors();
+
+        /** The one for what may be large. */
+        TopicSource large();
+    }
+
     /**
-     * Wraps open connections; closes neither.
+     * Wraps open connections; closes none.
      *
-     * @param driving for topics
-     * @param services for calls; may be the same on ROS 1
-     * @param opener opens a further connection, for a goal
+     * @param connections with the server
+     * @param rosapi the name of the node rosapi, as {@code /rosapi}
      * @param ros2 whether the robot runs ROS 2
      * @param namespace of the robot, such as {@code /robot1}; empty for a robot without
      * @param topics the types of all topics by their names
      */
     public BridgeClient(
-            RosBridge driving,
-            RosBridge services,
-            Supplier<RosBridge> opener,
-            boolean ros2,
-            String namespace,
-            Map<String, String> topics) {
-        this.driving = driving;
-        this.services = services;
-        this.opener = opener;
+            Connections connections, String rosapi, boolean ros2, String namespace, Map<String, String> topics) {
+        this.connections = connections;
+        this.driving = connections.drive();
+        this.services = connections.services();
+        this.rosapi = rosapi;
         this.ros2 = ros2;
         this.namespace = namespace;
         this.topics = Map.copyOf(topics);
@@ -68,7 +86,7 @@ public final class BridgeClient implements RosClient {
 
     @Override
     public Map<String, String> listTopics() {
-        JsonNode listed = call("/rosapi/topics", JsonNodeFactory.instance.objectNode(), LIST_S);
+        JsonNode listed = ask("topics", JsonNodeFactory.instance.objectNode(), LIST_S);
         Map<String, String> found = new LinkedHashMap<>();
         for (int index = 0; index < listed.path("topics").size(); index++) {
             found.put(
@@ -82,6 +100,21 @@ public final class BridgeClient implements RosClient {
     @Override
     public Runnable subscribe(TopicSubscription wanted, Consumer<JsonNode> onMessage) {
         return driving.subscribe(wanted, onMessage)::close;
+    }
+
+    @Override
+    public TopicSource sensors() {
+        return connections.sensors();
+    }
+
+    @Override
+    public TopicSource large() {
+        return connections.large();
+    }
+
+    @Override
+    public JsonNode ask(String question, JsonNode arguments, double timeoutS) {
+        return call(rosapi + "/" + question, arguments, timeoutS);
     }
 
     @Override
@@ -107,12 +140,12 @@ public final class BridgeClient implements RosClient {
         if (!ros2) {
             return new BridgeCall(services, () -> {}, changed);
         }
-        RosBridge own = opener.get();
+        RosBridge own = connections.openFurther();
         return new BridgeCall(own, own::close, changed);
     }
 
     @Override
     public GoalChannel openGoal() {
-        return new BridgeGoal(opener.get(), services);
+        return new BridgeGoal(connections.openFurther(), services);
     }
 }

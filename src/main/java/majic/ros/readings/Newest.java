@@ -20,6 +20,7 @@ public final class Newest<T> {
     private final TimeSource time;
     private final double freshS;
     private volatile @Nullable Arrived<T> newest;
+    private volatile boolean any;
 
     /** A reading with the time of its arrival. */
     private record Arrived<T>(T reading, long atNanos, double intervalS) {}
@@ -37,7 +38,13 @@ public final class Newest<T> {
     void arrived(T reading) {
         Arrived<T> before = newest;
         long now = time.nanos();
+        any = true;
         newest = new Arrived<>(reading, now, before == null ? 0 : (now - before.atNanos()) / 1e9);
+    }
+
+    /** Forgets the reading: the connection was lost that it came on. */
+    void lost() {
+        newest = null;
     }
 
     /**
@@ -56,7 +63,7 @@ public final class Newest<T> {
      * @return an unknown value
      */
     public Value unknown() {
-        return Value.unknown(newest == null ? "no reading yet" : "no reading of late");
+        return Value.unknown(any ? "no reading of late" : "no reading yet");
     }
 
     /**

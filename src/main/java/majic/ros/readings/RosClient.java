@@ -43,7 +43,7 @@ public interface RosClient {
     Map<String, String> listTopics();
 
     /**
-     * Subscribes to a topic.
+     * Subscribes to a topic that is needed for motion or stop, on the connection that drives the robot.
      *
      * @param wanted the topic, its type, and how often
      * @param onMessage receives each message on the reader thread; must not wait
@@ -51,6 +51,31 @@ public interface RosClient {
      * @throws LinkLost if it could not be sent
      */
     Runnable subscribe(TopicSubscription wanted, Consumer<JsonNode> onMessage);
+
+    /**
+     * Returns the sensors that guards and maps read, such as scans.
+     *
+     * @return on a connection of their own
+     */
+    TopicSource sensors();
+
+    /**
+     * Returns what may be large: pictures, and topics whose size is not known.
+     *
+     * @return on a connection of their own
+     */
+    TopicSource large();
+
+    /**
+     * Asks the robot's node rosapi.
+     *
+     * @param question the last part of the name of the service, as {@code topics}
+     * @param arguments by the names of their fields
+     * @param timeoutS the longest wait, s
+     * @return the values of the answer
+     * @throws BotException as {@link #call}
+     */
+    JsonNode ask(String question, JsonNode arguments, double timeoutS);
 
     /**
      * Calls a service and waits for its answer.

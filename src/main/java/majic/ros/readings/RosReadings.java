@@ -100,17 +100,14 @@ public final class RosReadings {
         this.imu = onRequest(sensors.imu(), ImuMessage::from);
         this.joints = onRequest(sensors.joints(), JointsMessage::from);
         this.camera = sensors.camera()
-                .map(topic -> new RequestedReading<>(
-                        connection,
-                        new TopicSubscription(topic.name(), topic.type(), PICTURE_MS, 1, true),
-                        this::picture,
-                        waiting,
-                        PICTURE_UNUSED_S))
+                .map(topic -> RequestedReading.streamed(
+                        connection.large(), topic.each(PICTURE_MS), this::picture, waiting, PICTURE_UNUSED_S))
                 .orElse(null);
     }
 
     private <T> @Nullable RequestedReading<T> onRequest(Optional<RosTopic> topic, Function<JsonNode, T> reader) {
-        return topic.map(known -> new RequestedReading<>(connection, known.each(SCAN_MS), reader, waiting, UNUSED_S))
+        return topic.map(known ->
+                        RequestedReading.streamed(connection.sensors(), known.each(SCAN_MS), reader, waiting, UNUSED_S))
                 .orElse(null);
     }
 
@@ -128,21 +125,26 @@ public final class RosReadings {
     public void begin() {
         // Each publisher of fixed frames keeps one message, and all of them arrive at once.
         sensors.fixedFrames()
-                .ifPresent(topic -> subscribe(
+                .ifPresent(topic -> observe(
                         topic,
                         new TopicSubscription(topic.name(), topic.type(), 0, 100, false),
-                        message -> frames = frames.with(message)));
-        sensors.scan().ifPresent(topic -> subscribe(topic, topic.each(SCAN_MS), this::scanned));
-        sensors.ranges()
-                .forEach(topic -> subscribe(
-                        topic,
-                        topic.each(SCAN_MS),
-                        message -> ranges.get(topic.name()).arrived(RangeMessage.from(message))));
+                        message -> frames = frames.with(message),
+                        () -> {}));
+        sensors.scan().ifPresent(topic -> observe(topic, topic.each(SCAN_MS), this::scanned, scan::lost));
+        sensors.ranges().forEach(this::beginRange);
         sensors.battery()
-                .ifPresent(topic ->
-                        subscribe(topic, topic.each(SLOW_MS), message -> battery.arrived(batteryOf(topic, message))));
+                .ifPresent(topic -> observe(
+                        topic,
+                        topic.each(SLOW_MS),
+                        message -> battery.arrived(batteryOf(topic, message)),
+                        battery::lost));
         sensors.hazards().ifPresent(topic -> subscribe(topic, topic.each(CONTACT_MS), this::hazardsListed));
         sensors.contacts().forEach(this::beginContacts);
+    }
+
+    private void beginRange(RosTopic topic) {
+        Newest<RangeMessage> range = range(topic);
+        observe(topic, topic.each(SCAN_MS), message -> range.arrived(RangeMessage.from(message)), range::lost);
     }
 
     private static BatteryMessage batteryOf(RosTopic topic, JsonNode message) {
@@ -170,17 +172,36 @@ public final class RosReadings {
                 : ContactMessage.kobukiCore(message);
     }
 
+    /** Reads what ends a motion, on the connection that drives the robot. */
     private void subscribe(RosTopic topic, TopicSubscription wanted, Consumer<JsonNode> reader) {
-        connection.subscribe(wanted, message -> {
-            try {
-                reader.accept(message);
+        connection.subscribe(wanted, message -> read(topic, message, reader));
+    }
+
+    /** Reads a sensor, on a connection whose loss makes its readings none. */
+    private void observe(RosTopic topic, TopicSubscription wanted, Consumer<JsonNode> reader, Runnable lost) {
+        connection.sensors().subscribe(wanted, new TopicSource.Receiver() {
+            @Override
+            public void message(JsonNode message, int bytes) {
+                read(topic, message, reader);
+            }
+
+            @Override
+            public void lost() {
+                lost.run();
                 events.news();
-            } catch (UnusableMessage e) {
-                if (complaints.put(topic.name(), String.valueOf(e.getMessage())) == null) {
-                    events.notice("messages of the topic " + topic.name() + " are ignored: " + e.getMessage());
-                }
             }
         });
+    }
+
+    private void read(RosTopic topic, JsonNode message, Consumer<JsonNode> reader) {
+        try {
+            reader.accept(message);
+            events.news();
+        } catch (UnusableMessage e) {
+            if (complaints.put(topic.name(), String.valueOf(e.getMessage())) == null) {
+                events.notice("messages of the topic " + topic.name() + " are ignored: " + e.getMessage());
+            }
+        }
     }
 
     private void scanned(JsonNode message) {
@@ -359,8 +380,8 @@ public final class RosReadings {
         }
         return Optional.of(requested.computeIfAbsent(
                 topic.name(),
-                name -> new RequestedReading<>(
-                        connection, topic.each(SCAN_MS), message -> message, waiting, UNUSED_S)));
+                name -> RequestedReading.sampled(
+                        connection.large(), topic.each(SCAN_MS), message -> message, waiting, UNUSED_S)));
     }
 
     /**

@@ -1,5 +1,6 @@
 package majic.ros.readings;
 
+import java.util.Set;
 import majic.ros.bridge.TopicSubscription;
 
 /**
@@ -9,6 +10,10 @@ import majic.ros.bridge.TopicSubscription;
  * @param type as rosapi names it, in the form of ROS 1 or of ROS 2
  */
 public record RosTopic(String name, String type) {
+    /** Types that servers can send as CBOR, and whose messages are mainly bytes (rosbridge sheet 3). */
+    private static final Set<String> BINARY = Set.of(
+            "sensor_msgs/Image", "sensor_msgs/CompressedImage", "sensor_msgs/PointCloud2", "nav_msgs/OccupancyGrid");
+
     /**
      * Returns a type without the difference between the two systems.
      *
@@ -37,8 +42,8 @@ public record RosTopic(String name, String type) {
         return plainType(type);
     }
 
-    /** Asks for its newest messages, no more often than each so many ms. */
+    /** Asks for its newest messages in the smallest form, no more often than each so many ms. */
     TopicSubscription each(int throttleMs) {
-        return new TopicSubscription(name, type, throttleMs);
+        return new TopicSubscription(name, type, throttleMs, 1, BINARY.contains(plainType()));
     }
 }

@@ -19,6 +19,11 @@ final class ServerBytes {
         frames = new WebSocketFrames(mostBytes);
     }
 
+    /** The decoder of what follows the answer. */
+    WebSocketFrames frames() {
+        return frames;
+    }
+
     /**
      * Decodes bytes; keeps what is incomplete for the next call.
      *

@@ -22,7 +22,6 @@ import org.jspecify.annotations.Nullable;
  */
 public final class WebSocketClient implements AutoCloseable {
     private static final Logger LOG = System.getLogger(WebSocketClient.class.getName());
-    private static final byte[] NOTHING = {};
 
     /** The code of an ordinary end (RFC 6455, 7.4.1). */
     private static final int NORMAL_END = 1000;
@@ -31,9 +30,10 @@ public final class WebSocketClient implements AutoCloseable {
     private final TimeSource time;
     private final Listener listener;
     private final Upgrade upgrade;
-    private final int mostBytes;
+    private final ServerBytes decoder;
     private final Signal changes;
     private final FirstBytes firstBytes = new FirstBytes();
+    private final RoundTrip roundTrip = new RoundTrip();
     private final FrameEncoder encoder = new FrameEncoder();
     private volatile boolean answered;
     private volatile @Nullable String refusal;
@@ -83,7 +83,7 @@ public final class WebSocketClient implements AutoCloseable {
         this.time = time;
         this.listener = listener;
         this.upgrade = new Upgrade(host, path);
-        this.mostBytes = mostBytes;
+        this.decoder = new ServerBytes(mostBytes);
         this.changes = time.signal();
     }
 
@@ -143,12 +143,12 @@ public final class WebSocketClient implements AutoCloseable {
     }
 
     /**
-     * Asks the server for a sign of life, which counts for {@link #silenceS()}.
+     * Asks the server for a sign of life, which counts for {@link #silenceS()} and measures {@link #roundTripS()}.
      *
      * @throws LinkLost if it could not be sent; the connection is dead then
      */
     public void ping() {
-        send(Opcode.PING, NOTHING);
+        send(Opcode.PING, roundTrip.ping(time.nanos()));
     }
 
     private void send(Opcode opcode, byte[] content) {
@@ -174,6 +174,33 @@ public final class WebSocketClient implements AutoCloseable {
      */
     public double silenceS() {
         return time.secondsSince(heardNanos);
+    }
+
+    /**
+     * Returns how long a message takes to the server and back, by the newest ping.
+     *
+     * @return seconds; at least the time that an answer has been due; 0 before the first answer
+     */
+    public double roundTripS() {
+        return roundTrip.seconds(time.nanos());
+    }
+
+    /**
+     * Returns how much has arrived of a message that is not complete.
+     *
+     * @return bytes; 0 between messages
+     */
+    public long arrivedBytes() {
+        return decoder.frames().arrivedBytes();
+    }
+
+    /**
+     * Returns the length of this message as far as it is known.
+     *
+     * @return bytes
+     */
+    public long knownBytes() {
+        return decoder.frames().knownBytes();
     }
 
     /**
@@ -223,8 +250,6 @@ public final class WebSocketClient implements AutoCloseable {
 
     /** Handles what the reader thread decodes. */
     private final class Handler implements LinkHandler<WebSocketMessage> {
-        private final ServerBytes decoder = new ServerBytes(mostBytes);
-
         @Override
         public void decode(byte[] bytes, int count, Consumer<WebSocketMessage> messages) {
             heardNanos = time.nanos();
@@ -248,6 +273,8 @@ public final class WebSocketClient implements AutoCloseable {
                 listener.tooLong();
             } else if (message instanceof WebSocketMessage.Ping ping) {
                 send(Opcode.PONG, ping.content());
+            } else if (message instanceof WebSocketMessage.Pong pong) {
+                roundTrip.pong(pong.content(), time.nanos());
             } else if (message instanceof WebSocketMessage.Close close) {
                 closedByServer(close);
             } else if (message instanceof WebSocketMessage.Violation violation) {

@@ -26,6 +26,8 @@ final class WebSocketFrames {
     private boolean tooLong;
     private ByteArrayOutputStream control = new ByteArrayOutputStream();
     private boolean broken;
+    private volatile long arrivedBytes;
+    private volatile long knownBytes;
 
     /**
      * Creates a decoder that expects the beginning of a frame.
@@ -89,6 +91,19 @@ final class WebSocketFrames {
         } else if (message == null) {
             throw new IllegalArgumentException("the continuation of no message");
         }
+        if (!next.opcode().isControl()) {
+            knownBytes = arrivedBytes + next.length();
+        }
+    }
+
+    /** Returns how much has arrived of a message that is not complete, bytes; 0 between messages. For any thread. */
+    long arrivedBytes() {
+        return arrivedBytes;
+    }
+
+    /** Returns the length of this message as far as its frames have begun, bytes. For any thread. */
+    long knownBytes() {
+        return knownBytes;
     }
 
     private void readContent(FrameHeader current, ByteBuffer bytes) {
@@ -98,7 +113,10 @@ final class WebSocketFrames {
         bytes.get(part);
         if (current.opcode().isControl()) {
             control.writeBytes(part);
-        } else if (message != null && !tooLong) {
+            return;
+        }
+        arrivedBytes += count;
+        if (message != null && !tooLong) {
             keep(message, part);
         }
     }
@@ -118,6 +136,7 @@ final class WebSocketFrames {
         } else if (complete.last() && message != null) {
             byte[] content = message.toByteArray();
             message = null;
+            arrivedBytes = 0;
             messages.accept(dataMessage(content));
         }
     }
@@ -134,7 +153,7 @@ final class WebSocketFrames {
     private static WebSocketMessage controlMessage(Opcode opcode, byte[] content) {
         return switch (opcode) {
             case PING -> new WebSocketMessage.Ping(content);
-            case PONG -> new WebSocketMessage.Pong();
+            case PONG -> new WebSocketMessage.Pong(content);
             default -> close(content);
         };
     }

@@ -14,8 +14,8 @@ sealed interface WebSocketMessage {
     /** A ping, whose content the pong repeats. */
     record Ping(byte[] content) implements WebSocketMessage {}
 
-    /** The answer to a ping. */
-    record Pong() implements WebSocketMessage {}
+    /** The answer to a ping, with the content of the ping. */
+    record Pong(byte[] content) implements WebSocketMessage {}
 
     /** The announcement that the server closes the connection. */
     record Close(int code, String reason) implements WebSocketMessage {}

@@ -51,6 +51,7 @@ final class BaseModel {
      * @param acceleration of its own ramp, mm/s²
      * @param timeoutMs stops by itself; 0 for never
      * @param velocities whether the odometry has velocities
+     * @param roundTripMs what pings measure of the delays; 0 for a base whose own nodes are that slow
      */
     record Traits(
             int periodMs,
@@ -59,31 +60,39 @@ final class BaseModel {
             double leastMmPerSec,
             double acceleration,
             int timeoutMs,
-            boolean velocities) {
-        static final Traits USUAL = new Traits(33, 25, false, 0, 2000, 500, true);
+            boolean velocities,
+            int roundTripMs) {
+        static final Traits USUAL = new Traits(33, 25, false, 0, 2000, 500, true, 0);
 
         Traits reporting(int newPeriodMs, int newDelayMs) {
-            return new Traits(newPeriodMs, newDelayMs, steps, leastMmPerSec, acceleration, timeoutMs, velocities);
+            return new Traits(
+                    newPeriodMs, newDelayMs, steps, leastMmPerSec, acceleration, timeoutMs, velocities, roundTripMs);
+        }
+
+        Traits measured() {
+            return new Traits(
+                    periodMs, delayMs, steps, leastMmPerSec, acceleration, timeoutMs, velocities, 2 * delayMs);
         }
 
         Traits inSteps() {
-            return new Traits(periodMs, delayMs, true, leastMmPerSec, acceleration, timeoutMs, velocities);
+            return new Traits(periodMs, delayMs, true, leastMmPerSec, acceleration, timeoutMs, velocities, roundTripMs);
         }
 
         Traits sticking(double leastSpeed) {
-            return new Traits(periodMs, delayMs, steps, leastSpeed, acceleration, timeoutMs, velocities);
+            return new Traits(periodMs, delayMs, steps, leastSpeed, acceleration, timeoutMs, velocities, roundTripMs);
         }
 
         Traits heavy(double newAcceleration) {
-            return new Traits(periodMs, delayMs, steps, leastMmPerSec, newAcceleration, timeoutMs, velocities);
+            return new Traits(
+                    periodMs, delayMs, steps, leastMmPerSec, newAcceleration, timeoutMs, velocities, roundTripMs);
         }
 
         Traits drivingOn() {
-            return new Traits(periodMs, delayMs, steps, leastMmPerSec, acceleration, 0, velocities);
+            return new Traits(periodMs, delayMs, steps, leastMmPerSec, acceleration, 0, velocities, roundTripMs);
         }
 
         Traits withoutVelocities() {
-            return new Traits(periodMs, delayMs, steps, leastMmPerSec, acceleration, timeoutMs, false);
+            return new Traits(periodMs, delayMs, steps, leastMmPerSec, acceleration, timeoutMs, false, roundTripMs);
         }
     }
 

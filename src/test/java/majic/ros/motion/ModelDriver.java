@@ -142,6 +142,12 @@ final class ModelDriver extends BotDriver {
         }
 
         @Override
+        public double roundTripS() {
+            BaseModel there = base;
+            return there == null ? 0 : there.traits.roundTripMs() / 1e3;
+        }
+
+        @Override
         public void once(String what, double seconds, Runnable task) {
             ModelDriver.this.once(what, seconds, task);
         }

@@ -17,6 +17,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import majic.bot.BotException;
 import majic.ros.bridge.ActionGoal;
+import majic.ros.bridge.Arriving;
 import majic.ros.bridge.TopicSubscription;
 
 /** The connection with a robot that is played by the test: it publishes, answers calls, and keeps what was sent. */
@@ -34,6 +35,16 @@ public final class FakeRosClient implements RosClient {
     /** The newest goal of an action. */
     public volatile ActionGoal.Events goal;
 
+    /** What was subscribed to beside the robot's own connection, in order. */
+    public final List<TopicSubscription> wishes = new CopyOnWriteArrayList<>();
+
+    /** The length of each message of these. */
+    public volatile int messageBytes = 1000;
+
+    /** What is arriving of these. */
+    public volatile Arriving arriving = Arriving.NOTHING;
+
+    private final List<Runnable> lost = new CopyOnWriteArrayList<>();
     private final boolean ros2;
     private final Map<String, String> topics;
     private final Map<String, List<Consumer<JsonNode>>> subscriptions = new ConcurrentHashMap<>();
@@ -98,6 +109,41 @@ public final class FakeRosClient implements RosClient {
                 subscriptions.computeIfAbsent(wanted.topic(), topic -> new CopyOnWriteArrayList<>(new ArrayList<>()));
         all.add(onMessage);
         return () -> all.remove(onMessage);
+    }
+
+    @Override
+    public TopicSource sensors() {
+        return new Source();
+    }
+
+    @Override
+    public TopicSource large() {
+        return new Source();
+    }
+
+    /** Lets the connections beside the robot's own one be lost. */
+    public void losesSideConnections() {
+        lost.forEach(Runnable::run);
+    }
+
+    /** The connections beside the robot's own one. */
+    private final class Source implements TopicSource {
+        @Override
+        public Runnable subscribe(TopicSubscription wanted, Receiver receiver) {
+            wishes.add(wanted);
+            lost.add(receiver::lost);
+            return FakeRosClient.this.subscribe(wanted, message -> receiver.message(message, messageBytes));
+        }
+
+        @Override
+        public Arriving arriving() {
+            return arriving;
+        }
+    }
+
+    @Override
+    public JsonNode ask(String question, JsonNode arguments, double timeoutS) {
+        return call("/rosapi/" + question, arguments, timeoutS);
     }
 
     @Override
