@@ -44,7 +44,7 @@ public final class RosRobot implements Firmware {
      * @throws IllegalArgumentException if it does not fit there
      */
     public RosRobot(World world, List<Pose> starts, Noise noise, RosOptions options) {
-        network = new RosNetwork(MessageTypes.of(options.version()));
+        network = new RosNetwork(MessageTypes.of(options.version()), options.serverNamespace());
         bridge = new BridgeServer(network, options, bridgeFaults);
         for (int i = 0; i < options.robots(); i++) {
             String name = i == 0 ? "ros" : "ros" + (i + 1);

@@ -34,7 +34,7 @@ final class ActionOperations {
     void send(JsonNode message) throws MessageMismatch {
         String name = Fields.text(message, ACTION);
         String typeName = Fields.text(message, "action_type");
-        ActionServer server = network.actions().get(name);
+        ActionServer server = network.actions().get(network.absolute(name));
         peer.hold(true);
         if (server == null || !server.typeName().equals(typeName)) {
             return;

@@ -61,7 +61,7 @@ final class BridgeClient implements Peer, MessageListener {
         this.authentication = new Authentication(shared.options().secret());
         MessageInput input =
                 new MessageInput(shared.network().types(), shared.network().clock()::nanos);
-        this.publishing = new PublishOperations(shared.publishers(), input);
+        this.publishing = new PublishOperations(shared.network(), shared.publishers(), input);
         this.offered = new OfferedServices(this, shared.network(), input);
         addOperations(input);
         if (!isRos1) {

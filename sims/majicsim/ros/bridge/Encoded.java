@@ -12,14 +12,16 @@ import org.jspecify.annotations.Nullable;
 /** One published message in the forms that clients asked for, each made once. */
 final class Encoded {
     private final Topic topic;
+    private final String name;
     private final JsonNode message;
     private final MessageOutput output;
     private final JsonForm form;
     private byte @Nullable [] text;
     private byte @Nullable [] cbor;
 
-    Encoded(Topic topic, JsonNode message, MessageOutput output, JsonForm form) {
+    Encoded(Topic topic, String name, JsonNode message, MessageOutput output, JsonForm form) {
         this.topic = topic;
+        this.name = name;
         this.message = message;
         this.output = output;
         this.form = form;
@@ -27,9 +29,16 @@ final class Encoded {
 
     void sendTo(Peer peer, String compression) {
         switch (compression) {
-            case "cbor" -> peer.sendBinary(cbor());
+            case "cbor" -> sendCbor(peer);
             case "png" -> peer.send(null, new PngForm(text())::write);
             default -> peer.send(null, to -> to.writeRaw(new String(text(), java.nio.charset.StandardCharsets.UTF_8)));
+        }
+    }
+
+    /** Where the conversion fails, the server sends nothing, and reports it nowhere but in its own log. */
+    private void sendCbor(Peer peer) {
+        if (output.hasCbor(topic.type(), message)) {
+            peer.sendBinary(cbor());
         }
     }
 
@@ -50,7 +59,7 @@ final class Encoded {
     private void write(JsonGenerator to) throws IOException {
         to.writeStartObject();
         to.writeStringField("op", "publish");
-        to.writeStringField("topic", topic.name());
+        to.writeStringField("topic", name);
         to.writeFieldName("msg");
         output.write(to, topic.type(), message);
         to.writeEndObject();

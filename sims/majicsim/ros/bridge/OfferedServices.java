@@ -33,7 +33,7 @@ final class OfferedServices {
     }
 
     void advertise(JsonNode message) throws MessageMismatch {
-        String name = Fields.text(message, SERVICE);
+        String name = network.absolute(Fields.text(message, SERVICE));
         String plain = Fields.text(message, "type").replaceFirst("/srv/", "/");
         if (network.types().find(plain + "Request").isEmpty()) {
             throw new MessageMismatch(plain + " is not a known service");
@@ -43,7 +43,7 @@ final class OfferedServices {
     }
 
     void unadvertise(JsonNode message) throws MessageMismatch {
-        String name = Fields.text(message, SERVICE);
+        String name = network.absolute(Fields.text(message, SERVICE));
         if (offered.remove(name)) {
             network.services().remove(name);
         }

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import majicsim.ros.graph.RosNetwork;
 import majicsim.ros.message.MessageInput;
 import majicsim.ros.message.MessageMismatch;
 import org.jspecify.annotations.Nullable;
@@ -15,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 final class PublishOperations {
     private static final String TOPIC = "topic";
 
+    private final RosNetwork network;
     private final Publishers publishers;
     private final MessageInput input;
 
@@ -23,13 +25,14 @@ final class PublishOperations {
 
     private final Set<String> latched = new HashSet<>();
 
-    PublishOperations(Publishers publishers, MessageInput input) {
+    PublishOperations(RosNetwork network, Publishers publishers, MessageInput input) {
+        this.network = network;
         this.publishers = publishers;
         this.input = input;
     }
 
     void advertise(JsonNode message) throws MessageMismatch {
-        String topic = Fields.text(message, TOPIC);
+        String topic = network.absolute(Fields.text(message, TOPIC));
         register(topic, Fields.text(message, "type"), Fields.id(message));
         if (message.path("latch").asBoolean()) {
             latched.add(topic);
@@ -37,7 +40,7 @@ final class PublishOperations {
     }
 
     void unadvertise(JsonNode message) throws MessageMismatch {
-        String topic = Fields.text(message, TOPIC);
+        String topic = network.absolute(Fields.text(message, TOPIC));
         Set<String> ids = advertised.getOrDefault(topic, Set.of());
         if (message.has("id")) {
             ids.remove(Fields.id(message));
@@ -48,7 +51,7 @@ final class PublishOperations {
     }
 
     void publish(JsonNode message) throws MessageMismatch {
-        String topic = Fields.text(message, TOPIC);
+        String topic = network.absolute(Fields.text(message, TOPIC));
         if (!advertised.containsKey(topic)) {
             register(topic, null, Fields.id(message));
         }

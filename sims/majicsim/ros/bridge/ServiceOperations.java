@@ -41,9 +41,9 @@ final class ServiceOperations {
     }
 
     private void call(String name, JsonNode args, Reply reply) {
-        Service service = network.service(name);
+        Service service = network.service(network.absolute(name));
         if (service == null) {
-            reply.fail("Service " + name + " does not exist");
+            reply.fail("Service " + network.absolute(name) + " does not exist");
             return;
         }
         reply.service = service;

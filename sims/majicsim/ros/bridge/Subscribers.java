@@ -20,13 +20,13 @@ final class Subscribers {
         this.form = form;
     }
 
-    /** Subscribes; a null type means that of the existing topic. */
+    /** Subscribes, by the name that the client uses for the topic; a null type means that of the existing topic. */
     void subscribe(Peer peer, String name, @Nullable String typeName, String id, SubscriptionWish wish)
             throws MessageMismatch {
-        Topic topic = topic(name, typeName);
+        Topic topic = topic(network.absolute(name), typeName);
         TopicFan fan = fans.get(name);
         if (fan == null || fan.topic() != topic) {
-            fan = new TopicFan(topic, network, form);
+            fan = new TopicFan(topic, name, network, form);
             fans.put(name, fan);
         }
         fan.subscribe(peer, id, wish);
@@ -71,7 +71,7 @@ final class Subscribers {
     private void tidy(TopicFan fan) {
         if (fan.streams().isEmpty()) {
             fan.topic().unsubscribe(fan);
-            fans.remove(fan.topic().name());
+            fans.remove(fan.name());
         }
     }
 

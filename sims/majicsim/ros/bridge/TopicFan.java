@@ -10,17 +10,19 @@ import majicsim.ros.message.JsonForm;
 import majicsim.ros.message.MessageOutput;
 import majicsim.ros.message.RosVersion;
 
-/** The bridge's one subscription to a topic, which it passes on to all clients that asked for the topic. */
+/** The bridge's one subscription to a topic, for all clients that asked for the topic by the same name. */
 final class TopicFan implements TopicListener {
     private final Topic topic;
+    private final String name;
     private final RosNetwork network;
     private final MessageOutput output;
     private final JsonForm form;
     private final Map<Peer, TopicStream> streams = new LinkedHashMap<>();
     private long count;
 
-    TopicFan(Topic topic, RosNetwork network, JsonForm form) {
+    TopicFan(Topic topic, String name, RosNetwork network, JsonForm form) {
         this.topic = topic;
+        this.name = name;
         this.network = network;
         this.output = new MessageOutput(network.types());
         this.form = form;
@@ -28,6 +30,11 @@ final class TopicFan implements TopicListener {
 
     Topic topic() {
         return topic;
+    }
+
+    /** The name that its clients use, with or without a slash in front. */
+    String name() {
+        return name;
     }
 
     Map<Peer, TopicStream> streams() {
@@ -52,7 +59,7 @@ final class TopicFan implements TopicListener {
     }
 
     private Encoded encoded(ObjectNode message) {
-        return new Encoded(topic, output.numbered(topic.type(), message, count), output, form);
+        return new Encoded(topic, name, output.numbered(topic.type(), message, count), output, form);
     }
 
     /** On ROS 1 one client that does not read stalls the topic for all; ROS 2 keeps everything in memory for it. */

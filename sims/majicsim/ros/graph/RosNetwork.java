@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 /** Everything that the nodes of one computer share. Guarded by the lab's lock. */
 public final class RosNetwork {
     private final MessageTypes types;
+    private final String serverNamespace;
     private final RosClock clock = new RosClock();
     private final Topics topics = new Topics();
     private final Set<String> nodes = new LinkedHashSet<>();
@@ -21,9 +22,30 @@ public final class RosNetwork {
      * A network without nodes.
      *
      * @param types the message types of its version of ROS
+     * @param serverNamespace of the nodes of rosbridge, as {@code /tb3}; empty for none
      */
-    public RosNetwork(MessageTypes types) {
+    public RosNetwork(MessageTypes types, String serverNamespace) {
         this.types = types;
+        this.serverNamespace = serverNamespace;
+    }
+
+    /**
+     * The name of a topic or service for a client of rosbridge, whose node completes relative names.
+     *
+     * @param name absolute, or relative to the namespace of the node
+     * @return absolute
+     */
+    public String absolute(String name) {
+        return name.startsWith("/") ? name : serverNamespace + "/" + name;
+    }
+
+    /**
+     * The namespace of the nodes of rosbridge.
+     *
+     * @return as {@code /tb3}; empty for none
+     */
+    public String serverNamespace() {
+        return serverNamespace;
     }
 
     /**

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
+import java.util.stream.StreamSupport;
 
 /**
  * Writes messages as the bridge of one version of ROS does (sheet 4): all fields in order, zero for missing ones,
@@ -65,6 +66,32 @@ public final class MessageOutput {
         numbered.setAll(message);
         numbered.set(name, header.put("seq", number));
         return numbered;
+    }
+
+    /**
+     * Whether the server can convert a message to CBOR. It takes the elements of arrays that it has no tag for as
+     * messages, which fails for arrays of a fixed length, and on ROS 1 for texts and times.
+     *
+     * @param type its type
+     * @param message as {@link MessageInput} returns it
+     * @return false for a message that is not sent
+     */
+    public boolean hasCbor(MessageType type, JsonNode message) {
+        return type.fields().stream().allMatch(field -> hasCbor(field.type(), message.path(field.name())));
+    }
+
+    private boolean hasCbor(FieldType type, JsonNode value) {
+        if (type.isFixed()) {
+            return false;
+        }
+        if (!type.isBuiltIn()) {
+            MessageType part = types.get(type.element());
+            return type.isArray()
+                    ? StreamSupport.stream(value.spliterator(), false).allMatch(element -> hasCbor(part, element))
+                    : hasCbor(part, value);
+        }
+        boolean isText = type.element().equals("string") && types.version() == RosVersion.ROS1;
+        return !type.isArray() || value.isEmpty() || !isText && !type.element().equals("time");
     }
 
     private void value(JsonGenerator to, FieldType type, JsonNode value) throws IOException {

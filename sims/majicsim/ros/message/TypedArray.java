@@ -18,7 +18,7 @@ final class TypedArray {
     }
 
     static void write(CBORGenerator to, FieldType type, JsonNode values) throws IOException {
-        int length = type.isFixed() ? type.length() : values.size();
+        int length = values.size();
         ByteBuffer bytes = ByteBuffer.allocate(length * Double.BYTES).order(ByteOrder.LITTLE_ENDIAN);
         for (int i = 0; i < length; i++) {
             put(bytes, type.element(), values.path(i));

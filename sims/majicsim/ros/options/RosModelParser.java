@@ -7,7 +7,7 @@ import majicsim.ros.message.RosVersion;
 final class RosModelParser {
     static final String KNOWN =
             "1 or 2, then +stamped +timeout=0.5 +timeout=none +unblocked +nonavigation +namespace=tb3 +robots=2 +camera"
-                    + " +auth=SECRET";
+                    + " +auth=SECRET +server=tb3";
 
     private RosModelParser() {}
 
@@ -48,6 +48,7 @@ final class RosModelParser {
             case "timeout" -> options.withTimeout(seconds(value));
             case "namespace" -> options.withNamespace(value);
             case "robots" -> options.withRobots(count(value));
+            case "server" -> options.withServerNamespace(value);
             case "auth" -> options.withSecret(value);
             default -> throw unknown(word);
         };

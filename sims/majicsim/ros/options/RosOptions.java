@@ -15,6 +15,7 @@ import majicsim.ros.message.RosVersion;
  * @param namespace before the names of the robot's topics, as {@code /tb3}; empty for none
  * @param robots how many robots are behind the bridge, 1 to {@value #MOST_ROBOTS}; several have a namespace each
  * @param hasCamera whether the robots have a camera
+ * @param serverNamespace in which the rosbridge server and rosapi run, as {@code /tb3}; empty for none (ROS 2 alone)
  */
 public record RosOptions(
         RosVersion version,
@@ -25,7 +26,8 @@ public record RosOptions(
         String secret,
         String namespace,
         int robots,
-        boolean hasCamera) {
+        boolean hasCamera,
+        String serverNamespace) {
     /** How many robots a bridge has at most. */
     public static final int MOST_ROBOTS = 9;
 
@@ -50,9 +52,17 @@ public record RosOptions(
         if (robots < 1 || robots > MOST_ROBOTS) {
             throw new IllegalArgumentException("robots must be 1 to " + MOST_ROBOTS + ", not " + robots);
         }
+        requireWord("namespace", namespace);
+        requireWord("server", serverNamespace);
+        if (!serverNamespace.isEmpty() && version != RosVersion.ROS2) {
+            throw new IllegalArgumentException("server exists with ROS 2 only");
+        }
+    }
+
+    private static void requireWord(String what, String namespace) {
         if (!namespace.isEmpty() && !namespace.matches("/[A-Za-z][A-Za-z0-9_]*")) {
             throw new IllegalArgumentException(
-                    "namespace must be a word of letters, digits and _, not '" + namespace + "'");
+                    what + " must be a word of letters, digits and _, not '" + namespace + "'");
         }
     }
 
@@ -65,7 +75,7 @@ public record RosOptions(
      */
     public static RosOptions of(RosVersion version) {
         boolean isRos2 = version == RosVersion.ROS2;
-        return new RosOptions(version, false, isRos2 ? 0 : FIRMWARE_TIMEOUT_S, isRos2, true, "", "", 1, false);
+        return new RosOptions(version, false, isRos2 ? 0 : FIRMWARE_TIMEOUT_S, isRos2, true, "", "", 1, false, "");
     }
 
     /**
@@ -86,7 +96,7 @@ public record RosOptions(
      */
     public RosOptions stamped() {
         return new RosOptions(
-                version, true, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera);
+                version, true, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera, serverNamespace);
     }
 
     /**
@@ -98,7 +108,7 @@ public record RosOptions(
      */
     public RosOptions withTimeout(double seconds) {
         return new RosOptions(
-                version, isStamped, seconds, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera);
+                version, isStamped, seconds, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera, serverNamespace);
     }
 
     /**
@@ -107,7 +117,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions unblocked() {
-        return new RosOptions(version, isStamped, timeoutS, false, hasNavigation, secret, namespace, robots, hasCamera);
+        return new RosOptions(version, isStamped, timeoutS, false, hasNavigation, secret, namespace, robots, hasCamera, serverNamespace);
     }
 
     /**
@@ -117,7 +127,7 @@ public record RosOptions(
      */
     public RosOptions withoutNavigation() {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, false, secret, namespace, robots, hasCamera);
+                version, isStamped, timeoutS, blocksConnection, false, secret, namespace, robots, hasCamera, serverNamespace);
     }
 
     /**
@@ -129,7 +139,7 @@ public record RosOptions(
      */
     public RosOptions withSecret(String newSecret) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, newSecret, namespace, robots, hasCamera);
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, newSecret, namespace, robots, hasCamera, serverNamespace);
     }
 
     /**
@@ -141,7 +151,7 @@ public record RosOptions(
      */
     public RosOptions withNamespace(String word) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, "/" + word, robots, hasCamera);
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, "/" + word, robots, hasCamera, serverNamespace);
     }
 
     /**
@@ -153,7 +163,7 @@ public record RosOptions(
      */
     public RosOptions withRobots(int count) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, count, hasCamera);
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, count, hasCamera, serverNamespace);
     }
 
     /**
@@ -163,7 +173,19 @@ public record RosOptions(
      */
     public RosOptions withCamera() {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, true);
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, true, serverNamespace);
+    }
+
+    /**
+     * The same robot behind a server in a namespace, as rosbridge allows it from 2.2.0 on.
+     *
+     * @param word without slash
+     * @return the options
+     * @throws IllegalArgumentException with ROS 1, or if it is not a word
+     */
+    public RosOptions withServerNamespace(String word) {
+        return new RosOptions(
+                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera, "/" + word);
     }
 
     /**

@@ -14,13 +14,20 @@ import majicsim.ros.message.RosVersion;
 
 /** The node rosapi of one network. It answers at once. */
 public final class Rosapi {
-    private static final String NODE = "/rosapi";
+    private static final String NAME = "/rosapi";
     private static final int ROS2 = 2;
 
+    /** The name of the robot's computer. */
+    private static final String HOST = "turtlebot";
+
     private final RosNetwork network;
+    private final String node;
+    private final MessageDetails details;
 
     private Rosapi(RosNetwork network) {
         this.network = network;
+        this.node = network.serverNamespace() + NAME;
+        this.details = new MessageDetails(network.types());
     }
 
     /**
@@ -30,17 +37,17 @@ public final class Rosapi {
      * @param distribution name of the version of ROS, as {@code noetic}
      */
     public static void start(RosNetwork network, String distribution) {
-        network.nodes().add(NODE);
         Rosapi rosapi = new Rosapi(network);
+        network.nodes().add(rosapi.node);
         rosapi.offerTopics();
         rosapi.offerNodes();
         rosapi.offerServices();
+        rosapi.offerDetails();
+        new RosParameters(network).offer(rosapi::offer);
         rosapi.offer(
                 "get_time",
                 "GetTime",
                 request -> object().put("time", network.clock().nanos()));
-        rosapi.offer("get_param", "GetParam", rosapi::parameter);
-        rosapi.offer("message_details", "MessageDetails", new MessageDetails(network.types())::of);
         if (network.types().version() == RosVersion.ROS2) {
             rosapi.offer(
                     "get_ros_version",
@@ -51,7 +58,7 @@ public final class Rosapi {
 
     private void offer(String name, String type, Function<ObjectNode, ObjectNode> answer) {
         network.offer(
-                NODE, NODE + "/" + name, "rosapi/" + type, (request, reply) -> reply.succeed(answer.apply(request)));
+                node, node + "/" + name, "rosapi/" + type, (request, reply) -> reply.succeed(answer.apply(request)));
     }
 
     private void offerTopics() {
@@ -133,6 +140,23 @@ public final class Rosapi {
             Service service = network.service(text(request, "service"));
             return object().put("type", service == null ? "" : service.typeName());
         });
+        offer("service_node", "ServiceNode", request -> {
+            Service service = network.service(text(request, "service"));
+            return object().put("node", service == null ? "" : service.node());
+        });
+        offer(
+                "service_providers",
+                "ServiceProviders",
+                request -> list(
+                        "providers",
+                        network.services().values().stream()
+                                .filter(service -> service.typeName().equals(text(request, "service")))
+                                .map(Service::node)
+                                .toList()));
+        if (network.types().version() == RosVersion.ROS1) {
+            offer("service_host", "ServiceHost", request -> object()
+                    .put("host", network.service(text(request, "service")) == null ? "" : HOST));
+        }
         offer(
                 "services_for_type",
                 "ServicesForType",
@@ -144,12 +168,25 @@ public final class Rosapi {
                                 .toList()));
     }
 
-    /** A missing parameter is the default if there is one, otherwise the text {@code null}. */
-    private ObjectNode parameter(ObjectNode request) {
-        String otherwise = request.path("default").asText(text(request, "default_value"));
-        String value =
-                network.parameters().getOrDefault(text(request, "name"), otherwise.isEmpty() ? "null" : otherwise);
-        return object().put("value", value);
+    private void offerDetails() {
+        offer("topics_and_raw_types", "TopicsAndRawTypes", request -> {
+            List<Topic> all = network.topics().all();
+            ObjectNode answer = list("topics", all.stream().map(Topic::name).toList());
+            answer.setAll(list(
+                    "types", all.stream().map(topic -> topic.type().fullName()).toList()));
+            return answer.setAll(list(
+                    "typedefs_full_text",
+                    all.stream().map(topic -> details.text(topic.type())).toList()));
+        });
+        offer("message_details", "MessageDetails", details::ofMessage);
+        offer(
+                "service_request_details",
+                "ServiceRequestDetails",
+                request -> details.ofService(request, "Request"));
+        offer(
+                "service_response_details",
+                "ServiceResponseDetails",
+                request -> details.ofService(request, "Response"));
     }
 
     private static String text(ObjectNode request, String field) {

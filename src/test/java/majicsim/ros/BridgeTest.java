@@ -197,6 +197,85 @@ class BridgeTest {
     }
 
     @Test
+    void nothingIsSentAsCborOfATypeWithAnArrayOfFixedLengthOrWithTexts() throws IOException {
+        client.sendAll(
+                "{'op':'subscribe','topic':'/odom','compression':'cbor'}",
+                "{'op':'subscribe','topic':'/imu','compression':'cbor'}",
+                "{'op':'subscribe','topic':'/joint_states','compression':'cbor'}",
+                "{'op':'subscribe','topic':'/cmd_vel'}");
+        stand.pass(1);
+        assertThat(client.taken()).isEmpty();
+
+        client.sendAll("{'op':'subscribe','topic':'/scan','compression':'cbor'}");
+        stand.pass(0.3);
+        assertThat(client.socket().read().opcode()).isEqualTo(RawWebSocket.BINARY);
+    }
+
+    @Test
+    void namesWithoutASlashInFrontAreThoseOfTheOutermostNamespace() throws IOException {
+        assertThat(client.call("rosapi/topics", "{}").path("values").path("topics").toString())
+                .contains("/odom");
+        assertThat(client.call("rosapi/topics", "{}").path("service").asText()).isEqualTo("rosapi/topics");
+
+        client.sendAll("{'op':'subscribe','topic':'odom'}", "{'op':'subscribe','topic':'scan','type':'sensor_msgs/LaserScan'}");
+        assertThat(client.message("odom").path("child_frame_id").asText()).isEqualTo("base_footprint");
+        assertThat(client.message("scan").path("ranges")).isNotEmpty();
+
+        Pose before = stand.pose();
+        client.sendAll(
+                "{'op':'advertise','topic':'cmd_vel','type':'geometry_msgs/Twist'}",
+                "{'op':'publish','topic':'cmd_vel','msg':{'linear':{'x':0.2}}}");
+        stand.pass(0.4);
+        assertThat(stand.pose().xMm() - before.xMm()).isGreaterThan(20);
+    }
+
+    @Test
+    void parametersAreListedSetFoundAndRemoved() throws IOException {
+        assertThat(client.values("/rosapi/get_param_names").path("names").toString())
+                .contains("\"/rosdistro\"", "\"/robot_description\"");
+        client.call("/rosapi/set_param", "{'name':'/speed','value':'0.5'}");
+        assertThat(value("/rosapi/get_param", "{'name':'/speed'}", "value")).isEqualTo("0.5");
+        assertThat(value("/rosapi/has_param", "{'name':'/speed'}", "exists")).isEqualTo("true");
+        assertThat(value("/rosapi/search_param", "{'name':'speed'}", "global_name")).isEqualTo("/speed");
+        client.call("/rosapi/delete_param", "{'name':'/speed'}");
+        assertThat(value("/rosapi/has_param", "{'name':'/speed'}", "exists")).isEqualTo("false");
+        assertThat(value("/rosapi/search_param", "{'name':'speed'}", "global_name")).isEmpty();
+    }
+
+    @Test
+    void servicesAreDescribed() throws IOException {
+        assertThat(value("/rosapi/service_node", "{'service':'/rosapi/topics'}", "node")).isEqualTo("/rosapi");
+        assertThat(value("/rosapi/service_node", "{'service':'/nothing'}", "node")).isEmpty();
+        assertThat(value("/rosapi/service_host", "{'service':'/rosapi/topics'}", "host")).isNotEmpty();
+        assertThat(client.call("/rosapi/service_providers", "{'service':'rosapi/Topics'}")
+                        .path("values"))
+                .isEqualTo(RosStand.json("{\"providers\":[\"/rosapi\"]}"));
+        assertThat(typedef("service_request_details", "rosapi/GetParam").path("fieldnames"))
+                .isEqualTo(RosStand.json("[\"name\",\"default\"]"));
+        assertThat(typedef("service_response_details", "rosapi/GetParam").path("fieldtypes"))
+                .isEqualTo(RosStand.json("[\"string\"]"));
+    }
+
+    private JsonNode typedef(String question, String type) throws IOException {
+        return client.call("/rosapi/" + question, "{'type':'" + type + "'}")
+                .path("values")
+                .path("typedefs")
+                .path(0);
+    }
+
+    private String value(String service, String arguments, String field) throws IOException {
+        return client.call(service, arguments).path("values").path(field).asText();
+    }
+
+    @Test
+    void theTypesOfTopicsAreGivenAsText() throws IOException {
+        JsonNode values = client.values("/rosapi/topics_and_raw_types");
+        assertThat(values.path("typedefs_full_text")).hasSameSizeAs(values.path("topics"));
+        assertThat(values.path("typedefs_full_text").toString())
+                .contains("geometry_msgs/Vector3 linear", "MSG: geometry_msgs/Vector3", "float64[36] covariance");
+    }
+
+    @Test
     void aClientThatStopsReadingStallsTheTopicForTheOthersUnlessItHasAQueue() throws IOException {
         client.sendAll(
                 "{'op':'advertise','topic':'/big','type':'std_msgs/String'}", "{'op':'subscribe','topic':'/big'}");

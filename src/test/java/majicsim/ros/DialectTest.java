@@ -203,4 +203,23 @@ class DialectTest {
                 .hasMessage("timeout must be seconds or none, not 'soon'");
         assertThatThrownBy(() -> RosOptions.parse("2+auth=x")).hasMessage("auth exists with ROS 1 only");
     }
+
+    @Test
+    void aServerInANamespaceHasItsServicesThere() throws IOException {
+        try (RosStand inside = new RosStand("2+namespace=tb3+server=tb3");
+                RawWebSocket socket = RawWebSocket.open(inside.address())) {
+            socket.sendText("{\"op\":\"call_service\",\"service\":\"/tb3/rosapi/topics\"}");
+            assertThat(RosStand.json(socket.read().text()).path("values").path("topics").toString())
+                    .contains("/tb3/odom");
+            socket.sendText("{\"op\":\"call_service\",\"service\":\"rosapi/get_ros_version\"}");
+            assertThat(RosStand.json(socket.read().text()).path("result").asBoolean()).isTrue();
+            socket.sendText("{\"op\":\"call_service\",\"service\":\"/rosapi/topics\"}");
+            assertThat(RosStand.json(socket.read().text()).path("result").asBoolean()).isFalse();
+        }
+    }
+
+    @Test
+    void aServerInANamespaceExistsWithRos2Only() {
+        assertThatThrownBy(() -> RosOptions.parse("1+server=tb3")).hasMessage("server exists with ROS 2 only");
+    }
 }
