@@ -10,7 +10,6 @@ import majic.bot.BotException;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.Parameter;
-import majic.bot.Pose;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
@@ -21,6 +20,7 @@ import majic.ros.graph.KnownRobots;
 import majic.ros.message.CompressedPicture;
 import majic.ros.message.OdometryMessage;
 import majic.ros.motion.BaseOwner;
+import majic.ros.motion.LastOdometry;
 import majic.ros.motion.ObstructionSource;
 import majic.ros.motion.RosMotion;
 import majic.ros.motion.RosMotion.PoseSource;
@@ -51,7 +51,7 @@ public final class MajicRos extends BotDriver {
     private final RosScenes scenes = new RosScenes(time());
     private final AtomicInteger cameraViews = new AtomicInteger();
     private volatile @Nullable RosMotion motions;
-    private volatile Pose lastPose = Pose.START;
+    private volatile LastOdometry last = LastOdometry.NONE;
     private volatile boolean mayMove;
 
     /**
@@ -95,6 +95,8 @@ public final class MajicRos extends BotDriver {
     @Override
     protected void open() {
         RosSession opening = new RosSession(address, waiting(), new SessionEvents());
+        RosMotion before = motions;
+        last = before == null ? last : before.last();
         motions = null;
         session.set(opening);
         try {
@@ -114,7 +116,7 @@ public final class MajicRos extends BotDriver {
                 owner,
                 opening,
                 RosProfiles.dynamics(opening.robot()),
-                lastPose,
+                last,
                 hasOdometry ? PoseSource.ODOMETRY : PoseSource.COMMANDS);
         motions = next;
         opening.advertise();
@@ -292,11 +294,11 @@ public final class MajicRos extends BotDriver {
     /** Handles what happens in the session. */
     private final class SessionEvents implements RosSession.Events {
         @Override
-        public void odometry(RosSession from, OdometryMessage reading) {
+        public void odometry(RosSession from, OdometryMessage reading, long measuredNanos) {
             RosMotion moving = motions;
             if (from == session.get() && moving != null) {
                 sensing.odometry(reading);
-                moving.reported(reading.pose(), reading.speedMmPerSec(), reading.turnRateDegPerSec());
+                moving.reported(reading.pose(), reading.speedMmPerSec(), reading.turnRateDegPerSec(), measuredNanos);
             }
         }
 
@@ -379,7 +381,6 @@ public final class MajicRos extends BotDriver {
 
         @Override
         public void publish(BotState state) {
-            lastPose = state.pose();
             MajicRos.this.publish(state);
         }
 

@@ -27,6 +27,7 @@ import majic.ros.graph.RobotEvidence;
 import majic.ros.graph.RosApi;
 import majic.ros.graph.RosGraph;
 import majic.ros.message.OdometryMessage;
+import majic.ros.message.StampClock;
 import majic.ros.message.UnusableMessage;
 import majic.ros.message.VelocityForm;
 import majic.ros.motion.VelocityOutput;
@@ -68,6 +69,7 @@ final class RosSession implements VelocityOutput {
     private volatile @Nullable RosGraph graph;
     private volatile @Nullable Base base;
     private volatile @Nullable VelocityForm form;
+    private volatile StampClock stamps = new StampClock(false);
     private volatile OtherRobots others = new OtherRobots(List.of());
     private volatile KnownRobot robot = KnownRobots.UNKNOWN;
     private volatile boolean reporting;
@@ -78,8 +80,8 @@ final class RosSession implements VelocityOutput {
      * server.
      */
     interface Events {
-        /** Handles a message of the odometry. */
-        void odometry(RosSession from, OdometryMessage reading);
+        /** Handles a message of the odometry, and when it was measured, on the driver's clock. */
+        void odometry(RosSession from, OdometryMessage reading, long measuredNanos);
 
         /** Handles a message of the odometry that cannot be used; the reason is half a sentence. */
         void unusable(RosSession from, String reason);
@@ -115,6 +117,7 @@ final class RosSession implements VelocityOutput {
         // What the address names is used even if the table prefers another topic.
         base = address.base() == null ? KnownRobots.withTopics(robot, chosen, found) : chosen;
         graph = found;
+        stamps = new StampClock(!found.hasSimulatedTime());
         form = VelocityForm.ofType(base().commandType()).orElseThrow();
         if (found.isRos2()) {
             connections.openServices();
@@ -175,7 +178,8 @@ final class RosSession implements VelocityOutput {
         try {
             OdometryMessage reading = OdometryMessage.from(message);
             reporting = true;
-            events.odometry(this, reading);
+            long measured = stamps.measuredNanos(message, waiting.time().nanos(), roundTripS());
+            events.odometry(this, reading, measured);
         } catch (UnusableMessage e) {
             String reason = String.valueOf(e.getMessage());
             problem = reason;

@@ -106,6 +106,12 @@ final class SideConnection implements TopicSource {
         return open == null ? Arriving.NOTHING : open.arriving();
     }
 
+    @Override
+    public double roundTripS() {
+        RosBridge open = bridge;
+        return open == null ? 0 : open.roundTripS();
+    }
+
     /** Returns the topics that are subscribed to now, in no order. */
     List<TopicActivity> activity() {
         RosBridge open = bridge;

@@ -2,6 +2,7 @@ package majic.bot;
 
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.driver.BotDriver;
@@ -27,6 +28,7 @@ public final class FakeBot extends BotDriver {
     private volatile double stallAfterMm = Double.POSITIVE_INFINITY;
     private volatile @Nullable RuntimeException refusal;
     private volatile double connectSeconds;
+    private volatile @Nullable String identity;
     private volatile boolean stuck;
     private volatile boolean handsGuardsOver;
     private volatile boolean haltsBadly;
@@ -87,6 +89,16 @@ public final class FakeBot extends BotDriver {
 
     private Value told(String parameter, Value otherwise) {
         return told.getOrDefault(parameter, otherwise);
+    }
+
+    /** Sets what distinguishes the robot. */
+    public void identity(String newIdentity) {
+        identity = newIdentity;
+    }
+
+    @Override
+    public Optional<String> identity() {
+        return Optional.ofNullable(identity);
     }
 
     /** Makes the robot report a reading. */

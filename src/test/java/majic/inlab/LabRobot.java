@@ -59,6 +59,11 @@ public final class LabRobot implements TestedRobot {
         rig.lab().simulators().faults(type).cut();
     }
 
+    /** Delays all bytes of its line, in both directions. */
+    public void delayLine(double ms) {
+        rig.lab().simulators().faults(type).delay(ms);
+    }
+
     @Override
     public void fallSilent() {
         rig.lab().simulators().faults(type).outage(FOR_EVER_S);

@@ -119,6 +119,29 @@ class RosMotionInLabTest {
             Pose stopped = robot.truePose();
             pass(robot, 2);
             assertThat(robot.truePose()).isEqualTo(stopped);
+            assertThat(robot.bot().state().pose().xMm()).isCloseTo(stopped.xMm() - 1000, within(10.0));
+        }
+    }
+
+    /** The delay of the line, of which a radio link may have that much. */
+    @ParameterizedTest(name = "{0} s each way")
+    @ValueSource(doubles = {0.25, 0.3})
+    void motionsOverASlowLineEndAtTheirTargetsAndStopsAreConfirmedAtRest(double delayS) {
+        try (LabRobot robot = connected("1")) {
+            robot.delayLine(delayS * 1000);
+            pass(robot, 1);
+
+            assertThat(number(robot.bot().move(200))).isCloseTo(200, within(10.0));
+            assertThat(robot.truePose().xMm()).isCloseTo(1200, within(10.0));
+            assertThat(number(robot.bot().turn(90))).isCloseTo(90, within(1.0));
+            assertThat(robot.truePose().headingDeg()).isCloseTo(90, within(1.0));
+
+            robot.bot().drive(100, 0);
+            pass(robot, 0.2);
+            robot.bot().stop();
+            Pose stopped = robot.truePose();
+            pass(robot, 2);
+            assertThat(robot.truePose()).isEqualTo(stopped);
         }
     }
 

@@ -3,12 +3,18 @@ package majic.ros;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
 import majic.bot.BotAddress;
+import majic.bot.BotCommand;
 import majic.bot.ConnectFailed;
 import majic.bot.Pose;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.inlab.LabRig;
+import majic.inlab.LabRobot;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -84,6 +90,46 @@ class RosTeamInLabTest {
                     .hasMessage("there are 2 robots behind " + server + "; is it " + server + "/tb3_0 or " + server
                             + "/tb3_1?");
             robot.close();
+        }
+    }
+
+    @Test
+    void aBaseHasOneIdentityWhateverItsAddressSays() {
+        try (LabRig rig = LabRig.exactWithRos("1+robots=2")) {
+            String address = rig.lab().address("ros").orElseThrow().toString();
+            String other = rig.lab().address("ros2").orElseThrow().toString();
+            String server = address.substring(0, address.lastIndexOf('/'));
+
+            assertThat(Stream.of(
+                                    address,
+                                    address + "/",
+                                    server + "//tb3_0",
+                                    server + "?base=/tb3_0/odom",
+                                    server + "?base=tb3_0/cmd_vel",
+                                    address + "?base=/tb3_0")
+                            .map(each -> identity(rig, each)))
+                    .containsOnly(identity(rig, address));
+            assertThat(identity(rig, address)).isPresent().isNotEqualTo(identity(rig, other));
+        }
+    }
+
+    private static Optional<String> identity(LabRig rig, String address) {
+        try (MajicRos robot = new MajicRos(
+                BotAddress.parse(address), new BotEnvironment(rig.lab().time(), Settings.inMemory()))) {
+            robot.connect();
+            return robot.identity();
+        }
+    }
+
+    @Test
+    void aServerInTheNamespaceOfTheRobotIsFound() {
+        try (LabRobot robot = new LabRobot("ros", LabRig.exactWithRos("2+namespace=tb3+server=tb3"))) {
+            robot.bot().connect();
+
+            assertThat(robot.bot().introduction()).contains("ROS 2 humble", "/tb3/cmd_vel");
+            assertThat(robot.bot().run("topics", List.of())).contains("/tb3/odom");
+            assertThat(robot.bot().commands()).extracting(BotCommand::name).contains("goto");
+            assertThat(robot.bot().move(100).amount().number()).isBetween(90.0, 110.0);
         }
     }
 }

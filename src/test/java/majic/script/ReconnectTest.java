@@ -72,6 +72,20 @@ class ReconnectTest {
     }
 
     @Test
+    void oneRobotIsNotAddedTwiceUnderAddressesThatOnlyTheConnectionShowsToBeOfOne() throws InterruptedException {
+        fixture.aibo.prepare(bot -> bot.identity("the same base"));
+        fixture.runPipe("add aibo://dog as 7");
+
+        assertThat(fixture.runPipe("add aibo://hound")).contains("aibo://hound: robot 7 is connected to it already");
+        fixture.bot(7).cut();
+        assertThat(fixture.runPipe("add aibo://hound"))
+                .contains(
+                        "aibo://hound: it is robot 7, whose connection was lost; type \"add aibo://dog\" to connect it"
+                                + " again");
+        assertThat(fixture.team.members()).hasSize(2);
+    }
+
+    @Test
     void aRefusalOfATakenAddressNamesItsRobot() throws InterruptedException {
         fixture.runPipe("add sim:aibo");
         fixture.aibo.prepare(second -> second.refuse(new BotException("closed at once")));

@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
  */
 public record RosGraph(int version, String distribution, Map<String, String> topics, SortedSet<String> nodes) {
     private static final String MESSAGE_PART = "/msg/";
+    private static final String CLOCK = "/clock";
 
     /** Copies the collections. */
     public RosGraph {
@@ -69,6 +70,15 @@ public record RosGraph(int version, String distribution, Map<String, String> top
 
     private static String twoParts(String type) {
         return type.replace(MESSAGE_PART, "/");
+    }
+
+    /**
+     * Returns whether the stamps of messages are of a simulated time.
+     *
+     * @return whether a simulator publishes the time
+     */
+    public boolean hasSimulatedTime() {
+        return topics.containsKey(CLOCK);
     }
 
     /**

@@ -16,6 +16,9 @@ final class MovingBase {
     /** The odometry is silent if nothing usable has come for so long, seconds. */
     private static final double SILENCE_S = 1;
 
+    /** An older reading counts as none, seconds: the base has moved on. */
+    private static final double OLD_S = 1.5;
+
     /** What a base has covered when the odometry shows the effect of a velocity. */
     private static final double SHOWN_MM = 1;
 
@@ -25,6 +28,7 @@ final class MovingBase {
     private final VelocitySender sender;
     private final OdometryDelay delay;
     private volatile @Nullable TrackedState now;
+    private volatile long measuredNanos;
     private volatile @Nullable Unusable unusable;
     private volatile @Nullable Begun begun;
     private volatile boolean ended;
@@ -59,7 +63,9 @@ final class MovingBase {
         return delay;
     }
 
-    void set(TrackedState newest) {
+    /** Takes the newest state, and when it was measured. */
+    void set(TrackedState newest, long newestMeasuredNanos) {
+        measuredNanos = newestMeasuredNanos;
         now = newest;
         waiting.changes().raise();
     }
@@ -82,13 +88,14 @@ final class MovingBase {
         unusable = new Unusable(reason, time().nanos());
     }
 
-    /** Returns, as half a sentence, that there has been no usable odometry for a second; null if there has. */
+    /** Returns, as half a sentence, that there has been no usable odometry of late; null if there has. */
     @Nullable
     String silence() {
         TrackedState newest = now;
         Unusable last = unusable;
         if (newest != null && time().secondsSince(newest.atNanos()) <= SILENCE_S) {
-            return null;
+            double oldS = time().secondsSince(measuredNanos);
+            return oldS <= OLD_S ? null : "its odometry arrives " + Value.plain(oldS) + " s late";
         }
         boolean unreadable = last != null && time().secondsSince(last.atNanos()) <= SILENCE_S;
         return unreadable

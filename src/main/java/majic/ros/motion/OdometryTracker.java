@@ -38,8 +38,9 @@ final class OdometryTracker {
     private static final double RESET_DEG = 2;
 
     private final BaseDynamics limits;
+    private final LastOdometry last;
     private final Deque<TrackedState> window = new ArrayDeque<>();
-    private Pose origin;
+    private Pose origin = Pose.START;
     private @Nullable Pose lastRaw;
     private double turnedDeg;
     private int jumps;
@@ -49,12 +50,12 @@ final class OdometryTracker {
      * Begins with the first reading that is added.
      *
      * @param limits the highest velocities
-     * @param start the pose that this reading stands for
+     * @param last the reading before the connection was lost, which the first one continues unless the odometry was
+     *     reset meanwhile or is farther away than the base can have moved; it then stands for the same pose
      */
-    OdometryTracker(BaseDynamics limits, Pose start) {
+    OdometryTracker(BaseDynamics limits, LastOdometry last) {
         this.limits = limits;
-        this.origin = start;
-        this.turnedDeg = start.headingDeg();
+        this.last = last;
     }
 
     /**
@@ -68,14 +69,15 @@ final class OdometryTracker {
      */
     TrackedState add(Pose raw, double mmPerSec, double degPerSec, long atNanos) {
         TrackedState before = window.peekLast();
-        Pose last = lastRaw;
-        if (before == null || last == null) {
-            origin = origin.originOf(raw);
-        } else if (isJump(last, raw, (atNanos - before.atNanos()) / 1e9)) {
+        Pose rawBefore = lastRaw;
+        if (before == null || rawBefore == null) {
+            origin = last.pose().originOf(isContinuedBy(raw, atNanos) ? last.raw() : raw);
+            turnedDeg = origin.plus(raw).headingDeg();
+        } else if (isJump(rawBefore, raw, (atNanos - before.atNanos()) / 1e9)) {
             jumps++;
             origin = before.pose().originOf(raw);
         } else {
-            turnedDeg += Pose.normalised(raw.headingDeg() - last.headingDeg());
+            turnedDeg += Pose.normalised(raw.headingDeg() - rawBefore.headingDeg());
         }
         lastRaw = raw;
         forget(atNanos);
@@ -85,9 +87,20 @@ final class OdometryTracker {
         return now;
     }
 
-    private boolean isJump(Pose last, Pose raw, double seconds) {
-        double mm = last.distanceMm(raw);
-        double deg = Math.abs(Pose.normalised(raw.headingDeg() - last.headingDeg()));
+    /** A base that is where its odometry begins has been reset, unless it was near there before. */
+    private boolean isContinuedBy(Pose raw, long atNanos) {
+        return last.exists()
+                && !isJump(last.raw(), raw, (atNanos - last.atNanos()) / 1e9)
+                && !(isAtStart(raw) && !isAtStart(last.raw()));
+    }
+
+    private static boolean isAtStart(Pose raw) {
+        return raw.distanceMm(Pose.START) < RESET_MM && Math.abs(Pose.normalised(raw.headingDeg())) < RESET_DEG;
+    }
+
+    private boolean isJump(Pose before, Pose raw, double seconds) {
+        double mm = before.distanceMm(raw);
+        double deg = Math.abs(Pose.normalised(raw.headingDeg() - before.headingDeg()));
         double mostDeg = limits.fastestDegPerSec() * (seconds + LATE_S) + JUMP_DEG;
         return mm > limits.fastestMmPerSec() * (seconds + LATE_S) + JUMP_MM
                 || (deg > mostDeg && mostDeg < 180)

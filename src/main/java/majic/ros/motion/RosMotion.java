@@ -45,6 +45,7 @@ public final class RosMotion {
     private final MovingBase base;
     private final VelocityDrive driving;
     private final OdometryTracker tracker;
+    private volatile LastOdometry last;
     private final @Nullable DeadReckoning reckoning;
     private final AtomicBoolean scheduled = new AtomicBoolean();
     private long noticedNanos;
@@ -64,17 +65,19 @@ public final class RosMotion {
      * @param owner its driver
      * @param output its velocity topic
      * @param dynamics its limits
-     * @param start the pose that the first reading stands for
+     * @param before where the base was before its connection was lost
      * @param source whether it has odometry
      */
-    public RosMotion(BaseOwner owner, VelocityOutput output, BaseDynamics dynamics, Pose start, PoseSource source) {
+    public RosMotion(
+            BaseOwner owner, VelocityOutput output, BaseDynamics dynamics, LastOdometry before, PoseSource source) {
         this.owner = owner;
         this.dynamics = dynamics;
         this.obstructions = owner.obstructions();
         this.sender = new VelocitySender(output, owner.waiting().time(), new Sent());
         this.base = new MovingBase(owner.waiting(), sender, new OdometryDelay(owner::roundTripS));
         this.driving = new VelocityDrive(base, obstructions, dynamics);
-        this.tracker = new OdometryTracker(dynamics, start);
+        this.tracker = new OdometryTracker(dynamics, before);
+        this.last = before;
         this.reckoning = source == PoseSource.COMMANDS ? new DeadReckoning() : null;
     }
 
@@ -100,14 +103,16 @@ public final class RosMotion {
      * @param raw the pose in the frame of the odometry
      * @param mmPerSec the reported speed, ahead positive
      * @param degPerSec the reported turn rate, counterclockwise positive
+     * @param measuredNanos when it was measured, which is before its arrival
      */
-    public void reported(Pose raw, double mmPerSec, double degPerSec) {
+    public void reported(Pose raw, double mmPerSec, double degPerSec, long measuredNanos) {
         TrackedState now =
                 tracker.add(raw, mmPerSec, degPerSec, owner.waiting().time().nanos());
+        last = new LastOdometry(now.pose(), raw, now.atNanos());
         boolean moving = !now.stationary() || sender.isMoving();
-        owner.publish(new BotState(now.pose(), now.speedMmPerSec(), now.turnRateDegPerSec(), moving, now.atNanos()));
+        owner.publish(new BotState(now.pose(), now.speedMmPerSec(), now.turnRateDegPerSec(), moving, measuredNanos));
         // After publishing: a motion that ends by this state has ended in the published state as well.
-        base.set(now);
+        base.set(now, measuredNanos);
         noticeJump(now);
     }
 
@@ -128,6 +133,15 @@ public final class RosMotion {
             jumpsNoticed = now.jumps();
             owner.notice("its odometry jumped or was reset; its position goes on from where it was");
         }
+    }
+
+    /**
+     * Returns where the base was last.
+     *
+     * @return by the newest reading; as before the connection, if there was none
+     */
+    public LastOdometry last() {
+        return last;
     }
 
     /** Returns whether there has been a reading. */
@@ -307,7 +321,7 @@ public final class RosMotion {
         DeadReckoning estimating = reckoning;
         if (estimating != null && !base.hasEnded()) {
             long now = base.time().nanos();
-            reported(estimating.at(now), sender.mmPerSec(), sender.degPerSec());
+            reported(estimating.at(now), sender.mmPerSec(), sender.degPerSec(), now);
         }
     }
 

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.BotState;
+import majic.bot.MotionFailed;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Unit;
@@ -23,7 +24,12 @@ final class GoalCommands {
     private static final double FARTHEST_MM = 1_000_000;
 
     /** The end of a goal may be reported before the robot is at rest. */
-    private static final double REST_S = 1;
+    private static final double REST_S = 4;
+
+    /** Navigations count as arrived within 250 mm, and the odometry drifts by some percent of the way. */
+    private static final double TOLERANCE_MM = 500;
+
+    private static final double DRIFT = 0.05;
 
     private final RosAccess access;
     private final Navigation navigation;
@@ -58,7 +64,7 @@ final class GoalCommands {
                     place(),
                     true,
                     "drives to a place by the robot's own navigation, around obstacles; x and y as in pose",
-                    (values, motion) -> go(servers, here(values), motion)));
+                    (values, motion) -> goHere(servers, values, motion)));
             commands.add(new DriverCommand(
                     "gotoMap",
                     place(),
@@ -102,10 +108,25 @@ final class GoalCommands {
         return new Target(odometry.frame().isEmpty() ? "odom" : odometry.frame(), inOdometry);
     }
 
+    /** Drives to a place in the frame of the odometry, which shows whether the robot is there. */
+    private String goHere(NavigationServers servers, List<Value> values, Motion motion) {
+        Pose target = target(values, 0);
+        double wayMm = state.get().pose().distanceMm(target);
+        String arrived = go(servers, here(values), motion);
+        double leftMm = state.get().pose().distanceMm(target);
+        if (leftMm > TOLERANCE_MM + DRIFT * wayMm) {
+            throw new MotionFailed("the navigation of the robot reports its arrival, but by its odometry the robot is "
+                    + Value.of(leftMm, Unit.MM) + " from there: " + arrived);
+        }
+        return arrived;
+    }
+
     private String go(NavigationServers servers, Target target, Motion motion) {
         RosReadings open = access.open();
         navigation.drive(open.connection(), servers, target, motion);
-        motion.await(() -> !state.get().moving(), REST_S);
+        if (!motion.await(() -> !state.get().moving(), REST_S)) {
+            throw new MotionFailed("the navigation of the robot reports its arrival, but the robot moves on");
+        }
         Pose there = state.get().pose();
         return "arrived at " + Value.of(there.xMm(), Unit.MM) + ", " + Value.of(there.yMm(), Unit.MM) + ", "
                 + Value.of(there.headingDeg(), Unit.DEG);

@@ -1,6 +1,7 @@
 package majic.ros.parameters;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.BinaryNode;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.List;
@@ -89,6 +90,9 @@ final class MessageFields {
         if (node.isTextual()) {
             return Value.text(shortened(node.asText()));
         }
+        if (node.isBinary()) {
+            return Value.text(bytes(node));
+        }
         return Value.unknown(
                 node.isNull() ? place + " is not finite" : "write a field behind " + place + content(node, ""));
     }
@@ -140,10 +144,16 @@ final class MessageFields {
             for (int index = 0; index < node.size(); index++) {
                 list(node.get(index), name + "/" + index, fields);
             }
+        } else if (node.isBinary()) {
+            fields.add(name + ": " + bytes(node));
         } else {
             fields.add((name.isEmpty() ? "" : name + ": ")
                     + shortened(node.isTextual() ? node.asText() : node.toString()));
         }
+    }
+
+    private static String bytes(JsonNode node) {
+        return ((BinaryNode) node).binaryValue().length + " bytes";
     }
 
     private static String shortened(String text) {

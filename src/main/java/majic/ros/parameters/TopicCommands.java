@@ -65,7 +65,9 @@ final class TopicCommands {
                         ? Value.text(MessageFields.listed(message))
                         : MessageFields.shown(message, path.field()));
         if (shown instanceof Value.Unknown unknown) {
-            throw new BotException(path.topic().name() + ": " + unknown.reason());
+            String topic = path.topic().name();
+            String reason = String.valueOf(unknown.reason());
+            throw new BotException(reason.contains(topic) ? reason : topic + ": " + reason);
         }
         return shown.toString();
     }

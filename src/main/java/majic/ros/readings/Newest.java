@@ -22,7 +22,7 @@ public final class Newest<T> {
     private volatile @Nullable Arrived<T> newest;
     private volatile boolean any;
 
-    /** A reading with the time of its arrival. */
+    /** A reading with the time at which it was measured or arrived. */
     private record Arrived<T>(T reading, long atNanos, double intervalS) {}
 
     /**
@@ -36,8 +36,12 @@ public final class Newest<T> {
     }
 
     void arrived(T reading) {
+        measured(reading, time.nanos());
+    }
+
+    /** Takes a reading that was measured before it arrived. */
+    void measured(T reading, long now) {
         Arrived<T> before = newest;
-        long now = time.nanos();
         any = true;
         newest = new Arrived<>(reading, now, before == null ? 0 : (now - before.atNanos()) / 1e9);
     }
@@ -69,7 +73,7 @@ public final class Newest<T> {
     /**
      * Returns the age of the newest reading.
      *
-     * @return s since its arrival; positive infinity without one
+     * @return s since it was measured, as far as that is known, or arrived; positive infinity without one
      */
     public double ageS() {
         Arrived<T> known = newest;

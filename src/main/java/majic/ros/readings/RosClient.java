@@ -20,6 +20,16 @@ public interface RosClient {
     boolean isRos2();
 
     /**
+     * Returns whether the stamps of messages are of a simulated time, which need not pass at the rate of this
+     * computer's.
+     *
+     * @return whether a simulator publishes the time
+     */
+    default boolean hasSimulatedTime() {
+        return topics().containsKey("/clock");
+    }
+
+    /**
      * Returns the namespace of the robot.
      *
      * @return such as {@code /robot1}; empty for a robot without

@@ -24,6 +24,7 @@ import majic.ros.message.JointsMessage;
 import majic.ros.message.LaserScanMessage;
 import majic.ros.message.OdometryMessage;
 import majic.ros.message.RangeMessage;
+import majic.ros.message.StampClock;
 import majic.ros.message.UnusableMessage;
 import org.jspecify.annotations.Nullable;
 
@@ -55,6 +56,7 @@ public final class RosReadings {
     private final RobotWait waiting;
     private final Events events;
     private final Newest<ScanPoints> scan;
+    private final StampClock scanStamps;
     private final Newest<BatteryMessage> battery;
     private final Newest<HazardsMessage> hazardList;
     private final Map<String, Newest<RangeMessage>> ranges = new LinkedHashMap<>();
@@ -93,6 +95,7 @@ public final class RosReadings {
         this.waiting = waiting;
         this.events = events;
         this.scan = new Newest<>(waiting.time(), DISTANCE_FRESH_S);
+        this.scanStamps = stamps();
         this.battery = new Newest<>(waiting.time(), BATTERY_FRESH_S);
         this.hazardList = new Newest<>(waiting.time(), HAZARD_FRESH_S);
         this.hazards = new ActiveHazards(waiting.time());
@@ -144,7 +147,12 @@ public final class RosReadings {
 
     private void beginRange(RosTopic topic) {
         Newest<RangeMessage> range = range(topic);
-        observe(topic, topic.each(SCAN_MS), message -> range.arrived(RangeMessage.from(message)), range::lost);
+        StampClock stamps = stamps();
+        observe(
+                topic,
+                topic.each(SCAN_MS),
+                message -> range.measured(RangeMessage.from(message), measuredNanos(stamps, message)),
+                range::lost);
     }
 
     private static BatteryMessage batteryOf(RosTopic topic, JsonNode message) {
@@ -206,7 +214,16 @@ public final class RosReadings {
 
     private void scanned(JsonNode message) {
         LaserScanMessage read = LaserScanMessage.from(message);
-        scan.arrived(ScanPoints.of(read, onRobot(read.frame())));
+        scan.measured(ScanPoints.of(read, onRobot(read.frame())), measuredNanos(scanStamps, message));
+    }
+
+    private StampClock stamps() {
+        return new StampClock(!connection.hasSimulatedTime());
+    }
+
+    private long measuredNanos(StampClock stamps, JsonNode message) {
+        return stamps.measuredNanos(
+                message, waiting.time().nanos(), connection.sensors().roundTripS());
     }
 
     private void hazardsListed(JsonNode message) {

@@ -27,6 +27,13 @@ public interface TopicSource {
      */
     Arriving arriving();
 
+    /**
+     * Returns how long a message takes to the server and back on the connection.
+     *
+     * @return seconds; 0 if that is not known
+     */
+    double roundTripS();
+
     /** Handles what arrives. Called on the reader thread, which must not wait. */
     interface Receiver {
         /**

@@ -24,7 +24,7 @@ class OperationsFuzzTest {
     /** Passes answers to one call and one goal. */
     private final class Receivers implements OperationRouter.Routes {
         @Override
-        public void published(String topic, JsonNode message) {
+        public void published(String topic, JsonNode message, int bytes) {
             assertThat(topic).isNotNull();
         }
 
@@ -42,6 +42,9 @@ class OperationsFuzzTest {
         public void result(ObjectNode result) {
             goals.result(result);
         }
+
+        @Override
+        public void leftOut() {}
 
         @Override
         public void notice(String message) {

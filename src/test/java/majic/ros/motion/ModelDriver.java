@@ -3,7 +3,6 @@ package majic.ros.motion;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
-import majic.bot.Pose;
 import majic.bot.Range;
 import majic.bot.Value;
 import majic.driver.BotDriver;
@@ -26,8 +25,10 @@ final class ModelDriver extends BotDriver {
     volatile @Nullable BaseModel base;
     volatile @Nullable RosMotion motions;
     volatile @Nullable Obstruction obstruction;
+    volatile double lateS;
     private volatile @Nullable BotState state;
     private volatile boolean wasMoving;
+    private volatile LastOdometry last = LastOdometry.NONE;
 
     ModelDriver(TimeSource time, double timeoutS, RosMotion.PoseSource source) {
         super(new RosType(), size(), new BotEnvironment(time, Settings.inMemory()));
@@ -50,8 +51,13 @@ final class ModelDriver extends BotDriver {
     void received(BaseModel.Reading reading) {
         RosMotion now = motions;
         if (now != null && source == RosMotion.PoseSource.ODOMETRY) {
-            now.reported(reading.raw(), reading.mmPerSec(), reading.degPerSec());
+            now.reported(reading.raw(), reading.mmPerSec(), reading.degPerSec(), measuredNanos());
         }
+    }
+
+    /** The readings are as old as the delay of the connection, as far as it is measured, and this test's own. */
+    private long measuredNanos() {
+        return time().nanos() - (long) (lateS * 1e9);
     }
 
     /** Ends the connection. */
@@ -60,6 +66,7 @@ final class ModelDriver extends BotDriver {
         if (now != null && isConnected()) {
             wasMoving = now.isMoving();
             String after = now.afterLoss();
+            last = now.last();
             motions = null;
             now.end();
             lost(new LinkLost("the bridge closed the connection" + after));
@@ -84,7 +91,7 @@ final class ModelDriver extends BotDriver {
 
     @Override
     protected void open() {
-        RosMotion opened = new RosMotion(owner, owner, dynamics, Pose.START, source);
+        RosMotion opened = new RosMotion(owner, owner, dynamics, last, source);
         motions = opened;
         opened.begin(wasMoving);
         owner.waiting().awaitConnecting(opened::hasReported, 3);

@@ -113,6 +113,15 @@ class MotionFaultsOfBaseTest {
     }
 
     @Test
+    void aMotionEndsWhenTheOdometryArrivesMuchTooLate() {
+        CompletableFuture<MotionReport> motion = movedTo(200);
+        bot.lateS = 6.5;
+
+        assertFails(motion, "its odometry arrives 6.5 s late");
+        assertThat(bot.get("age").number()).isGreaterThanOrEqualTo(6500);
+    }
+
+    @Test
     void aBaseWithSilentOdometryIsNotMoved() {
         CompletableFuture<MotionReport> motion = movedTo(200);
         robot.base.silent = true;
@@ -223,6 +232,10 @@ class MotionFaultsOfBaseTest {
                             .subList(before, endless.base.received().size()))
                     .isNotEmpty()
                     .allMatch(BaseModel.Command::isZero);
+            endless.clock.until(() -> !endless.bot.state().moving());
+            assertThat(endless.bot.state().pose().distanceMm(endless.truePose()))
+                    .as("the odometry has not begun anew")
+                    .isLessThan(1);
         }
     }
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class OdometryTrackerTest {
     private static final BaseDynamics LIMITS = BaseDynamics.of(220, 160, 1);
 
-    private final OdometryTracker tracker = new OdometryTracker(LIMITS, Pose.START);
+    private final OdometryTracker tracker = new OdometryTracker(LIMITS, LastOdometry.NONE);
     private double seconds;
 
     private TrackedState read(double afterS, double xMm, double yMm, double headingDeg) {
@@ -112,5 +112,31 @@ class OdometryTrackerTest {
             TrackedState noisy = read(0.033, i % 2, (i + 1) % 2, 0.1 * (i % 3));
             assertThat(i < 8 || noisy.stationary()).isTrue();
         }
+    }
+
+    private static TrackedState firstAfterLoss(Pose raw, double lostS) {
+        LastOdometry last = new LastOdometry(new Pose(500, 0, 90), new Pose(2000, 0, 180), 1_000_000_000);
+        return new OdometryTracker(LIMITS, last).add(raw, 0, 0, (long) ((1 + lostS) * 1e9));
+    }
+
+    @Test
+    void afterALossThePositionGoesOnFromTheOdometry() {
+        TrackedState first = firstAfterLoss(new Pose(1864, 0, 180), 3);
+
+        assertThat(first.pose().xMm()).isCloseTo(500, within(0.001));
+        assertThat(first.pose().yMm()).isCloseTo(136, within(0.001));
+        assertThat(first.pose().headingDeg()).isCloseTo(90, within(0.001));
+        assertThat(first.turnedDeg()).isCloseTo(90, within(0.001));
+    }
+
+    @ParameterizedTest(name = "{0}, {1}, {2} after {3} s")
+    @CsvSource({"0, 0, 0, 60", "3, -2, 0.5, 60", "9000, 0, 180, 3"})
+    void afterALossThePositionStaysWhereTheOdometryBeganAnewOrIsTooFarAway(
+            double x, double y, double deg, double lostS) {
+        TrackedState first = firstAfterLoss(new Pose(x, y, deg), lostS);
+
+        assertThat(first.pose().xMm()).isCloseTo(500, within(0.001));
+        assertThat(first.pose().yMm()).isCloseTo(0, within(0.001));
+        assertThat(first.pose().headingDeg()).isCloseTo(90, within(0.001));
     }
 }

@@ -193,6 +193,7 @@ class GoalCommandsTest {
             robot.client().goal.feedback(FakeRosClient.json("{'distance_remaining':0.73}"));
 
             assertThat(robot.bot().get("goalLeft")).isEqualTo(Value.of(730, Unit.MM));
+            robot.at(new Pose(990, 0, 0));
             robot.client().goal.result(4, FakeRosClient.json("{'error_code':0}"));
             robot.clock().until(drive::isDone);
             assertThat(drive.join()).startsWith("arrived");
@@ -225,6 +226,21 @@ class GoalCommandsTest {
 
             assertThat(docking.join()).isEqualTo("docked");
             assertThat(robot.client().sent).contains("goal /dock {}");
+        }
+    }
+
+    @Test
+    void aGoalWhoseArrivalTheOdometryDoesNotShowHasFailed() {
+        try (FakeRosRobot robot = ros1()) {
+            CompletableFuture<String> drive = robot.aside(() -> robot.run("goto", "1000", "200", "45"));
+            String goal = goal(robot);
+
+            robot.at(new Pose(150, 0, 0));
+            result(robot, goal, 3, "Goal reached.");
+
+            assertThatThrownBy(() -> robot.clock().join(drive))
+                    .hasMessageContaining("reports its arrival, but by its odometry the robot is 873 mm from there: "
+                            + "arrived at 150 mm, 0 mm, 0 deg");
         }
     }
 }

@@ -13,6 +13,8 @@ import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.ros.bridge.Arriving;
+import majic.ros.bridge.TopicSubscription;
 import majic.ros.readings.FakeRosClient;
 import majic.ros.readings.RosSensors;
 import majic.time.WaitPolicy;
@@ -31,6 +33,11 @@ class RosParametersTest {
             "/sonar/left", "sensor_msgs/Range",
             "/camera/image/compressed", "sensor_msgs/CompressedImage",
             "/gas", "std_msgs/Float32",
+            "/odom", "nav_msgs/Odometry");
+
+    private static final Map<String, String> LARGE_TOPICS = Map.of(
+            "/camera/image_raw", "sensor_msgs/Image",
+            "/map", "nav_msgs/OccupancyGrid",
             "/odom", "nav_msgs/Odometry");
 
     @AutoClose
@@ -285,5 +292,82 @@ class RosParametersTest {
         assertThatThrownBy(() -> robot.run("call", "slow"))
                 .isInstanceOf(MotionFailed.class)
                 .hasMessage("/slow did not answer within 10 s");
+    }
+
+    @Test
+    void aTopicWithLargeMessagesIsReadOneMessageAtATimeInTheSmallestForm() {
+        try (FakeRosRobot large = new FakeRosRobot(new FakeRosClient(false, LARGE_TOPICS))) {
+            FakeRosClient client = large.client();
+            client.messageBytes = 2_764_800;
+            for (int read = 1; read <= 2; read++) {
+                CompletableFuture<String> width = large.aside(
+                        () -> large.bot().get("topic/camera/image_raw/width").toString());
+                large.clock().until(() -> client.subscribed().contains("/camera/image_raw"));
+                client.robotPublishes("/camera/image_raw", "{'width':1280,'height':720}");
+
+                assertThat(large.clock().join(width)).isEqualTo("1280");
+                assertThat(client.subscribed()).doesNotContain("/camera/image_raw");
+                assertThat(client.wishes)
+                        .hasSize(read)
+                        .allMatch(wish -> wish.binary() && wish.queueLength() == 1 && wish.throttleMs() > 10_000);
+                pass(large, 1);
+            }
+        }
+    }
+
+    @Test
+    void aTopicWithSmallMessagesIsStreamedFromTheSecondReadOn() {
+        robot.client().messageBytes = 300;
+        get("topic/gas/data", "/gas", "{'data':2.5}");
+
+        assertThat(robot.bot().get("topic/gas/data")).hasToString("2.5");
+
+        assertThat(robot.client().wishes)
+                .filteredOn(wish -> wish.topic().equals("/gas"))
+                .extracting(TopicSubscription::throttleMs)
+                .containsExactly(60_000, 100);
+        assertThat(robot.client().subscribed()).contains("/gas");
+    }
+
+    @Test
+    void odometryIsNeverAskedForInAFormInWhichServersDoNotSendIt() {
+        get("topic/odom/pose/pose/position/x", "/odom", "{'pose':{'pose':{'position':{'x':1}}}}");
+
+        assertThat(robot.client().wishes)
+                .filteredOn(wish -> wish.topic().equals("/odom"))
+                .noneMatch(TopicSubscription::binary);
+    }
+
+    @Test
+    void aTopicThatIsLargeOrSlowIsSaidToBe() {
+        try (FakeRosRobot large = new FakeRosRobot(new FakeRosClient(false, LARGE_TOPICS))) {
+            large.client().arriving = new Arriving(1_200_000, 16_000_000, false);
+            CompletableFuture<String> map = large.aside(() -> large.run("topic", "map"));
+            assertThatThrownBy(() -> large.clock().join(map))
+                    .hasMessageContaining(
+                            "the topic /map is large or the connection slow: 1.2 of 16.0 MB have arrived");
+
+            large.client().arriving = new Arriving(0, 0, true);
+            assertThat(large.bot().get("topic/map/info/width"))
+                    .hasToString("unknown (the topic /map is large: messages of more than 16 MB are left out)");
+        }
+    }
+
+    @Test
+    void aMessageThatIsArrivingIsAwaited() {
+        try (FakeRosRobot large = new FakeRosRobot(new FakeRosClient(false, LARGE_TOPICS))) {
+            large.client().arriving = new Arriving(1_200_000, 16_000_000, false);
+            CompletableFuture<String> map = large.aside(() -> large.run("topic", "map/info/width"));
+            pass(large, 8);
+            large.client().messageBytes = 16_000_000;
+            large.client().robotPublishes("/map", "{'info':{'width':4000}}");
+
+            assertThat(large.clock().join(map)).isEqualTo("4000");
+        }
+    }
+
+    private static void pass(FakeRosRobot robot, double seconds) {
+        long from = robot.clock().time().nanos();
+        robot.clock().until(() -> robot.clock().time().secondsSince(from) >= seconds);
     }
 }

@@ -136,6 +136,11 @@ public final class FakeRosClient implements RosClient {
         }
 
         @Override
+        public double roundTripS() {
+            return 0.02;
+        }
+
+        @Override
         public Arriving arriving() {
             return arriving;
         }

@@ -15,6 +15,7 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.RobotWait;
 import majic.drivertest.TestClock;
+import majic.ros.bridge.TopicSubscription;
 import majic.ros.message.BatteryMessage;
 import majic.ros.message.BatteryMessage.Supply;
 import majic.ros.message.CompressedPicture;
@@ -341,5 +342,32 @@ class RosReadingsTest {
                 namespace);
 
         assertThat(sensors.scan().orElseThrow().name()).isEqualTo(scan);
+    }
+
+    @Test
+    void theLossOfTheConnectionForSensorsMakesTheirReadingsNone() {
+        RosReadings readings = begun();
+        robot.robotPublishes("/scan", WALL);
+        robot.robotPublishes("/battery_state", "{'percentage':0.5,'voltage':12}");
+        assertThat(readings.scan().get()).isPresent();
+
+        robot.losesSideConnections();
+
+        assertThat(readings.scan().get()).isEmpty();
+        assertThat(readings.scan().unknown()).isEqualTo(Value.unknown("no reading of late"));
+        assertThat(readings.battery().get()).isEmpty();
+    }
+
+    @Test
+    void onlyWhatEndsAMotionIsReadOnTheConnectionThatDrivesTheRobot() {
+        begun();
+
+        assertThat(robot.subscribed()).contains("/sensor_state");
+        assertThat(robot.wishes)
+                .extracting(TopicSubscription::topic)
+                .contains("/scan")
+                .doesNotContain("/sensor_state");
+        assertThat(robot.wishes)
+                .allMatch(wish -> wish.queueLength() == 1 || wish.topic().equals("/tf_static"));
     }
 }

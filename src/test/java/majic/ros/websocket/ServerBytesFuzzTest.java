@@ -30,6 +30,9 @@ class ServerBytesFuzzTest {
         if (message instanceof WebSocketMessage.Binary binary) {
             return "binary " + Arrays.toString(binary.bytes());
         }
+        if (message instanceof WebSocketMessage.Pong pong) {
+            return "pong " + Arrays.toString(pong.content());
+        }
         return message instanceof WebSocketMessage.Ping ping
                 ? "ping " + Arrays.toString(ping.content())
                 : message.toString();
