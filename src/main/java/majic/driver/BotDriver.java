@@ -102,7 +102,7 @@ public abstract class BotDriver extends MovingRobot {
 
     private void openOrExplain() {
         try {
-            open();
+            DriverCode.run(this, this::open);
         } catch (ConnectFailed | LinkLost e) {
             throw e;
         } catch (BotException e) {
@@ -131,7 +131,7 @@ public abstract class BotDriver extends MovingRobot {
             });
         } else {
             requireConnected();
-            writer.accept(fitted, gate().beside(permit));
+            DriverCode.run(this, () -> writer.accept(fitted, gate().beside(permit)));
         }
     }
 
@@ -145,7 +145,7 @@ public abstract class BotDriver extends MovingRobot {
         List<Value> fitted = Arguments.forCommand(known.command(), arguments);
         if (!known.command().moves()) {
             requireConnected();
-            return known.action().run(fitted, gate().beside(permit));
+            return DriverCode.call(this, () -> known.action().run(fitted, gate().beside(permit)));
         }
         MotionReport report = gate().perform(
                         Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));

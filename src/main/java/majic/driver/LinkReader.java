@@ -5,6 +5,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.function.Consumer;
 import majic.link.Link;
+import majic.text.ClassReason;
 import majic.time.WaitPolicy;
 
 /**
@@ -75,7 +76,7 @@ public final class LinkReader<M> {
             return RESET.equals(e.getMessage()) ? new IOException("the other end reset it", e) : e;
         } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, "could not read " + link.address(), e);
-            return new IOException("an error in MAJIC, see its log", e);
+            return new IOException(ClassReason.ofUnexpected(e), e);
         }
     }
 

@@ -118,7 +118,7 @@ final class MotionGate {
             endDrive();
             return watching(until, () -> {
                 motion.check();
-                Value amount = maneuver.run(motion);
+                Value amount = DriverCode.<@Nullable Value>call(bot, () -> maneuver.run(motion));
                 return new MotionReport(amount, motion.seconds());
             });
         } catch (LinkLost e) {
@@ -260,7 +260,7 @@ final class MotionGate {
         locked(() -> {
             permit.check();
             bot.requireConnected();
-            write.run();
+            DriverCode.run(bot, write);
         });
     }
 

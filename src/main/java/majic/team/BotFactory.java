@@ -14,6 +14,7 @@ import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
 import java.util.TreeSet;
 import java.util.WeakHashMap;
+import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.bot.BotAddress;
@@ -232,10 +233,16 @@ public final class BotFactory {
     }
 
     private MajicBot driver(BotAddress address, TimeSource time) {
-        try {
+        return loading(address, () -> {
             BotType type = type(address.type());
             address.libraryAmong(type.libraries());
             return type.create(address, new BotEnvironment(time, settings));
+        });
+    }
+
+    private static <T> T loading(BotAddress address, Supplier<T> code) {
+        try {
+            return code.get();
         } catch (LinkageError e) {
             throw new BotException(address + ": the driver cannot be loaded: " + ClassReason.of(e), e);
         }
@@ -250,7 +257,9 @@ public final class BotFactory {
      */
     public Map<String, String> robotsAt(String text) {
         BotAddress address = BotAddress.parse(text);
-        return type(address.type()).robotsAt(address, new BotEnvironment(TimeSource.system(), settings));
+        return loading(
+                address,
+                () -> type(address.type()).robotsAt(address, new BotEnvironment(TimeSource.system(), settings)));
     }
 
     /**

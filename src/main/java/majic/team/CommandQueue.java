@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
+import majic.text.ClassReason;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -181,7 +182,7 @@ final class CommandQueue {
             return Ending.of(Answer.Outcome.FAILED, command, "failed: " + e.getMessage());
         } catch (RuntimeException | Error e) {
             LOG.log(Level.ERROR, "a command to robot " + robot + " failed", e);
-            return Ending.of(Answer.Outcome.FAILED, command, "failed: an error in MAJIC, see its log");
+            return Ending.of(Answer.Outcome.FAILED, command, "failed: " + ClassReason.ofUnexpected(e));
         }
     }
 

@@ -15,6 +15,18 @@ public final class ClassReason {
     private ClassReason() {}
 
     /**
+     * Words an error that no code expects. Its cause may be a plug-in that lacks a library.
+     *
+     * @param problem what was thrown; the caller writes it to the log of MAJIC
+     * @return half a sentence
+     */
+    public static String ofUnexpected(Throwable problem) {
+        return problem instanceof LinkageError linkage
+                ? "code cannot be loaded: " + of(linkage)
+                : "an error in MAJIC, see its log";
+    }
+
+    /**
      * States why a class cannot be used.
      *
      * @param problem what the runtime threw

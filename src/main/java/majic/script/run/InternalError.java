@@ -2,6 +2,7 @@ package majic.script.run;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import majic.text.ClassReason;
 
 /** Reports an unexpected error: the log gets its stack trace, the answer a sentence. */
 public final class InternalError {
@@ -12,6 +13,6 @@ public final class InternalError {
     /** Logs it, and returns the words for the answer. */
     public static String report(String doing, Throwable why) {
         LOG.log(Level.ERROR, doing + " failed", why);
-        return "an error in MAJIC, see its log";
+        return ClassReason.ofUnexpected(why);
     }
 }
