@@ -192,6 +192,11 @@ public final class MajicAibo extends BotDriver {
     }
 
     @Override
+    protected double longestAgeS() {
+        return LONGEST_AGE_S;
+    }
+
+    @Override
     public Map<String, String> displayState() {
         return dog.texts();
     }

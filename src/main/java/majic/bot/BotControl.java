@@ -64,12 +64,24 @@ public interface BotControl {
     void stop();
 
     /**
-     * Reads a parameter, waiting for the robot's answer if it does not report it.
+     * Reads a parameter, waiting for the robot's answer if it does not report it. An old reading is never returned as
+     * the present value: by the rule of {@link Reading}, it is unknown.
      *
      * @param parameter its name, whatever the case
-     * @return its value; may be {@link Value.Unknown} if there is no reading now
+     * @return its value; {@link Value.Unknown} with the reason if there is no current reading, for instance because the
+     *     connection is lost
      */
-    Value get(String parameter);
+    default Value get(String parameter) {
+        return reading(parameter).value();
+    }
+
+    /**
+     * Reads a parameter as {@link #get} does, and returns its age, and the last value if it is not current.
+     *
+     * @param parameter its name, whatever the case
+     * @return the last value, and whether it is current
+     */
+    Reading reading(String parameter);
 
     /**
      * Sets a parameter and returns when the robot has it, and when a motion that this is has ended.

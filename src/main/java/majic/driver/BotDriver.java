@@ -18,6 +18,7 @@ import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.Parameter;
 import majic.bot.Pose;
+import majic.bot.Reading;
 import majic.bot.Value;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -29,10 +30,14 @@ import org.jspecify.annotations.Nullable;
  * renewed, calls listeners and defines the shared parameters.
  */
 public abstract class BotDriver extends MovingRobot {
+    /** The usual {@link #longestAgeS} of a robot that reports several times a second, seconds. */
+    protected static final double LONGEST_AGE_S = 1.5;
+
     private volatile BotType type;
     private final Settings settings;
     private final ParameterTable parameters = new ParameterTable();
     private final CommandTable commands = new CommandTable();
+    private final ReadingRule rule = new ReadingRule(this, waiting(), this::longestAgeS);
     private final Listeners listeners;
     private final ConnectionLife life;
     private final ShutdownHook.Closing atShutdown;
@@ -112,7 +117,12 @@ public abstract class BotDriver extends MovingRobot {
 
     @Override
     public final Value get(String parameter) {
-        return entry(parameter).reader().get();
+        return reading(parameter).value();
+    }
+
+    @Override
+    public final Reading reading(String parameter) {
+        return rule.read(entry(parameter));
     }
 
     @Override
@@ -349,6 +359,16 @@ public abstract class BotDriver extends MovingRobot {
     protected final void publish(BotState newState) {
         readings().report(newState);
         listeners.stateChanged();
+    }
+
+    /**
+     * Returns how old a reading may be while the robot is connected, by the rule of {@link Reading}. A parameter whose
+     * own time the table does not have ({@link ParameterTable.Entry#measured}) is as old as the newest state.
+     *
+     * @return seconds; without limit unless overridden, so that readings are current until the connection is lost
+     */
+    protected double longestAgeS() {
+        return Double.POSITIVE_INFINITY;
     }
 
     /**

@@ -84,6 +84,7 @@ final class MotionLimits {
                                         profile.slowestMmPerSec(),
                                         profile.speed().max()),
                         () -> Value.of(cruiseMmPerSec, Unit.MM_PER_S))
+                .kept()
                 .writes(values -> setCruise(values.get(0).number()));
         table.add(
                         Parameter.number("cruiseTurn", Unit.DEG_PER_S, "how fast turn goes")
@@ -91,16 +92,19 @@ final class MotionLimits {
                                         profile.slowestTurnDegPerSec(),
                                         profile.turn().max()),
                         () -> Value.of(cruiseTurnDegPerSec, Unit.DEG_PER_S))
+                .kept()
                 .writes(values -> setCruiseTurn(values.get(0).number()));
         table.add(
                         Parameter.number("maxMove", Unit.MM, "the longest single move that is accepted")
                                 .within(1, 1_000_000),
                         () -> Value.of(maxMoveMm, Unit.MM))
+                .kept()
                 .writes(values -> maxMove(values.get(0).number()));
         table.add(
                         Parameter.number("near", Unit.MM, "the distance below which something counts as near")
                                 .within(0, 10_000),
                         () -> Value.of(nearMm(), Unit.MM))
+                .kept()
                 .writes(values -> nearSet = values.get(0).number());
     }
 

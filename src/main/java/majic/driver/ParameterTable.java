@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.LongSupplier;
 import java.util.function.Supplier;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
@@ -56,6 +57,8 @@ public final class ParameterTable {
         private volatile Parameter parameter;
         private final @Nullable Supplier<Value> reader;
         private volatile @Nullable BiConsumer<List<Value>, Motion> writer;
+        private volatile @Nullable LongSupplier measuredAt;
+        private volatile boolean kept;
 
         private Entry(Parameter parameter, @Nullable Supplier<Value> reader) {
             this.parameter = parameter.access(reader != null, false, false);
@@ -84,6 +87,40 @@ public final class ParameterTable {
             writer = newWriter;
             parameter = parameter.access(parameter.readable(), true, true);
             return this;
+        }
+
+        /**
+         * Declares that the value is kept by MAJIC, as limits and calibration are: it is no reading, and stays current
+         * without a connection.
+         *
+         * @return this entry
+         */
+        public Entry kept() {
+            kept = true;
+            return this;
+        }
+
+        /**
+         * Gives the time at which the newest value was measured, from which its age follows; otherwise it is as old as
+         * the newest state. While the robot is connected, a value older than {@link BotDriver#longestAgeS} is not
+         * current.
+         *
+         * @param nanos returns a time on the clock of the driver; 0 if nothing was measured yet
+         * @return this entry
+         */
+        public Entry measured(LongSupplier nanos) {
+            measuredAt = nanos;
+            return this;
+        }
+
+        boolean isKept() {
+            return kept;
+        }
+
+        /** Returns when it was measured; null if it is as old as the newest state. */
+        @Nullable
+        LongSupplier measuredAt() {
+            return measuredAt;
         }
 
         Parameter parameter() {

@@ -7,6 +7,7 @@ import majic.bot.Guard;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.bot.Parameter;
+import majic.bot.Reading;
 import majic.bot.Value;
 
 /**
@@ -98,8 +99,8 @@ public final class PermittedControl implements BotControl {
     }
 
     @Override
-    public Value get(String parameter) {
-        return permitted().get(parameter);
+    public Reading reading(String parameter) {
+        return permitted().reading(parameter);
     }
 
     @Override

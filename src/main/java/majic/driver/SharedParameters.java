@@ -46,9 +46,11 @@ final class SharedParameters {
                 Parameter.yesNo("moving", "whether it moves"),
                 () -> Value.yesNo(bot.state().moving()));
         table.add(
-                Parameter.number("body", Unit.MM, "radius of a circle it fits in"),
-                () -> Value.of(bot.profile().bodyMm(), Unit.MM));
-        table.add(Parameter.number("age", Unit.MS, "time since its last report"), () -> age(bot));
+                        Parameter.number("body", Unit.MM, "radius of a circle it fits in"),
+                        () -> Value.of(bot.profile().bodyMm(), Unit.MM))
+                .kept();
+        table.add(Parameter.number("age", Unit.MS, "time since its last report"), () -> age(bot))
+                .kept();
     }
 
     private static void describePlace(ParameterTable table, Source bot) {

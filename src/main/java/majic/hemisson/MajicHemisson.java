@@ -189,6 +189,11 @@ public final class MajicHemisson extends BotDriver {
     }
 
     @Override
+    protected double longestAgeS() {
+        return LONGEST_AGE_S;
+    }
+
+    @Override
     public Map<String, String> displayState() {
         return HemissonReplay.texts(scenes.now());
     }

@@ -13,6 +13,8 @@ import javax.swing.JPanel;
 import javax.swing.SwingConstants;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.bot.Reading;
+import majic.time.WaitPolicy;
 
 /**
  * Shows a robot's readings by name, in as many columns as fit, the most useful first; rows that do not fit are left
@@ -51,9 +53,9 @@ public final class ReadingsPanel<S> extends JPanel {
     }
 
     /**
-     * Creates a panel that shows parameters of a robot. One that is unknown, or that this robot does not have, shows
-     * {@link #NONE}. The parameters are read on the event thread, so they must not be ones that block for the robot's
-     * answer.
+     * Creates a panel that shows parameters of a robot; without a connection it shows the last values, which
+     * {@link #show} greys then. One that is unknown, or that this robot does not have, shows {@link #NONE}. They are
+     * read on the event thread, which waits for nothing.
      *
      * @param longestValue a text as wide as the widest value
      * @param parameters their names in the order of the rows
@@ -65,11 +67,16 @@ public final class ReadingsPanel<S> extends JPanel {
     }
 
     private static String text(MajicBot bot, String name) {
-        try {
-            return ReadingText.of(bot.get(name));
-        } catch (BotException e) {
-            return NONE;
-        }
+        String[] text = {NONE};
+        WaitPolicy.without(() -> {
+            try {
+                Reading reading = bot.reading(name);
+                text[0] = ReadingText.of(bot.isConnected() ? reading.value() : reading.last());
+            } catch (BotException e) {
+                text[0] = NONE;
+            }
+        });
+        return text[0];
     }
 
     /**

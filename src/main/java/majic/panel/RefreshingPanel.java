@@ -5,7 +5,9 @@ import javax.swing.JPanel;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
+import majic.bot.Reading;
 import majic.text.Texts;
+import majic.time.WaitPolicy;
 
 /**
  * A panel that shows one robot. An event of the robot only sets a flag, on whatever thread it arrives; the event
@@ -67,6 +69,17 @@ public abstract class RefreshingPanel extends JPanel {
      * @param seen whether the panel has become visible; false when it is hidden
      */
     protected void visibilityChanged(boolean seen) {}
+
+    /**
+     * Returns whether the robot's reports may be shown as present values, by the rule of {@link Reading}; waits for
+     * nothing.
+     *
+     * @return false without a connection, and while the robot is silent for too long
+     */
+    protected final boolean isCurrent() {
+        return WaitPolicy.without(
+                () -> bot.isConnected() && bot.reading("speed").isCurrent());
+    }
 
     /**
      * Returns how old the shown values are while there is no connection, for a banner: they look like current ones

@@ -239,6 +239,11 @@ public final class MajicPioneer extends BotDriver {
     }
 
     @Override
+    protected double longestAgeS() {
+        return LONGEST_AGE_S;
+    }
+
+    @Override
     public Map<String, String> displayState() {
         return scene().map(PioneerReplay::texts).orElse(Map.of());
     }

@@ -109,7 +109,8 @@ public final class MajicShared extends BotDriver {
     }
 
     private void describe() {
-        table().add(Parameter.text("desk", "which desk shares it"), () -> Value.text(address.desk()));
+        table().add(Parameter.text("desk", "which desk shares it"), () -> Value.text(address.desk()))
+                .kept();
         table().add(Parameter.text("holder", "who may move it now"), () -> Value.text(holder().toString()));
         table().add(Parameter.number("delay", Unit.MS, "from a request to the answer of its desk"), delay::delay);
         add(new DriverCommand(

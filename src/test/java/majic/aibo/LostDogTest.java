@@ -8,6 +8,7 @@ import java.util.concurrent.CompletableFuture;
 import majic.aibo.session.AiboSession;
 import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
+import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -82,7 +83,8 @@ class LostDogTest {
         driven.until(() -> !aibo.isConnected());
 
         assertThatThrownBy(aibo::halt).isInstanceOf(LinkLost.class).hasMessage("connection lost: the dog closed it");
-        assertThatThrownBy(() -> aibo.get("ledF1")).hasMessage("connection lost: the dog closed it");
+        assertThatThrownBy(() -> aibo.set("ledF1", 1)).hasMessage("connection lost: the dog closed it");
+        assertThat(aibo.get("ledF1")).isEqualTo(Value.unknown("connection lost"));
     }
 
     @Test

@@ -10,12 +10,31 @@ import majic.bot.MajicBot;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.time.TimeSource;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
 class ReadingsPanelTest {
+    @AutoClose
     private final FakeBot bot = FakeBot.on(TimeSource.system());
+
     private final ReadingsPanel<MajicBot> panel =
             ReadingsPanel.ofParameters("88888 mm", List.of("voltage", "bumped", "wings"));
+
+    @BeforeEach
+    void connect() {
+        bot.connect();
+    }
+
+    @Test
+    void showsTheLastValuesOfARobotThatIsNotConnected() {
+        bot.cut();
+
+        panel.show(bot, bot.isConnected());
+
+        assertThat(value("voltage").getText()).isEqualTo("12.6 V");
+        assertThat(value("voltage").isEnabled()).isFalse();
+    }
 
     @Test
     void showsParametersByName() {

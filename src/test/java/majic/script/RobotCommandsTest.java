@@ -112,6 +112,48 @@ class RobotCommandsTest {
     }
 
     @Test
+    void getShowsAnOldReadingOnlyWithItsAge() throws InterruptedException {
+        fixture.pause(1);
+        fixture.bot(1).tell("voltage", Value.of(12.3, Unit.V));
+        fixture.bot(1).reportSpeed(0);
+        fixture.bot(1).cut();
+        fixture.pause(3);
+
+        assertThat(fixture.runPipe("1 get voltage,maxMove"))
+                .anyMatch(line -> line.matches(
+                        "1 voltage = unknown \\(connection lost; 12.3 V at the last report, \\d[\\d.]* s ago\\)"));
+        assertThat(fixture.answers()).contains("1 maxMove = 5000 mm");
+    }
+
+    @Test
+    void getNowFailsWithoutANewReading() throws InterruptedException {
+        fixture.pause(1);
+        fixture.bot(1).reportSpeed(0);
+        fixture.bot(1).cut();
+        fixture.pause(3);
+
+        assertThat(fixture.runPipe("1 get now x,distanceFront,moving"))
+                .last()
+                .asString()
+                .matches("1 get now x,distanceFront,moving: failed: connection lost; at the last report,"
+                        + " \\d[\\d.]* s ago: x = 0 mm, distanceFront = clear, moving = no");
+        assertThat(fixture.pipe.allSucceeded()).isFalse();
+    }
+
+    @Test
+    void aConditionUsesNoOldReading() throws InterruptedException {
+        fixture.bot(2).cut();
+
+        assertThat(fixture.runPipe("if 2 x > 100", "1 move 30", "end"))
+                .last()
+                .asString()
+                .endsWith("2 x is unknown (connection lost)");
+        assertThat(fixture.runPipe("if 2 maxMove > 100", "1 move 30", "end"))
+                .last()
+                .isEqualTo("1 move 30: done (30 mm, 0.1 s)");
+    }
+
+    @Test
     void aTypesOwnCommandRunsAndAnswers() throws InterruptedException {
         assertThat(fixture.runPipe("1 wag 3", "1 bark gladly 100ms 0.3s 200"))
                 .containsExactly(

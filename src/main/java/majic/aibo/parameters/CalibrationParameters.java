@@ -35,6 +35,7 @@ public final class CalibrationParameters {
                                             "ms for one " + unit + " " + gait.key() + "; calibrate measures it")
                                     .within(range.min(), range.max()),
                             () -> Value.of(calibration.msPerUnit(gait), Unit.NONE))
+                    .kept()
                     .writes(values -> learner.learn(gait, values.get(0).number()));
         }
     }

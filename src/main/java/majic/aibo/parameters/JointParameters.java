@@ -46,6 +46,7 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
                         Parameter.number("jointSpeed", Unit.DEG_PER_S, "how fast joints turn that are given no time")
                                 .within(1, FASTEST_DEG_PER_S),
                         () -> Value.of(degPerSec, Unit.DEG_PER_S))
+                .kept()
                 .writes(values -> degPerSec = values.get(0).number());
     }
 

@@ -27,6 +27,7 @@ final class SoundParameters implements ParameterTheme<UrbiVersion> {
                         Parameter.number("volume", Unit.PERCENT, "how loud play is with files of this computer")
                                 .within(0, Volume.FULL_PERCENT),
                         () -> Value.of(volume.percent(), Unit.PERCENT))
+                .kept()
                 .writes(values -> volume.set(values.get(0).number()));
         table.add(
                 Parameter.yesNo("playing", "whether the dog plays a sound"),

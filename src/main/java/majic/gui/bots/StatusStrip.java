@@ -107,6 +107,7 @@ final class StatusStrip extends JPanel {
         condition.setIcon(StateIcon.of(member.bot()));
         condition.setText(BotStatus.condition(member) + (owner.isEmpty() ? "" : ", " + owner));
         pose.setText(BotStatus.pose(member));
+        pose.setEnabled(member.bot().isConnected());
         reconnect.setVisible(member.bot().connection() == MajicBot.Connection.LOST);
     }
 

@@ -33,13 +33,16 @@ final class ReplayBot extends BotDriver {
         super(type, profile(tracks.robot()), BotEnvironment.plain());
         this.tracks = tracks;
         for (Parameter parameter : tracks.parameters()) {
-            table().add(parameter, () -> tracks.value(parameter, seconds)).writes(values -> {
-                throw refusal();
-            });
+            table().add(parameter, () -> tracks.value(parameter, seconds))
+                    .kept()
+                    .writes(values -> {
+                        throw refusal();
+                    });
         }
         table().add(
                         Parameter.number("age", Unit.MS, TEXTS.get("age")),
-                        () -> Value.of(Math.round(ageS() * 1000), Unit.MS));
+                        () -> Value.of(Math.round(ageS() * 1000), Unit.MS))
+                .kept();
     }
 
     private static BotProfile profile(RecordedRobot robot) {

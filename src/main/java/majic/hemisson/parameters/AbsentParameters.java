@@ -21,6 +21,6 @@ final class AbsentParameters implements ParameterTheme<Modules> {
     }
 
     private static void add(ParameterTable table, Parameter parameter, String reason) {
-        table.add(parameter, () -> Value.unknown(reason));
+        table.add(parameter, () -> Value.unknown(reason)).kept();
     }
 }

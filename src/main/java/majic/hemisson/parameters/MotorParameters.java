@@ -41,6 +41,7 @@ final class MotorParameters implements ParameterTheme<Modules> {
                                         SpeedCalibration.WHEEL_DISTANCE_MM.min(),
                                         SpeedCalibration.WHEEL_DISTANCE_MM.max()),
                         () -> Value.of(speeds().wheelDistanceMm(), Unit.MM))
+                .kept()
                 .writes(values -> calibration.learn(
                         speeds().withWheelDistance(values.get(0).number())));
         table.add(
@@ -50,6 +51,7 @@ final class MotorParameters implements ParameterTheme<Modules> {
                                         "by how much the right wheel runs faster than the left; kept for this robot")
                                 .within(SpeedCalibration.TRIM_PERCENT.min(), SpeedCalibration.TRIM_PERCENT.max()),
                         () -> Value.of(speeds().trimPercent(), Unit.PERCENT))
+                .kept()
                 .writes(values ->
                         calibration.learn(speeds().withTrim(values.get(0).number())));
     }
@@ -76,6 +78,7 @@ final class MotorParameters implements ParameterTheme<Modules> {
                         () -> Value.many(speeds().speedsMmPerSec().stream()
                                 .map(speed -> Value.of(speed, Unit.MM_PER_S))
                                 .toList()))
+                .kept()
                 .writes(this::takeSpeeds);
     }
 

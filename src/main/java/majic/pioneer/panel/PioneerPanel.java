@@ -104,7 +104,7 @@ public final class PioneerPanel extends RefreshingPanel {
         drawing.show(scene);
         map.repaint();
         PioneerState state = scene.state();
-        gauges.setCurrent(scene.isConnected());
+        gauges.setCurrent(scene.isConnected() && isCurrent());
         gauges.showMotion(state.speedMmPerSec(), scene.speedLimits(), state.turnRateDegPerSec(), scene.turnLimits());
         Power power = state.power();
         gauges.showBattery(

@@ -72,6 +72,7 @@ public final class RampParameters implements ParameterTheme<Equipment> {
 
     private void add(ParameterTable table, Parameter parameter, Part part, Changed changed) {
         table.add(parameter, access.session(open -> Value.of(part.of(open.ramps()), parameter.unit())))
+                .kept()
                 .writes(values -> change.accept(ramps ->
                         changed.by(ramps, (int) Math.round(values.get(0).number()))));
     }

@@ -52,6 +52,7 @@ final class RosRangingParameters implements ParameterTheme<RosSensors> {
                                 Arrays.stream(NoEcho.values()).map(NoEcho::word).toList(),
                                 "what beams without an echo mean; auto: clear if the scanner sees all that is near"),
                         () -> Value.text(noEcho.word()))
+                .kept()
                 .writes(values ->
                         noEcho = NoEcho.valueOf(values.get(0).toString().toUpperCase(Locale.ROOT)));
         if (sensors.scan().isPresent()) {

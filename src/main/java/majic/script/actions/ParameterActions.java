@@ -2,11 +2,19 @@ package majic.script.actions;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.LinkedHashMap;
 import java.util.function.Function;
+import java.util.Map;
+import java.util.Optional;
 import majic.bot.BotCommand;
+import java.util.function.IntFunction;
+import java.util.stream.Collectors;
 import majic.bot.MajicBot;
+import majic.bot.BotException;
 import majic.bot.Parameter;
 import majic.bot.Value;
+import majic.bot.ParameterException;
+import majic.bot.Reading;
 import majic.log.Sampling;
 import majic.script.help.Help;
 import majic.script.run.CommandTrait;
@@ -50,12 +58,36 @@ final class ParameterActions {
 
         private QueuedCommand command(Member member) {
             List<String> names = names(get.parameters(), member.bot());
-            return new QueuedCommand(
-                    text(),
-                    false,
-                    robot -> names.stream()
-                            .map(name -> name + " = " + robot.get(name))
-                            .toList());
+            return new QueuedCommand(text(), false, robot -> {
+                Map<String, Reading> read = new LinkedHashMap<>();
+                names.forEach(name -> read.put(name, robot.reading(name)));
+                if (get.now()) {
+                    refuseOld(read);
+                }
+                return read.entrySet().stream()
+                        .map(each -> each.getKey() + " = " + each.getValue())
+                        .toList();
+            });
+        }
+
+        /** An answer to {@code get now} consists of present values only. */
+        private static void refuseOld(Map<String, Reading> read) {
+            List<Reading> old = read.values().stream()
+                    .filter(reading -> !reading.isCurrent())
+                    .toList();
+            if (old.isEmpty()) {
+                return;
+            }
+            String reason = old.get(0).outdated();
+            String last = read.entrySet().stream()
+                    .filter(each ->
+                            !each.getValue().isCurrent() && each.getValue().hasLast())
+                    .map(each -> each.getKey() + " = " + each.getValue().last())
+                    .collect(Collectors.joining(", "));
+            throw new BotException(
+                    last.isEmpty()
+                            ? reason
+                            : reason + "; at the last report, " + old.get(0).age() + " ago: " + last);
         }
 
         /** A typed reading was taken at once. */

@@ -70,7 +70,7 @@ public record TeamScript(Team team, BotFactory factory, RobotConnector connector
     private static String calibration(Member member) {
         MajicBot bot = member.bot();
         return bot.calibration().stream()
-                .flatMap(name -> written(bot.get(name)).map(value -> set(member, name, value)).stream())
+                .flatMap(name -> written(bot.reading(name).last()).map(value -> set(member, name, value)).stream())
                 .collect(Collectors.joining());
     }
 

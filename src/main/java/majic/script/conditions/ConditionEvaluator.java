@@ -55,12 +55,8 @@ public final class ConditionEvaluator implements Condition.Visitor<Truth> {
         return all;
     }
 
-    /** The last readings of a robot that is not connected are out of date, so they count as unknown. */
     private Truth ask(Condition.Comparison comparison, Member member) {
         String robot = member == own ? "" : member.number() + " ";
-        if (!member.bot().isConnected()) {
-            return Truth.unknown(robot + comparison.parameter().text() + " is unknown (connection lost)");
-        }
         try {
             Truth truth = Comparisons.of(comparison, member.bot());
             return truth.undecided() == null ? truth : Truth.unknown(robot + truth.undecided());

@@ -34,6 +34,20 @@ final class VehicleJson {
         json.put("driving", state.moving()).put("paused", latched).put("operatingMode", "MANUAL");
         json.putArray("nodeStates");
         json.putArray("edgeStates");
+        WaitPolicy.observing(() -> {
+            if (bot.reading("pose").isCurrent()) {
+                movement(json, bot, map);
+            }
+            battery(json, bot);
+            json.putObject("safetyState")
+                    .put("eStop", latched ? "REMOTE" : "NONE")
+                    .put("fieldViolation", isBumped(bot));
+        });
+    }
+
+    /** Both are optional, and left out while there is no present reading. */
+    private static void movement(ObjectNode json, MajicBot bot, String map) {
+        BotState state = bot.state();
         json.putObject("agvPosition")
                 .put("x", metres(state.pose().xMm()))
                 .put("y", metres(state.pose().yMm()))
@@ -44,8 +58,6 @@ final class VehicleJson {
                 .put("vx", metres(state.speedMmPerSec()))
                 .put("vy", 0)
                 .put("omega", Math.toRadians(state.turnRateDegPerSec()));
-        WaitPolicy.observing(() -> battery(json, bot));
-        json.putObject("safetyState").put("eStop", latched ? "REMOTE" : "NONE").put("fieldViolation", isBumped(bot));
     }
 
     private static double metres(double mm) {
