@@ -5,6 +5,8 @@ import java.math.RoundingMode;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -38,6 +40,8 @@ public record Parameter(
 
     /** The largest fraction that converting seconds to milliseconds may produce by rounding. */
     private static final double CONVERSION_ERROR = 1e-6;
+
+    private static final Pattern DECIMAL_COMMA = Pattern.compile("(-?\\d+),(\\d+\\D*)");
 
     /** The values that a parameter takes. */
     public enum Kind {
@@ -235,13 +239,20 @@ public record Parameter(
 
     private Value fitNumber(Value given) {
         if (!(given instanceof Value.Number number)) {
-            throw wrong(given, "not a number" + inUnit());
+            throw wrong(given, notANumber(given.toString()));
         }
         double amount = convert(number);
         if (!range.contains(amount)) {
             throw wrong(shown(number, amount), "outside " + range + symbol());
         }
         return Value.of(whole ? toWhole(given, amount) : amount, unit);
+    }
+
+    private String notANumber(String given) {
+        Matcher decimalComma = DECIMAL_COMMA.matcher(given);
+        return decimalComma.matches()
+                ? "a number has a decimal point; write " + decimalComma.replaceFirst("$1.$2")
+                : "not a number" + inUnit();
     }
 
     /** In the unit of the range, so that both can be compared; a number without unit stays as it was given. */

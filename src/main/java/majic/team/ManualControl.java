@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
+import majic.bot.Unit;
 import majic.driver.Permit;
 import majic.driver.PermittedControl;
 import majic.time.Signal;
@@ -82,8 +83,14 @@ public final class ManualControl implements AutoCloseable {
     public boolean set(String parameter, double number) {
         return put(parameter, robot -> {
             robot.set(parameter, number);
-            log.set(parameter, number);
+            log.set(parameter, number, isInMs(robot, parameter));
         });
+    }
+
+    /** Whether a script has to write the unit behind the number. */
+    private static boolean isInMs(BotControl robot, String parameter) {
+        return robot.parameters().stream()
+                .anyMatch(known -> known.name().equalsIgnoreCase(parameter) && known.unit() == Unit.MS);
     }
 
     private boolean put(String what, Consumer<BotControl> setter) {

@@ -51,10 +51,10 @@ final class ManualLog {
     }
 
     /** Adds a parameter that was just set, in its own unit. */
-    void set(String parameter, double number) {
+    void set(String parameter, double number, boolean isInMs) {
         long now = time.nanos();
         endDrive(now);
-        commands.add(new ManualCommand(now, "set " + parameter + " " + decimal(number)));
+        commands.add(new ManualCommand(now, "set " + parameter + " " + decimal(number) + (isInMs ? "ms" : "")));
     }
 
     /** Ends the drive under way, if there is one, and returns everything so far, oldest first. */

@@ -155,9 +155,10 @@ class RobotCommandsTest {
 
     @Test
     void aTypesOwnCommandRunsAndAnswers() throws InterruptedException {
-        assertThat(fixture.runPipe("1 wag 3", "1 bark gladly 100ms 0.3s 200"))
+        assertThat(fixture.runPipe("1 wag 3", "1 bark gladly 100ms 0.3s 200ms 0"))
                 .containsExactly(
-                        "1 wag 3: wagged 3", "1 bark gladly 100ms 0.3s 200: barked [gladly, 100 ms, 300 ms, 200 ms]");
+                        "1 wag 3: wagged 3",
+                        "1 bark gladly 100ms 0.3s 200ms 0: barked [gladly, 100 ms, 300 ms, 200 ms, 0 ms]");
     }
 
     @Test

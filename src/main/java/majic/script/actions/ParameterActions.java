@@ -1,5 +1,6 @@
 package majic.script.actions;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.LinkedHashMap;
@@ -27,6 +28,7 @@ import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
 import majic.team.Member;
 import majic.team.QueuedCommand;
+import org.jspecify.annotations.Nullable;
 
 /** The commands for a robot's parameters, for their log, and those that only some types of robot have. */
 final class ParameterActions {
@@ -118,6 +120,10 @@ final class ParameterActions {
             if (!check.parameter(parameter).writable()) {
                 throw new ScriptException(parameter, parameter.text() + ": can be read but not set");
             }
+            Parameter known = check.parameter(parameter);
+            List<Parameter> wanted = new ArrayList<>(known.extras());
+            wanted.add(0, known);
+            checkTimes(literals, index -> index < wanted.size() ? wanted.get(index) : null);
             literals.get(0).at().check(() -> check.bot().checkSet(parameter.text(), values(literals)));
         }
 
@@ -227,9 +233,7 @@ final class ParameterActions {
         }
 
         private QueuedCommand command(Member member) {
-            boolean moves = member.bot().commands().stream()
-                    .filter(command -> command.name().equalsIgnoreCase(word.text()))
-                    .anyMatch(BotCommand::moves);
+            boolean moves = described(member.bot()).filter(BotCommand::moves).isPresent();
             return new QueuedCommand(text(), moves, robot -> answers(robot.run(word.text(), values(arguments))));
         }
 
@@ -250,5 +254,22 @@ final class ParameterActions {
         return parameters.stream()
                 .map(name -> name.resolve(() -> bot.parameter(name.text()).name()))
                 .toList();
+            described(check.bot()).ifPresent(command -> checkTimes(arguments, command::argument));
     }
 }
+        private Optional<BotCommand> described(MajicBot bot) {
+            return bot.commands().stream()
+                    .filter(command -> command.name().equalsIgnoreCase(word.text()))
+                    .findFirst();
+        }
+
+    /** Checks that every time has its unit where bare numbers would be milliseconds. */
+    private static void checkTimes(List<Literal> literals, IntFunction<@Nullable Parameter> wanted) {
+        for (int index = 0; index < literals.size(); index++) {
+            Parameter parameter = wanted.apply(index);
+            if (parameter != null) {
+                literals.get(index).valueFor(parameter);
+            }
+        }
+    }
+

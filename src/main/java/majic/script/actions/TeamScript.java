@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import majic.bot.BotAddress;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
+import majic.bot.Unit;
 import majic.bot.Value;
 import majic.script.record.SessionRecord;
 import majic.team.BotFactory;
@@ -118,6 +119,8 @@ public record TeamScript(Team team, BotFactory factory, RobotConnector connector
                     many.values().stream().map(part -> plain(part.number())).collect(Collectors.joining(" ")));
         }
         return Optional.of(
-                value instanceof Value.Number number ? plain(number.amount()) : SessionRecord.quoted(value.toString()));
+                value instanceof Value.Number number
+                        ? plain(number.amount()) + (number.unit() == Unit.MS ? Unit.MS.symbol() : "")
+                        : SessionRecord.quoted(value.toString()));
     }
 }

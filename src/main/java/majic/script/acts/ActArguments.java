@@ -45,6 +45,7 @@ public final class ActArguments {
 
     /** A text keeps the characters as they were written, even if they look like a number. */
     private static Value fit(Parameter parameter, Literal given) {
-        return parameter.fit(parameter.kind() == Parameter.Kind.TEXT ? Value.text(given.unquoted()) : given.value());
+        return parameter.fit(
+                parameter.kind() == Parameter.Kind.TEXT ? Value.text(given.unquoted()) : given.valueFor(parameter));
     }
 }

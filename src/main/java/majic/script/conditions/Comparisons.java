@@ -120,7 +120,7 @@ public final class Comparisons {
             return Value.CLEAR;
         }
         try {
-            return unbounded(left).fit(literal.value());
+            return unbounded(left).fit(literal.valueFor(left));
         } catch (BotException e) {
             throw new ScriptException(literal.at(), String.valueOf(e.getMessage()));
         }

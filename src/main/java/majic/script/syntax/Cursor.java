@@ -171,9 +171,34 @@ public final class Cursor {
         if (check(Kind.OPEN_QUOTE)) {
             throw unexpected("nothing");
         }
+        refuseDecimalComma();
         if (!peek().isEnd()) {
             throw new ScriptException(
                     peek(), peek().written() + ": nothing more is expected behind \"" + lineSoFar() + "\"");
+        }
+    }
+
+    /**
+     * Where something else is expected, a comma between two numbers that touch it is meant as a decimal point. A call
+     * has taken it for a separator.
+     */
+    void refuseDecimalComma() {
+        refuseDecimalComma(next);
+        if (next > 2 && tokens.get(next - 3).kind() == Kind.LEFT) {
+            refuseDecimalComma(next - 1);
+        }
+    }
+
+    private void refuseDecimalComma(int comma) {
+        Token before = tokens.get(Math.max(0, comma - 1));
+        Token sign = tokens.get(comma);
+        Token behind = tokens.get(Math.min(comma + 1, tokens.size() - 1));
+        boolean together = sign.kind() == Kind.COMMA && before.touches(sign) && sign.touches(behind);
+        if (together && before.text().matches("-?\\d+") && behind.text().matches("\\d+\\D*")) {
+            throw new ScriptException(
+                    before,
+                    before.text() + "," + behind.text() + ": a number has a decimal point; write " + before.text() + "."
+                            + behind.text());
         }
     }
 
@@ -198,6 +223,7 @@ public final class Cursor {
     }
 
     ScriptException unexpected(String expected) {
+        refuseDecimalComma();
         Token found = peek();
         if (found.kind() == Kind.OPEN_QUOTE) {
             return new ScriptException(found, found.text() + ": the quote is not closed");

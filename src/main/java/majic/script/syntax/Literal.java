@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import majic.bot.Parameter;
 import majic.bot.Unit;
 import majic.bot.Value;
 
@@ -33,6 +34,23 @@ public record Literal(Token at, Value value, String text) {
         } catch (InvalidPathException e) {
             throw new ScriptException(at, text + ": no file can have that name");
         }
+    }
+
+    /**
+     * The value for a parameter. Wherever else a script has a time without a unit, it is in seconds, so one that would
+     * be in milliseconds needs its unit.
+     *
+     * @throws ScriptException if it is a time in milliseconds without its unit
+     */
+    public Value valueFor(Parameter parameter) {
+        if (parameter.unit() == Unit.MS
+                && value instanceof Value.Number number
+                && number.unit() == Unit.NONE
+                && number.amount() != 0) {
+            throw new ScriptException(
+                    at, text + ": the unit of the time is missing; write " + text + "ms or " + text + "s");
+        }
+        return value;
     }
 
     /** What a number in a script counts: each quantity has the unit answers use, and further ones that may be typed. */

@@ -109,6 +109,7 @@ public final class SessionParser {
         }
         Token number = at.peek();
         Literal time = at.number(Quantity.TIME);
+        at.refuseDecimalComma();
         if (Character.isDigit(number.text().charAt(number.text().length() - 1))) {
             throw new ScriptException(
                     number, number.text() + ": the unit is required, for instance \"wait " + number.text() + "s\"");
