@@ -26,6 +26,10 @@ import org.jspecify.annotations.Nullable;
 public final class ParameterLog {
     private static final Logger LOG = LateLogger.of(ParameterLog.class);
     private static final String HEADER = "time_s,robot,parameter,value,unit";
+
+    /** Greater than any number, and a number to those that read the file. */
+    private static final String CLEAR = "inf";
+
     private static final int MOST_IN_MEMORY = 4096;
 
     /** About 400 MB: 11 days of ten readings a second. */
@@ -47,7 +51,8 @@ public final class ParameterLog {
     }
 
     /**
-     * Adds a reading.
+     * Adds a reading. A number is written with its unit, {@code clear} as {@code inf}, a value that is not available as
+     * nothing, and anything else as text.
      *
      * @param seconds time of the reading, on the clock of the session
      * @param robot the robot's number
@@ -134,7 +139,10 @@ public final class ParameterLog {
         if (value instanceof Value.Number number) {
             return number.amount() + "," + number.unit().symbol();
         }
-        return value instanceof Value.Unknown ? "unknown," : quoted(VisibleText.of(value.toString())) + ",";
+        if (value instanceof Value.Clear) {
+            return CLEAR + ",";
+        }
+        return value instanceof Value.Unknown ? "," : quoted(VisibleText.of(value.toString())) + ",";
     }
 
     private static String quoted(String text) {

@@ -101,6 +101,11 @@ public final class FakeBot extends BotDriver {
         return Optional.ofNullable(identity);
     }
 
+    /** Gives the robot a further parameter, which always has this value. */
+    public void equip(Parameter parameter, Value value) {
+        table().add(parameter, () -> value);
+    }
+
     /** Makes the robot report a reading. */
     public void tell(String parameter, Value value) {
         told.put(parameter, value);

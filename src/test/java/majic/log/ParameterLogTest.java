@@ -32,10 +32,10 @@ class ParameterLogTest {
                 .containsExactly(
                         "time_s,robot,parameter,value,unit",
                         "0.100,1,x,12.345678,mm",
-                        "0.200,1,distanceFront,clear,",
+                        "0.200,1,distanceFront,inf,",
                         "0.300,2,sonar,\"1 mm, 2 mm\",",
                         "0.400,2,title,\"a \"\"b\"\"\",",
-                        "0.500,2,x,unknown,",
+                        "0.500,2,x,,",
                         "0.600,2,title,two\\nlines\\u001b[2J,");
     }
 

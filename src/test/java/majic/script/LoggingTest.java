@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.file.Files;
 import java.nio.file.Path;
+import majic.bot.Parameter;
+import majic.bot.Unit;
+import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,6 +34,26 @@ class LoggingTest {
         assertThat(Files.readAllLines(file))
                 .hasSizeBetween(21, 25)
                 .anyMatch(row -> row.endsWith(",1,speed,300.0,mm/s"));
+    }
+
+    @Test
+    void aParameterIsLoggedForTheRobotsThatHaveIt() throws Exception {
+        Path file = folder.resolve("log.csv");
+        fixture.bot(1).equip(Parameter.number("grip", Unit.PERCENT, "of the gripper"), Value.of(40, Unit.PERCENT));
+
+        assertThat(fixture.runPipe("all log x,grip every 100ms", "all log grip every 1s", "wait 1s"))
+                .containsExactlyInAnyOrder(
+                        "1 log x,grip every 100ms: done",
+                        "2 log x,grip every 100ms: done; only x, it has no grip",
+                        "1 log grip every 1s: done",
+                        "2 log grip every 1s: nothing is logged, it has no grip");
+        fixture.runPipe("all log off", "save log " + file);
+        assertThat(Files.readAllLines(file))
+                .anyMatch(row -> row.contains(",1,grip,"))
+                .anyMatch(row -> row.contains(",2,x,"))
+                .noneMatch(row -> row.contains(",2,grip,"));
+        assertThat(fixture.refusal("all log gripp every 1s"))
+                .hasValue("gripp: robot 1 (Aibo) has no such parameter; did you mean grip?");
     }
 
     @Test

@@ -2,20 +2,20 @@ package majic.script.actions;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.List;
 import java.util.LinkedHashMap;
-import java.util.function.Function;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import majic.bot.BotCommand;
+import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.stream.Collectors;
-import majic.bot.MajicBot;
+import majic.bot.BotCommand;
 import majic.bot.BotException;
+import majic.bot.MajicBot;
 import majic.bot.Parameter;
-import majic.bot.Value;
 import majic.bot.ParameterException;
 import majic.bot.Reading;
+import majic.bot.Value;
 import majic.log.Sampling;
 import majic.script.help.Help;
 import majic.script.run.CommandTrait;
@@ -155,9 +155,19 @@ final class ParameterActions {
             this.sampling = sampling;
         }
 
+        /** A parameter is logged for the robots that have it; one that none of them has is a mistake. */
+        @Override
+        public void check(List<Check> robots) {
+            for (Token name : log.parameters()) {
+                if (robots.stream().noneMatch(robot -> isReadable(name, robot.bot()))) {
+                    robots.get(0).readable(name);
+                }
+            }
+            check(robots.get(0));
+        }
+
         @Override
         public void check(Check check) {
-            log.parameters().forEach(check::readable);
             double seconds = log.period().value().number();
             if (seconds < SHORTEST_PERIOD_S || seconds > LONGEST_PERIOD_S) {
                 throw new ScriptException(
@@ -172,12 +182,35 @@ final class ParameterActions {
         }
 
         private QueuedCommand command(Member member) {
-            List<String> names = names(log.parameters(), member.bot());
+            Map<Boolean, List<Token>> parameters = log.parameters().stream()
+                    .collect(Collectors.partitioningBy(name -> isReadable(name, member.bot())));
+            List<String> names = names(parameters.get(true), member.bot());
+            List<Token> missing = parameters.get(false);
             double seconds = log.period().value().number();
             return new QueuedCommand(text(), false, robot -> {
-                sampling.start(member, names, seconds);
-                return List.of(text() + ": done");
+                if (!names.isEmpty()) {
+                    sampling.start(member, names, seconds);
+                }
+                return List.of(text() + ": " + outcome(names, missing));
             });
+        }
+
+        private static String outcome(List<String> logged, List<Token> missing) {
+            if (missing.isEmpty()) {
+                return "done";
+            }
+            String lacking = "it has no " + missing.stream().map(Token::text).collect(Collectors.joining(" and no "));
+            return logged.isEmpty()
+                    ? "nothing is logged, " + lacking
+                    : "done; only " + String.join(", ", logged) + ", " + lacking;
+        }
+
+        private static boolean isReadable(Token name, MajicBot bot) {
+            try {
+                return bot.parameter(name.text()).readable();
+            } catch (ParameterException e) {
+                return false;
+            }
         }
 
         /** Whether a command begins or ends logging. */
@@ -223,8 +256,15 @@ final class ParameterActions {
             if (!check.isCommand(word.text())) {
                 throw new ScriptException(word, Help.noSuchCommand(word.text(), check.bot()));
             }
+            described(check.bot()).ifPresent(command -> checkTimes(arguments, command::argument));
             Token place = arguments.isEmpty() ? word : arguments.get(0).at();
             place.check(() -> check.bot().checkRun(word.text(), values(arguments)));
+        }
+
+        private Optional<BotCommand> described(MajicBot bot) {
+            return bot.commands().stream()
+                    .filter(command -> command.name().equalsIgnoreCase(word.text()))
+                    .findFirst();
         }
 
         @Override
@@ -246,23 +286,6 @@ final class ParameterActions {
         }
     }
 
-    private static List<Value> values(List<Literal> literals) {
-        return literals.stream().map(Literal::value).toList();
-    }
-
-    private static List<String> names(List<Token> parameters, MajicBot bot) {
-        return parameters.stream()
-                .map(name -> name.resolve(() -> bot.parameter(name.text()).name()))
-                .toList();
-            described(check.bot()).ifPresent(command -> checkTimes(arguments, command::argument));
-    }
-}
-        private Optional<BotCommand> described(MajicBot bot) {
-            return bot.commands().stream()
-                    .filter(command -> command.name().equalsIgnoreCase(word.text()))
-                    .findFirst();
-        }
-
     /** Checks that every time has its unit where bare numbers would be milliseconds. */
     private static void checkTimes(List<Literal> literals, IntFunction<@Nullable Parameter> wanted) {
         for (int index = 0; index < literals.size(); index++) {
@@ -273,3 +296,13 @@ final class ParameterActions {
         }
     }
 
+    private static List<Value> values(List<Literal> literals) {
+        return literals.stream().map(Literal::value).toList();
+    }
+
+    private static List<String> names(List<Token> parameters, MajicBot bot) {
+        return parameters.stream()
+                .map(name -> name.resolve(() -> bot.parameter(name.text()).name()))
+                .toList();
+    }
+}

@@ -205,16 +205,22 @@ public abstract class PreparedLine {
 
         @Override
         void check(ActionLookup actions, Selection selection) {
-            robots().forEach(robot -> action.check(new RobotAction.Check(selection, robot, false, false)));
+            action.check(checks(selection, false));
             if (!has(CommandTrait.READS_FILES)) {
                 markChecked();
             }
         }
 
+        private List<RobotAction.Check> checks(Selection selection, boolean readsFiles) {
+            return robots().stream()
+                    .map(robot -> new RobotAction.Check(selection, robot, false, readsFiles))
+                    .toList();
+        }
+
         @Override
         void checkWithFiles(ActionLookup actions, Selection selection) {
             useRobots(selection.members(line.robots()));
-            robots().forEach(robot -> action.check(new RobotAction.Check(selection, robot, false, true)));
+            action.check(checks(selection, true));
             markChecked();
         }
 

@@ -55,11 +55,12 @@ public final class Checker extends Inspection {
     public @Nullable Void forRobots(Statement.ForRobots line) {
         if (!teamMayChange) {
             RobotAction action = actions.of(line.command());
-            for (Member robot : selection.members(line.robots())) {
-                action.check(new RobotAction.Check(selection, robot, limitsSet.contains(robot), readsFiles));
-                if (action.has(CommandTrait.CHANGES_LIMIT)) {
-                    limitsSet.add(robot);
-                }
+            List<Member> robots = selection.members(line.robots());
+            action.check(robots.stream()
+                    .map(robot -> new RobotAction.Check(selection, robot, limitsSet.contains(robot), readsFiles))
+                    .toList());
+            if (action.has(CommandTrait.CHANGES_LIMIT)) {
+                limitsSet.addAll(robots);
             }
             teamMayChange = action.has(CommandTrait.CHANGES_TEAM);
         }

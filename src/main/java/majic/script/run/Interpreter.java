@@ -69,7 +69,9 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
         execution.reach(line);
         RobotAction action = actions.of(line.command());
         List<Member> robots = execution.selection().members(line.robots());
-        robots.forEach(robot -> action.check(new RobotAction.Check(execution.selection(), robot, false, true)));
+        action.check(robots.stream()
+                .map(robot -> new RobotAction.Check(execution.selection(), robot, false, true))
+                .toList());
         execution.run(action, robots);
         return null;
     }

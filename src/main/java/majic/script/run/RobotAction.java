@@ -56,6 +56,16 @@ public abstract class RobotAction {
      */
     public abstract void check(Check check);
 
+    /**
+     * Checks whether all robots of a line can do it; sends nothing.
+     *
+     * @param robots what each of them is checked against, at least one
+     * @throws majic.script.syntax.ScriptException if not
+     */
+    public void check(List<Check> robots) {
+        robots.forEach(this::check);
+    }
+
     /** Further robots that it makes do something, as far as they are there; none for most commands. */
     public List<Member> others(Selection selection) {
         return List.of();
