@@ -64,7 +64,14 @@ final class ShippedActs {
             return inOneLine(script.group(), "#");
         }
         Matcher java = CLASS_COMMENT.matcher(text);
-        return java.find() ? inOneLine(java.group(1), "*") : "";
+        return java.find() ? withoutTags(inOneLine(java.group(1), "*")) : "";
+    }
+
+    /** What Javadoc shows: the content of its tags, the label of a link if it has one, and no HTML. */
+    private static String withoutTags(String comment) {
+        return comment.replaceAll("\\{@link(?:plain)?\\s+\\S+\\s+([^}]+)}", "$1")
+                .replaceAll("\\{@\\w+\\s+([^}]*)}", "$1")
+                .replaceAll("</?\\w+>", "");
     }
 
     private static String inOneLine(String comment, String mark) {

@@ -16,6 +16,7 @@ import java.util.zip.ZipEntry;
 import majic.act.ActArgument;
 import majic.act.ActDetails;
 import majic.act.ActException;
+import majic.act.NoActs;
 import majic.act.Role;
 import majic.act.Sources;
 import majic.act.TinyClass;
@@ -248,6 +249,15 @@ class ActFileTest {
         assertThatThrownBy(() -> ActFile.of("x", new byte[0])).hasMessage("x is empty or cut off");
         assertThatThrownBy(() -> ActFile.of("x", new byte[BoundedZip.MAX_FILE_BYTES + 1]))
                 .hasMessage("x is larger than 16 MB, which no act is");
+    }
+
+    @Test
+    void aShippedActIsDescribedInPlainWords() {
+        assertThat(NoActs.here().names())
+                .contains("Convoy")
+                .allSatisfy(name -> assertThat(ActFile.shipped(name).details().description())
+                        .isNotBlank()
+                        .doesNotContain("{", "}", "<", ">"));
     }
 
     @Test
