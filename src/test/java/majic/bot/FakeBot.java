@@ -101,9 +101,9 @@ public final class FakeBot extends BotDriver {
         return Optional.ofNullable(identity);
     }
 
-    /** Gives the robot a further parameter, which always has this value. */
+    /** Gives the robot a further parameter, which always has this value, whatever it is set to. */
     public void equip(Parameter parameter, Value value) {
-        table().add(parameter, () -> value);
+        table().add(parameter, () -> value).writes(values -> {});
     }
 
     /** Makes the robot report a reading. */

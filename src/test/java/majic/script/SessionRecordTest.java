@@ -6,7 +6,10 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import majic.bot.Parameter;
 import majic.bot.Pose;
+import majic.bot.Unit;
+import majic.bot.Value;
 import majic.team.ManualControl;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -275,6 +278,17 @@ class SessionRecordTest {
         hand.close();
         fixture.pause(1);
         assertThat(fixture.session.state().record().lines()).endsWith("1 drive 200 0 for 0.6s");
+    }
+
+    @Test
+    void aTimeInMillisecondsThatASliderSetIsKeptWithItsUnit() throws Exception {
+        addTwo();
+        fixture.bot(1).equip(Parameter.number("rest", Unit.MS, "after each step"), Value.of(100, Unit.MS));
+        ManualControl hand = new ManualControl(fixture.team.member(1));
+        hand.set("rest", 250);
+        hand.finish();
+        fixture.pause(1);
+        assertThat(fixture.session.state().record().lines()).endsWith("1 set rest 250ms");
     }
 
     @Test

@@ -173,6 +173,8 @@ class FleetVehicleTest {
         bot.cut();
         rig.sleep(0.15);
         assertThat(state().path("errors").path(0).path("errorType").asText()).isEqualTo("connectionLost");
+        assertThat(state().has("agvPosition")).as("an old position").isFalse();
+        assertThat(state().has("velocity")).as("an old velocity").isFalse();
     }
 
     @Test
