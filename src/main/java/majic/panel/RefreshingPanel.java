@@ -50,7 +50,7 @@ public abstract class RefreshingPanel extends JPanel {
 
     /**
      * Shows the robot's last reported state. Called on the event dispatch thread, at most ten times a second; must not
-     * block.
+     * block, so a value that the robot would have to be asked for is unknown.
      */
     protected abstract void refresh();
 
@@ -99,7 +99,7 @@ public abstract class RefreshingPanel extends JPanel {
     public final void refreshIfChanged() {
         if (hasChanged.getAndSet(false)) {
             quietTicks = 0;
-            refresh();
+            WaitPolicy.without(this::refresh);
         }
     }
 
