@@ -43,7 +43,7 @@ public final class Rosapi {
         rosapi.offerNodes();
         rosapi.offerServices();
         rosapi.offerDetails();
-        new RosParameters(network).offer(rosapi::offer);
+        new ParameterServices(network).offer(rosapi::offer);
         rosapi.offer(
                 "get_time",
                 "GetTime",
@@ -154,8 +154,10 @@ public final class Rosapi {
                                 .map(Service::node)
                                 .toList()));
         if (network.types().version() == RosVersion.ROS1) {
-            offer("service_host", "ServiceHost", request -> object()
-                    .put("host", network.service(text(request, "service")) == null ? "" : HOST));
+            offer(
+                    "service_host",
+                    "ServiceHost",
+                    request -> object().put("host", network.service(text(request, "service")) == null ? "" : HOST));
         }
         offer(
                 "services_for_type",
@@ -179,14 +181,8 @@ public final class Rosapi {
                     all.stream().map(topic -> details.text(topic.type())).toList()));
         });
         offer("message_details", "MessageDetails", details::ofMessage);
-        offer(
-                "service_request_details",
-                "ServiceRequestDetails",
-                request -> details.ofService(request, "Request"));
-        offer(
-                "service_response_details",
-                "ServiceResponseDetails",
-                request -> details.ofService(request, "Response"));
+        offer("service_request_details", "ServiceRequestDetails", request -> details.ofService(request, "Request"));
+        offer("service_response_details", "ServiceResponseDetails", request -> details.ofService(request, "Response"));
     }
 
     private static String text(ObjectNode request, String field) {

@@ -177,7 +177,7 @@ public final class RosBridge implements AutoCloseable {
      * @return the subscription, to be closed; it ends with the connection
      * @throws LinkLost if it could not be sent
      */
-    public RosSubscription subscribe(TopicSubscription wanted, MessageListener onMessage) {
+    public RosSubscription subscribe(TopicSubscription wanted, MessageReceiver onMessage) {
         return streams.computeIfAbsent(wanted.topic(), topic -> new TopicStream(time, this::send))
                 .add(wanted, onMessage);
     }

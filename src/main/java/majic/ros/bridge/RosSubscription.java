@@ -6,9 +6,9 @@ import com.fasterxml.jackson.databind.JsonNode;
 public final class RosSubscription implements AutoCloseable {
     private final TopicStream stream;
     private final TopicSubscription wanted;
-    private final MessageListener onMessage;
+    private final MessageReceiver onMessage;
 
-    RosSubscription(TopicStream stream, TopicSubscription wanted, MessageListener onMessage) {
+    RosSubscription(TopicStream stream, TopicSubscription wanted, MessageReceiver onMessage) {
         this.stream = stream;
         this.wanted = wanted;
         this.onMessage = onMessage;

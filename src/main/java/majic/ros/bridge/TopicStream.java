@@ -44,7 +44,7 @@ final class TopicStream {
         this.send = send;
     }
 
-    synchronized RosSubscription add(TopicSubscription wanted, MessageListener onMessage) {
+    synchronized RosSubscription add(TopicSubscription wanted, MessageReceiver onMessage) {
         RosSubscription added = new RosSubscription(this, wanted, onMessage);
         subscriptions.add(added);
         TopicSubscription merged = merged(wanted);

@@ -33,7 +33,7 @@ public final class WebSocketClient implements AutoCloseable {
     private final ServerBytes decoder;
     private final Signal changes;
     private final FirstBytes firstBytes = new FirstBytes();
-    private final RoundTrip roundTrip = new RoundTrip();
+    private final PingTimes pings = new PingTimes();
     private final FrameEncoder encoder = new FrameEncoder();
     private volatile boolean answered;
     private volatile @Nullable String refusal;
@@ -148,7 +148,7 @@ public final class WebSocketClient implements AutoCloseable {
      * @throws LinkLost if it could not be sent; the connection is dead then
      */
     public void ping() {
-        send(Opcode.PING, roundTrip.ping(time.nanos()));
+        send(Opcode.PING, pings.ping(time.nanos()));
     }
 
     private void send(Opcode opcode, byte[] content) {
@@ -182,7 +182,7 @@ public final class WebSocketClient implements AutoCloseable {
      * @return seconds; at least the time that an answer has been due; 0 before the first answer
      */
     public double roundTripS() {
-        return roundTrip.seconds(time.nanos());
+        return pings.seconds(time.nanos());
     }
 
     /**
@@ -274,7 +274,7 @@ public final class WebSocketClient implements AutoCloseable {
             } else if (message instanceof WebSocketMessage.Ping ping) {
                 send(Opcode.PONG, ping.content());
             } else if (message instanceof WebSocketMessage.Pong pong) {
-                roundTrip.pong(pong.content(), time.nanos());
+                pings.pong(pong.content(), time.nanos());
             } else if (message instanceof WebSocketMessage.Close close) {
                 closedByServer(close);
             } else if (message instanceof WebSocketMessage.Violation violation) {

@@ -8,7 +8,7 @@ import java.util.Deque;
  * Measures by pings how long a message takes to the server and back. What the server sends waits in the same queue as
  * its pongs, so a slow connection shows as well. Has no clock. Thread-safe.
  */
-final class RoundTrip {
+final class PingTimes {
     /** More pings without an answer are not kept: the server leaves pings unanswered, or has ended. */
     private static final int MOST_UNANSWERED = 64;
 

@@ -4,7 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 
 /** Handles the messages of a topic. Called on the reader thread, which must not wait; what it throws is logged. */
 @FunctionalInterface
-public interface MessageListener {
+public interface MessageReceiver {
     /**
      * Handles a message.
      *

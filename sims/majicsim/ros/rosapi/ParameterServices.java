@@ -9,10 +9,10 @@ import majicsim.ros.graph.RosNetwork;
 import majicsim.ros.message.RosVersion;
 
 /** The services of rosapi for parameters, whose values are JSON texts (sheet 5). */
-final class RosParameters {
+final class ParameterServices {
     private final RosNetwork network;
 
-    RosParameters(RosNetwork network) {
+    ParameterServices(RosNetwork network) {
         this.network = network;
     }
 
@@ -25,7 +25,9 @@ final class RosParameters {
         node.offer("get_param", "GetParam", this::get);
         node.offer("get_param_names", "GetParamNames", request -> names());
         node.offer(
-                "has_param", "HasParam", request -> object().put("exists", parameters().containsKey(name(request))));
+                "has_param",
+                "HasParam",
+                request -> object().put("exists", parameters().containsKey(name(request))));
         node.offer("set_param", "SetParam", request -> {
             parameters().put(name(request), request.path("value").asText("null"));
             return object();
@@ -43,8 +45,8 @@ final class RosParameters {
     private ObjectNode get(ObjectNode request) {
         String otherwise =
                 request.path("default").asText(request.path("default_value").asText(""));
-        return object()
-                .put("value", parameters().getOrDefault(name(request), otherwise.isEmpty() ? "null" : otherwise));
+        return object().put(
+                        "value", parameters().getOrDefault(name(request), otherwise.isEmpty() ? "null" : otherwise));
     }
 
     private ObjectNode names() {
