@@ -66,7 +66,7 @@ class BridgeOperationsTest {
     }
 
     private RosSubscription subscribe(String topic, int throttleMs) {
-        return bridge.subscribe(new TopicSubscription(topic, SCAN, throttleMs), messages::add);
+        return bridge.subscribe(new TopicSubscription(topic, SCAN, throttleMs), message -> messages.add(message));
     }
 
     private List<JsonNode> operations(String kind) {
@@ -280,7 +280,7 @@ class BridgeOperationsTest {
 
     @Test
     void aPictureArrivesAsCbor() throws IOException {
-        bridge.subscribe(new TopicSubscription("/scan", SCAN, 200, 1, true), messages::add);
+        bridge.subscribe(new TopicSubscription("/scan", SCAN, 200, 1, true), message -> messages.add(message));
         ObjectNode operation = empty().put("op", "publish").put("topic", "/scan");
         operation.putObject("msg").put("format", "jpeg").put("data", new byte[] {1, 2, 3});
         peer.send(ServerFrames.frame(BINARY, new CBORMapper().writeValueAsBytes(operation)));
