@@ -1,7 +1,10 @@
 package majic.console;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.List;
+import majic.file.NativeFolder;
 import majic.program.Program;
 import majic.program.ProgramSharing;
 import majic.script.MajicParser;
@@ -20,6 +23,7 @@ import org.jspecify.annotations.Nullable;
 
 /** Reads lines at a terminal: prompt, history, completion; answers appear above the line being typed. */
 final class Terminal implements Console.Source {
+    private static final Logger LOG = System.getLogger(Terminal.class.getName());
     private static final String PROMPT = "majic> ";
 
     private final org.jline.terminal.Terminal terminal;
@@ -34,6 +38,7 @@ final class Terminal implements Console.Source {
      */
     Terminal(Program program) throws IOException {
         MajicParser completions = MajicParser.prompt(program.session());
+        prepareNativeCode();
         terminal = TerminalBuilder.builder().system(true).build();
         DefaultParser plain = new DefaultParser();
         plain.setEscapeChars(new char[0]);
@@ -48,6 +53,15 @@ final class Terminal implements Console.Source {
                 .build();
         login = new LoginQuestion(
                 new Answers(LineReaderBuilder.builder().terminal(terminal).build(), completions, program.sharing()));
+    }
+
+    /** Without native code JLine controls the terminal by other programs. */
+    private static void prepareNativeCode() {
+        try {
+            NativeFolder.prepare();
+        } catch (IOException e) {
+            LOG.log(Level.INFO, e.getMessage());
+        }
     }
 
     /** Reads answers, which are neither completed nor kept in the history. */

@@ -1,6 +1,7 @@
 package majic.simulation;
 
 import java.io.IOException;
+import java.lang.System.Logger.Level;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -14,6 +15,7 @@ import java.util.stream.Stream;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.Pose;
+import majic.file.NativeFolder;
 import majic.lab.LabAccess;
 import majic.lab.LabClock;
 import majic.lab.Pacing;
@@ -69,7 +71,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
      * @throws IOException if a port is taken or the room does not hold the robots
      */
     public static SimulatedLab scaled(LabOptions options, double speed) throws IOException {
-        Lab lab = Lab.open(options);
+        Lab lab = open(options);
         Notice tooSlow = new Notice();
         return started(lab, Pacing.scaled(speed, transit(lab), tooSlow), tooSlow);
     }
@@ -82,8 +84,18 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
      * @throws IOException if a port is taken or the room does not hold the robots
      */
     public static SimulatedLab stepped(LabOptions options) throws IOException {
-        Lab lab = Lab.open(options);
+        Lab lab = open(options);
         return started(lab, Pacing.stepped(transit(lab)), new Notice());
+    }
+
+    /** Without native code the lab has no pseudo-terminals. */
+    private static Lab open(LabOptions options) throws IOException {
+        try {
+            NativeFolder.prepare();
+        } catch (IOException e) {
+            System.getLogger(SimulatedLab.class.getName()).log(Level.INFO, e.getMessage());
+        }
+        return Lab.open(options);
     }
 
     private static TransitCheck transit(Lab lab) {

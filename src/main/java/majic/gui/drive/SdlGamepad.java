@@ -3,8 +3,10 @@ package majic.gui.drive;
 import com.studiohartman.jamepad.Configuration;
 import com.studiohartman.jamepad.ControllerManager;
 import com.studiohartman.jamepad.ControllerState;
+import java.io.IOException;
 import java.util.stream.IntStream;
 import majic.bot.BotException;
+import majic.file.NativeFolder;
 import majic.text.Texts;
 
 /** Reads game controllers by the library Jamepad, which brings native code. A shoulder button must be held to drive. */
@@ -27,10 +29,11 @@ public final class SdlGamepad implements Gamepad {
      */
     public static Gamepad open() {
         try {
-            ControllerManager controllers = new ControllerManager(new Configuration(), MAPPINGS);
+            ControllerManager controllers =
+                    NativeFolder.load(() -> new ControllerManager(new Configuration(), MAPPINGS));
             controllers.initSDLGamepad();
             return new SdlGamepad(controllers);
-        } catch (RuntimeException | LinkageError e) {
+        } catch (IOException | RuntimeException | LinkageError e) {
             throw new BotException(TEXTS.get("gamepad.none", e.getMessage()), e);
         }
     }
