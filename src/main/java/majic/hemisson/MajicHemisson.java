@@ -114,6 +114,7 @@ public final class MajicHemisson extends BotDriver {
     @Override
     protected void open() {
         HemissonSession opened = sessions.open(monitor);
+        calibration.belongsTo(sessions.names());
         monitor.begin(opened);
         opened.start();
         every("hemisson line", TICK_S, monitor::tick);

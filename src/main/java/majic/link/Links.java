@@ -22,7 +22,8 @@ public final class Links {
     private Links() {}
 
     /**
-     * Creates the link of a robot's address, without opening it.
+     * Creates the link of a robot's address, without opening it. A robot that is connected more than once needs a
+     * {@link LinkAddress}.
      *
      * @param address what follows the name of the robot type: {@code //host}, {@code //host:port},
      *     {@code tcp://host:port}, or the name of a serial port
@@ -32,14 +33,7 @@ public final class Links {
      * @throws IllegalArgumentException if it is no such address; the message has an example
      */
     public static Link of(String address, int defaultPort, int baud) {
-        return address.startsWith("tcp://") || address.startsWith("//")
-                ? tcp(address, defaultPort)
-                : new SerialLink(address, baud);
-    }
-
-    private static Link tcp(String address, int defaultPort) {
-        InetSocketAddress server = server(address, defaultPort);
-        return new TcpLink(server.getHostString(), server.getPort());
+        return LinkAddress.of(address, defaultPort, baud).newLink();
     }
 
     /**

@@ -2,13 +2,15 @@ package majic.link;
 
 import com.fazecast.jSerialComm.SerialPort;
 import com.fazecast.jSerialComm.SerialPortInvalidPortException;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.NoSuchFileException;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.locks.LockSupport;
 import java.util.concurrent.locks.ReentrantLock;
+import majic.link.SerialPorts.Port;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -24,27 +26,51 @@ final class SerialLink implements Link {
 
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
-    private final String name;
+    /** The devices that this program has open or is opening. */
+    private static final Set<String> IN_USE = ConcurrentHashMap.newKeySet();
+
+    private final SerialAddress address;
     private final int baud;
     private final TrafficCounter counter = new TrafficCounter();
     private final ReentrantLock writing = new ReentrantLock();
+    private volatile String name;
+    private volatile String device = "";
     private volatile @Nullable SerialPort port;
     private boolean closed;
 
-    SerialLink(String name, int baud) {
-        this.name = name;
+    SerialLink(SerialAddress address, int baud) {
+        this.address = address;
+        this.name = address.name();
         this.baud = baud;
     }
 
     @Override
     public void open(int timeoutMs) throws IOException {
-        SerialPort opening = find();
+        Port found = address.find();
+        name = address.nameOf(found);
+        SerialOpenError.check(name, found.device(), PortUsers.system());
+        if (!IN_USE.add(found.device())) {
+            throw SerialOpenError.usedHere(name);
+        }
+        device = found.device();
+        try {
+            openHere(found, timeoutMs);
+        } finally {
+            if (port == null) {
+                IN_USE.remove(found.device());
+            }
+        }
+    }
+
+    private void openHere(Port found, int timeoutMs) throws IOException {
+        SerialPort opening = library(found.device());
         opening.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
         opening.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
         opening.setComPortTimeouts(SerialPort.TIMEOUT_READ_SEMI_BLOCKING, 0, 0);
         if (!open(opening, timeoutMs)) {
-            throw SerialOpenError.of(name, new File(opening.getSystemPortPath()));
+            throw SerialOpenError.of(name, found.device(), opening.getLastErrorCode());
         }
+        address.opened(found);
         counter.opened();
         Links.register(this);
         SerialShutdownDelay.opened(this);
@@ -75,10 +101,10 @@ final class SerialLink implements Link {
         return false;
     }
 
-    private SerialPort find() throws IOException {
+    private SerialPort library(String device) throws IOException {
         SerialLibrary.load();
         try {
-            return SerialPort.getCommPort(name);
+            return SerialPort.getCommPort(device);
         } catch (SerialPortInvalidPortException e) {
             Throwable missing = new NoSuchFileException(name).initCause(e);
             throw new IOException("there is no serial port " + name + "; is the adapter plugged in?", missing);
@@ -160,6 +186,7 @@ final class SerialLink implements Link {
             counter.closed();
             Links.tidy();
             open.closePort();
+            IN_USE.remove(device);
         }
         SerialShutdownDelay.closed(this);
     }

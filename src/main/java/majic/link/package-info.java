@@ -1,6 +1,5 @@
 /**
- * Bytes to and from a robot, over TCP or a serial port. Independent of robots and protocols; uses no other package of
- * MAJIC.
+ * Bytes to and from a robot, over TCP or a serial port. Independent of robots and protocols.
  */
 @NullMarked
 package majic.link;

@@ -5,8 +5,7 @@ import java.util.function.Function;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.environment.BotEnvironment;
-import majic.link.Link;
-import majic.link.Links;
+import majic.link.LinkAddress;
 import majic.pioneer.line.ArcosConnection;
 import majic.pioneer.line.BaudRates;
 import majic.pioneer.session.ConnectWait;
@@ -28,21 +27,21 @@ final class PioneerConnections {
      * @throws BotException if it is no Pioneer's address, or the library that it names is missing
      */
     static Function<ConnectWait, PioneerConnection> of(BotAddress address, BotEnvironment environment) {
-        Link link = link(address);
+        LinkAddress robot = robot(address);
         if (address.libraryAmong(LIBRARIES).isEmpty()) {
-            return wait -> new ArcosConnection(link(address), wait);
+            return wait -> new ArcosConnection(robot.newLink(), wait);
         }
         ConnectionMaker maker = VendorLibrary.ARIA.create(ConnectionMaker.class, ARIA_ADAPTER, environment.settings());
-        return wait -> maker.make(link.address(), wait);
+        return wait -> maker.make(robot.newLink().address(), wait);
     }
 
-    private static Link link(BotAddress address) {
+    private static LinkAddress robot(BotAddress address) {
         if (!address.type().equals("pioneer")) {
             throw new BotException(
                     address + ": not a Pioneer's address; it looks like pioneer://10.0.0.5 or pioneer:/dev/ttyS0");
         }
         try {
-            return Links.of(address.rest(), PioneerType.PORT, BaudRates.POWER_UP);
+            return LinkAddress.of(address.rest(), PioneerType.PORT, BaudRates.POWER_UP);
         } catch (IllegalArgumentException e) {
             throw new BotException(address.scheme() + ":" + e.getMessage(), e);
         }

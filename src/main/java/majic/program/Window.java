@@ -4,6 +4,7 @@ import java.awt.AWTError;
 import java.awt.GraphicsEnvironment;
 import java.awt.Toolkit;
 import java.awt.event.WindowEvent;
+import java.io.IOException;
 import java.lang.reflect.InvocationTargetException;
 import java.util.List;
 import java.util.Optional;
@@ -161,9 +162,13 @@ public final class Window {
     }
 
     private static List<SerialPortChoice> serialPorts() {
-        return SerialPorts.list().stream()
-                .map(port -> new SerialPortChoice(port.name(), port.description()))
-                .toList();
+        try {
+            return SerialPorts.system().list().stream()
+                    .map(port -> new SerialPortChoice(port.name(), port.toString()))
+                    .toList();
+        } catch (IOException e) {
+            throw new BotException(String.valueOf(e.getMessage()), e);
+        }
     }
 
     /** Reports that the window could not be opened. */

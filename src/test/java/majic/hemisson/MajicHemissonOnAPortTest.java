@@ -75,7 +75,7 @@ class MajicHemissonOnAPortTest {
             ConnectFailed failure = catchThrowableOfType(ConnectFailed.class, second::connect);
 
             assertThat(failure.reason()).isEqualTo(ConnectFailed.Reason.BUSY);
-            assertThat(failure).hasMessageContaining("does another program use it?");
+            assertThat(failure).hasMessageContaining("already; is a robot connected to it?");
         }
     }
 

@@ -23,8 +23,12 @@ class SerialLinkTest {
     private static final int MOST_ROUNDS = 1000;
 
     private final PseudoTerminal plug = new PseudoTerminal();
-    private final SerialLink link = new SerialLink(plug.name(), 115_200);
+    private final SerialLink link = link(plug.name());
     private boolean pulled;
+
+    private static SerialLink link(String name) {
+        return new SerialLink(new SerialAddress(name, SerialPorts.system()), 115_200);
+    }
 
     @BeforeEach
     void open() throws IOException {
@@ -101,18 +105,18 @@ class SerialLinkTest {
     }
 
     @Test
-    void aSecondOpenReportsThatThePortIsInUse() {
-        SerialLink second = new SerialLink(plug.name(), 115_200);
+    void aSecondOpenReportsThatThisProgramUsesThePort() {
+        SerialLink second = link(plug.name());
 
         assertThatThrownBy(() -> second.open(1000))
                 .isInstanceOf(IOException.class)
-                .hasMessageContaining("does another program use it?");
+                .hasMessage(
+                        "this program uses the serial port " + plug.name() + " already; is a robot connected to it?");
     }
 
     @Test
     void aFailedSecondOpenLeavesTheFirstAlone() throws IOException {
-        assertThatThrownBy(() -> new SerialLink(plug.name(), 115_200).open(1000))
-                .isInstanceOf(IOException.class);
+        assertThatThrownBy(() -> link(plug.name()).open(1000)).isInstanceOf(IOException.class);
 
         link.write(new byte[] {'B', '\r'});
 
@@ -132,7 +136,7 @@ class SerialLinkTest {
     @Test
     void canBeOpenedAgainAfterClosing() throws IOException {
         link.close();
-        SerialLink again = new SerialLink(plug.name(), 115_200);
+        SerialLink again = link(plug.name());
         again.open(1000);
 
         again.write(new byte[] {'I', '\r'});
@@ -143,7 +147,7 @@ class SerialLinkTest {
 
     @Test
     void aMissingPortIsNamed() {
-        SerialLink none = new SerialLink("/dev/ttyNONE7", 115_200);
+        SerialLink none = link("/dev/ttyNONE7");
 
         assertThatThrownBy(() -> none.open(1000))
                 .isInstanceOf(IOException.class)

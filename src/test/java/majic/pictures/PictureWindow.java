@@ -49,7 +49,10 @@ public final class PictureWindow {
         SwingUtilities.invokeAndWait(() -> {
             MajicFrame.installLook(settings);
             ProgramServices services = new ProgramServices(
-                    () -> List.of(new SerialPortChoice("/dev/ttyUSB0", "USB serial port")),
+                    () -> List.of(
+                            new SerialPortChoice(
+                                    "/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_A50285BI-if00-port0",
+                                    "/dev/serial/by-id/usb-FTDI_FT232R_USB_UART_A50285BI-if00-port0 – FT232R USB UART, now /dev/ttyUSB0")),
                     () -> {},
                     program::quit,
                     settings,

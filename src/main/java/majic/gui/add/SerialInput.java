@@ -24,6 +24,7 @@ final class SerialInput extends AddressInput {
     private final JComboBox<Object> port = new JComboBox<>();
     private final JLabel found = new JLabel(" ");
     private @Nullable String wanted;
+    private @Nullable String problem;
 
     SerialInput(BotType type, Supplier<List<SerialPortChoice>> ports) {
         this.type = type;
@@ -37,6 +38,7 @@ final class SerialInput extends AddressInput {
         add(port, "split 2, pushx, wmin 240");
         add(again, "grow 0, wrap");
         add(found, "skip 1");
+        addHierarchyListener(event -> EventThread.later(this::reportProblem));
         look();
     }
 
@@ -70,13 +72,30 @@ final class SerialInput extends AddressInput {
     /** Lists the ports in the background, because the system may be slow to list them. */
     private void look() {
         found.setText(TEXTS.get("lookingForPorts"));
-        EventThread.background("listing serial ports", () -> {
-            List<SerialPortChoice> all = ports.get();
-            EventThread.later(() -> show(all));
-        });
+        EventThread.background(
+                "listing serial ports",
+                () -> {
+                    List<SerialPortChoice> all = ports.get();
+                    EventThread.later(() -> show(all));
+                },
+                this::showProblem);
+    }
+
+    private void showProblem(String reason) {
+        problem = reason;
+        found.setText(TEXTS.get("ports.unknown"));
+        reportProblem();
+    }
+
+    /** Reports why there is no list, as soon as these fields are those shown. */
+    private void reportProblem() {
+        if (problem != null && isShowing()) {
+            firePropertyChange(PROBLEM, null, problem);
+        }
     }
 
     private void show(List<SerialPortChoice> all) {
+        problem = null;
         port.removeAllItems();
         all.forEach(port::addItem);
         if (wanted != null) {

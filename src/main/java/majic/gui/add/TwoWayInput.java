@@ -37,6 +37,7 @@ final class TwoWayInput extends AddressInput {
         JRadioButton button = new JRadioButton(name);
         group.add(button);
         choices.put(input, button);
+        input.addPropertyChangeListener(PROBLEM, event -> firePropertyChange(PROBLEM, null, event.getNewValue()));
         button.addItemListener(event -> {
             if (button.isSelected()) {
                 chosen = input;

@@ -12,7 +12,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Holds what the program provides to the window. Immutable.
  *
- * @param serialPorts lists the serial ports of this computer; may block, so it is called in the background
+ * @param serialPorts lists the serial ports of this computer; may block, so it is called in the background, and throws
+ *     a {@link majic.bot.BotException} if they cannot be listed
  * @param startLab starts a simulated lab and has the factory use it; may block and throw a
  *     {@link majic.bot.BotException}; null if there is none to start
  * @param quit stops and closes everything and ends the program; may block, is called once, in the background
@@ -39,13 +40,13 @@ public record ProgramServices(
     /**
      * A serial port to choose.
      *
-     * @param name as in an address: {@code COM3}, {@code /dev/ttyUSB0}
-     * @param description the system's name of the device; may be empty
+     * @param name as in an address: {@code COM3}, {@code /dev/ttyUSB0}; one that stays, if the port has one
+     * @param text the name with what the system says about the device
      */
-    public record SerialPortChoice(String name, String description) {
+    public record SerialPortChoice(String name, String text) {
         @Override
         public String toString() {
-            return description.isEmpty() ? name : name + "  (" + description + ")";
+            return text;
         }
     }
 }

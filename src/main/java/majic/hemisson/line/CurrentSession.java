@@ -1,11 +1,12 @@
 package majic.hemisson.line;
 
 import java.io.IOException;
+import java.util.List;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.LinkLost;
 import majic.link.Link;
-import majic.link.Links;
+import majic.link.LinkAddress;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -14,7 +15,7 @@ public final class CurrentSession {
     private static final int BAUD = 115_200;
     private static final int OPEN_TIMEOUT_MS = 3000;
 
-    private final String address;
+    private final LinkAddress address;
     private final TimeSource time;
     private volatile @Nullable HemissonSession session;
 
@@ -24,23 +25,23 @@ public final class CurrentSession {
      * @throws BotException if the address is not valid
      */
     public CurrentSession(String address, TimeSource time) {
-        this.address = address;
         this.time = time;
-        newLink();
-    }
-
-    private Link newLink() {
         try {
-            return Links.of(address, 0, BAUD);
+            this.address = LinkAddress.of(address, 0, BAUD);
         } catch (IllegalArgumentException e) {
             throw new BotException("hemisson:" + e.getMessage(), e);
         }
     }
 
+    /** The names under which settings of the robot are kept, the best first. */
+    public List<String> names() {
+        return address.names();
+    }
+
     /** Ends the session if there is one, and opens another, whose reader is not yet started. */
     public HemissonSession open(ConversationListener listener) {
         end();
-        Link link = newLink();
+        Link link = address.newLink();
         try {
             link.open(OPEN_TIMEOUT_MS);
         } catch (IOException e) {

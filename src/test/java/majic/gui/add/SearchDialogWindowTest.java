@@ -42,7 +42,7 @@ class SearchDialogWindowTest {
 
     private void search(BotType type, Supplier<List<InetAddress>> hosts, Set<InetSocketAddress> spared) {
         SearchDialog.Places places =
-                new SearchDialog.Places(hosts, () -> spared, () -> List.of(new SerialPortChoice("COM9", "")));
+                new SearchDialog.Places(hosts, () -> spared, () -> List.of(new SerialPortChoice("COM9", "COM9")));
         window.run(() -> new SearchDialog(window.frame(), List.of(type), places, chosen::complete).setVisible(true));
     }
 
