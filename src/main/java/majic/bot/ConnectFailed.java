@@ -6,6 +6,7 @@ import java.net.NoRouteToHostException;
 import java.net.SocketTimeoutException;
 import java.net.UnknownHostException;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.NoSuchFileException;
 import java.util.concurrent.TimeoutException;
@@ -25,7 +26,10 @@ public class ConnectFailed extends BotException {
         REFUSED,
         /** Nothing answered in time: the robot is off, out of reach, or the address is another computer's. */
         NO_ANSWER,
-        /** Something answered, but not as this type of robot does. */
+        /**
+         * Something answered, but not as this type of robot does; or the name of the robot's serial port belongs to
+         * another adapter now.
+         */
         WRONG_DEVICE,
         /** The robot or the serial port is used by another program. */
         BUSY,
@@ -114,6 +118,9 @@ public class ConnectFailed extends BotException {
         }
         if (cause instanceof NoSuchFileException) {
             return Reason.NO_SUCH_PORT;
+        }
+        if (cause instanceof FileAlreadyExistsException) {
+            return Reason.WRONG_DEVICE;
         }
         if (cause instanceof AccessDeniedException) {
             return Reason.NOT_ALLOWED;

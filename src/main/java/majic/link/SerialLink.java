@@ -34,13 +34,14 @@ final class SerialLink implements Link {
     private final TrafficCounter counter = new TrafficCounter();
     private final ReentrantLock writing = new ReentrantLock();
     private volatile String name;
-    private volatile String device = "";
+    private volatile String device;
     private volatile @Nullable SerialPort port;
     private boolean closed;
 
     SerialLink(SerialAddress address, int baud) {
         this.address = address;
         this.name = address.name();
+        this.device = name;
         this.baud = baud;
     }
 
@@ -216,6 +217,6 @@ final class SerialLink implements Link {
 
     @Override
     public Traffic traffic() {
-        return counter.traffic(name, name);
+        return counter.traffic(device, device);
     }
 }
