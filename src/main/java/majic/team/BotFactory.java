@@ -1,5 +1,6 @@
 package majic.team;
 
+import java.io.IOException;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -24,6 +25,7 @@ import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.lab.LabAccess;
+import majic.link.SerialPorts;
 import majic.text.ClassReason;
 import majic.text.LateLogger;
 import majic.text.Suggestion;
@@ -45,6 +47,8 @@ public final class BotFactory {
 
     /** An option that says how a robot is driven, and not which one it is. */
     private static final Pattern DRIVEN_BY = Pattern.compile("\\?params=.*");
+
+    private static final Pattern PORT = Pattern.compile("(?<type>\\w+)(?:\\+\\w+)?:(?!(?:tcp:)?//)(?<port>.+)");
 
     private final List<BotType> types;
     private final Settings settings;
@@ -164,8 +168,9 @@ public final class BotFactory {
 
     /**
      * Returns whether two addresses are those of one robot. Upper and lower case, the makers' library, a parameter
-     * file, {@code tcp:} and a usual port that only one of them has make no difference. Where an address names one of
-     * several robots behind a server, its case counts, since theirs does, but further slashes do not.
+     * file, {@code tcp:} and a usual port that only one of them has make no difference, nor does a link in place of a
+     * serial port. Where an address names one of several robots behind a server, its case counts, since theirs does,
+     * but further slashes do not.
      *
      * @param one as typed
      * @param other as typed
@@ -186,11 +191,55 @@ public final class BotFactory {
         return BotAddress.parse(text).library().orElse("") + (option.find() ? option.group() : "");
     }
 
+    /**
+     * Returns what identifies the device behind an address at present, if that can be found out without contacting it.
+     * May block for seconds on some systems.
+     *
+     * @param text as typed
+     * @return for a serial port the adapter that it belongs to now; empty if the system does not identify it, and for
+     *     other addresses
+     */
+    public String deviceAt(String text) {
+        return serialPort(text).map(BotFactory::adapter).orElse("");
+    }
+
+    private static String adapter(String port) {
+        try {
+            return SerialPorts.system()
+                    .find(port)
+                    .map(SerialPorts.Port::adapter)
+                    .orElse("");
+        } catch (IOException e) {
+            return "";
+        }
+    }
+
+    /** The serial port in an address; empty if it has none. */
+    private Optional<String> serialPort(String text) {
+        Matcher form = PORT.matcher(DRIVEN_BY.matcher(text).replaceFirst(""));
+        if (!form.matches()) {
+            return Optional.empty();
+        }
+        String scheme = form.group("type").toLowerCase(Locale.ROOT);
+        return types.stream()
+                .filter(type -> type.isMeantBy(scheme))
+                .filter(type -> type.reaches().contains(BotType.Reach.SERIAL))
+                .findFirst()
+                .map(type -> form.group("port"));
+    }
+
     private String complete(String text) {
         String plain = DRIVEN_BY.matcher(text).replaceFirst("");
-        Matcher server = SERVER.matcher(plain);
+        return serialPort(plain)
+                .map(port -> BotAddress.parse(plain).type() + ":"
+                        + SerialPorts.system().device(port))
+                .orElseGet(() -> completeServer(plain));
+    }
+
+    private String completeServer(String text) {
+        Matcher server = SERVER.matcher(text);
         if (!server.matches()) {
-            return plain.toLowerCase(Locale.ROOT);
+            return text.toLowerCase(Locale.ROOT);
         }
         String scheme = server.group("type").toLowerCase(Locale.ROOT);
         Optional<BotType> meant =
@@ -279,6 +328,22 @@ public final class BotFactory {
                         + String.join(", ", names) + ")" + Suggestion.didYouMean(name, names)));
     }
 
+    /** Half a sentence about a better name of a serial port; empty if there is none. */
+    private String nameThatStays(String text) {
+        try {
+            Optional<String> port = serialPort(text);
+            Optional<SerialPorts.Port> found =
+                    port.isEmpty() ? Optional.empty() : SerialPorts.system().find(port.get());
+            return found.filter(SerialPorts.Port::stays)
+                    .filter(better -> !better.name().equals(port.orElseThrow()))
+                    .map(better -> "; the name of this port can change, "
+                            + BotAddress.parse(text).scheme() + ":" + better.name() + " stays")
+                    .orElse("");
+        } catch (IOException e) {
+            return "";
+        }
+    }
+
     /**
      * Connects to an address to find out what answers there, and closes the connection. Blocks for at most the driver's
      * connection timeout.
@@ -291,7 +356,7 @@ public final class BotFactory {
         MajicBot bot = create(text);
         try (bot) {
             bot.connect();
-            return bot.introduction() + " answers";
+            return bot.introduction() + " answers" + nameThatStays(text);
         } catch (BotException e) {
             throw new BotException(bot.type().adviceAfter(String.valueOf(e.getMessage())), e);
         }

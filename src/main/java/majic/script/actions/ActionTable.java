@@ -134,7 +134,7 @@ public record ActionTable(
 
     @Override
     public SessionAction probe(SessionCommand.Probe probe) {
-        return new TeamActions.ProbeAction(probe, factory);
+        return new TeamActions.ProbeAction(probe, connector, factory);
     }
 
     @Override

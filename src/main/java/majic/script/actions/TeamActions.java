@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Objects;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
+import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
@@ -157,11 +158,13 @@ final class TeamActions {
 
     static final class ProbeAction extends SessionAction {
         private final Literal address;
+        private final RobotConnector connector;
         private final BotFactory factory;
 
-        ProbeAction(SessionCommand.Probe probe, BotFactory factory) {
+        ProbeAction(SessionCommand.Probe probe, RobotConnector connector, BotFactory factory) {
             super(Scheduling.BESIDE);
             this.address = probe.address();
+            this.connector = connector;
             this.factory = factory;
         }
 
@@ -173,7 +176,11 @@ final class TeamActions {
         @Override
         public void run(Execution execution) {
             String where = address.unquoted();
-            execution.answer("probe " + where + ": " + factory.probe(where));
+            try {
+                execution.answer("probe " + where + ": " + factory.probe(where));
+            } catch (BotException e) {
+                throw connector.explained(where, e);
+            }
         }
     }
 
