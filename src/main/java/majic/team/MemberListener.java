@@ -7,10 +7,12 @@ import majic.driver.EventOnlyListener;
 final class MemberListener implements EventOnlyListener {
     private final TeamEvents events;
     private final Member member;
+    private final StopSender stops;
 
-    MemberListener(TeamEvents events, Member member) {
+    MemberListener(TeamEvents events, Member member, StopSender stops) {
         this.events = events;
         this.member = member;
+        this.stops = stops;
     }
 
     @Override
@@ -24,6 +26,7 @@ final class MemberListener implements EventOnlyListener {
             bot.lostReason().ifPresent(reason -> events.publish(listener -> listener.lost(member, reason)));
         } else if (connection == MajicBot.Connection.CONNECTED) {
             events.publish(listener -> listener.regained(member));
+            stops.regained(member);
         }
         events.changes().raise();
     }

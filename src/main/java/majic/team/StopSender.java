@@ -2,6 +2,7 @@ package majic.team;
 
 import java.util.Collection;
 import java.util.List;
+import majic.bot.MajicBot.Connection;
 
 /** Writes stops to robots, and passes on whether each robot has confirmed its stop. Thread-safe. */
 final class StopSender {
@@ -37,6 +38,29 @@ final class StopSender {
         confirmations.forEach(Runnable::run);
     }
 
+    /**
+     * Stops a robot again that is connected again and has not confirmed its last stop, which ends the alarm. Answers
+     * nothing; returns at once.
+     */
+    void regained(Member member) {
+        if (receipts.status().problem(member.number()).isPresent()) {
+            member.time().tryRunAsync("stopping robot " + member.number() + " again", () -> stopAgain(member));
+        }
+    }
+
+    private void stopAgain(Member member) {
+        long stop = receipts.begin(List.of(member), false);
+        try {
+            if (member.driver().writeStop()) {
+                member.driver().confirmHalt();
+            }
+            receipts.confirmed(member, stop);
+        } catch (RuntimeException | Error e) {
+            receipts.failed(member, stop, String.valueOf(e.getMessage()));
+        }
+        receipts.publish();
+    }
+
     /** Writes a stop; the returned task waits for its confirmation and reports it. */
     private Runnable write(Member member, long stop, StopAnswerOrder order) {
         try {
@@ -53,14 +77,24 @@ final class StopSender {
         }
     }
 
+    /** A robot that is not connected stays in every later stop, until it is removed or connected again. */
+    private static String reason(Member member, Throwable e) {
+        String reason = String.valueOf(e.getMessage());
+        return member.bot().connection() == Connection.LOST
+                ? reason + "; if it is at rest, \"remove " + member.number()
+                        + "\" ends this alarm; \"add ADDRESS as " + member.number()
+                        + "\" connects it under another address"
+                : reason;
+    }
+
     private void confirm(Member member, long stop, StopAnswerOrder order, Runnable confirmation) {
         try {
             confirmation.run();
             receipts.confirmed(member, stop);
             answers.confirmed(member, order);
         } catch (RuntimeException | Error e) {
-            receipts.failed(member, stop, String.valueOf(e.getMessage()));
-            answers.failed(member, order, e.getMessage());
+            receipts.failed(member, stop, reason(member, e));
+            answers.failed(member, order, reason(member, e));
         } finally {
             member.endStop();
         }

@@ -86,7 +86,7 @@ public final class Team implements AutoCloseable {
     public Member add(MajicBot bot, OptionalInt wanted) {
         BotDriver driver = BotDriver.of(bot);
         Member member = roster.add(wanted, number -> newMember(number, driver));
-        bot.addListener(new MemberListener(events, member));
+        bot.addListener(new MemberListener(events, member, stopSender));
         member.start();
         events.publish(listener -> listener.added(member));
         return member;

@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.bot.FakeBot;
 import majic.bot.MajicBot.Connection;
 import majic.drivertest.TestClock;
@@ -219,5 +220,23 @@ class AutoReconnectTest {
         reconnect.enable(true);
         let(1.1);
         assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
+    void anotherDeviceInItsPlaceIsReportedOnce() throws InterruptedException {
+        List<String> notices = Collections.synchronizedList(new ArrayList<>());
+        team.addListener(new TeamListener() {
+            @Override
+            public void noticed(int robot, String message) {
+                notices.add(message);
+            }
+        });
+        bot.refuse(new ConnectFailed(ConnectFailed.Reason.WRONG_DEVICE, "another adapter has its name now"));
+
+        bot.cut();
+        let(20);
+
+        assertThat(notices).containsExactly("1: not connected again: another adapter has its name now");
+        assertThat(reconnect.status(member())).isPresent();
     }
 }

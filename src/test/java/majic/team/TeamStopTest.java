@@ -21,6 +21,9 @@ import org.junit.jupiter.api.Test;
 
 /** Tests what a stop, and STOP of all robots, ends, latches and reports. */
 class TeamStopTest {
+    private static final String REMEDY = "; if it is at rest, \"remove 1\" ends this alarm; \"add ADDRESS as 1\""
+            + " connects it under another address";
+
     @AutoClose
     private final TeamFixture fixture = new TeamFixture();
 
@@ -150,7 +153,7 @@ class TeamStopTest {
         team.stopAll();
         team.changes().await(() -> said.size() >= 2, 5);
 
-        assertThat(said).containsExactlyInAnyOrder("1 stop: failed: connection lost", "2 stop: done");
+        assertThat(said).containsExactlyInAnyOrder("1 stop: failed: connection lost" + REMEDY, "2 stop: done");
     }
 
     @Test
@@ -215,6 +218,7 @@ class TeamStopTest {
         team.stop(team.members(), null);
         fixture.awaitIdle(1);
 
-        assertThat(said).containsExactly("1 stop: failed: robot 1 (Fake) is not connected, so no stop can reach it");
+        assertThat(said)
+                .containsExactly("1 stop: failed: robot 1 (Fake) is not connected, so no stop can reach it" + REMEDY);
     }
 }
