@@ -41,6 +41,8 @@ public final class SerialPorts {
     private final Path devices;
     private final Source source;
 
+    private volatile List<Port> last = List.of();
+
     /** How many adapters of a kind were found at once, at most. */
     private final Map<String, Integer> mostOfKind = new ConcurrentHashMap<>();
 
@@ -164,6 +166,7 @@ public final class SerialPorts {
         ports.stream()
                 .collect(Collectors.groupingBy(Port::kind, Collectors.summingInt(port -> 1)))
                 .forEach((kind, number) -> mostOfKind.merge(kind, number, Math::max));
+        last = ports;
         return ports;
     }
 
@@ -225,11 +228,20 @@ public final class SerialPorts {
     }
 
     /**
-     * Returns the names that stay, as far as they can be read from files.
+     * Returns the names that stay, without asking the system for its ports.
      *
-     * @return the links to devices that are plugged in now; empty on systems without such links
+     * @return the links to devices that are plugged in now; on systems without such links the names that {@link #list}
+     *     found last
      */
-    public List<String> links() {
+    public List<String> namesThatStay() {
+        List<String> numbers = last.stream()
+                .map(Port::name)
+                .filter(name -> name.startsWith(USB))
+                .toList();
+        return Stream.concat(links().stream(), numbers.stream()).toList();
+    }
+
+    private List<String> links() {
         Map<String, Path> byPath = links("by-path");
         Map<String, Path> byId = links("by-id");
         return Stream.concat(

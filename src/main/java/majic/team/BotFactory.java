@@ -203,6 +203,15 @@ public final class BotFactory {
         return serialPort(text).map(BotFactory::adapter).orElse("");
     }
 
+    /**
+     * Returns the names of serial ports that stay the same adapter's. Reads files at most.
+     *
+     * @return as they stand in addresses behind the type
+     */
+    public List<String> serialPorts() {
+        return SerialPorts.system().namesThatStay();
+    }
+
     private static String adapter(String port) {
         try {
             return SerialPorts.system()

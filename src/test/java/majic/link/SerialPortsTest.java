@@ -94,7 +94,7 @@ class SerialPortsTest {
         ports.plug("ttyUSB0", "A50285BI", LEFTY, SOCKET_1);
         ports.plug("ttyUSB1", "", "usb-1a86_USB_Serial-if00-port0", SOCKET_2);
 
-        assertThat(ports.all().links()).containsExactly(ports.byId(LEFTY), ports.byPath(SOCKET_2));
+        assertThat(ports.all().namesThatStay()).containsExactly(ports.byId(LEFTY), ports.byPath(SOCKET_2));
     }
 
     @Test

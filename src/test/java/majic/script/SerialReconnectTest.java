@@ -8,6 +8,7 @@ import java.util.List;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.link.TestPorts;
+import majic.script.help.Completion;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -139,5 +140,32 @@ class SerialReconnectTest {
         assertThat(fixture.runPipe("stop"))
                 .anyMatch(
                         line -> line.contains("\"remove 1\" ends this alarm") && line.contains("\"add ADDRESS as 1\""));
+    }
+
+    @Test
+    void theNamesThatStayAreOfferedWhileAnAddressIsTyped() {
+        String offered = "add aibo:" + ports.named(LEFTY);
+
+        assertThat(fixture.prompt.complete("add aibo:/", "add aibo:/".length()).entries())
+                .extracting(Completion::text)
+                .containsExactly(offered.substring("add ".length()));
+        assertThat(fixture.prompt.complete(offered, offered.length()).entries()).isNotEmpty();
+    }
+
+    @Test
+    void aProbeOfAPortNamesTheNameThatStays() throws InterruptedException {
+        fixture.bot(1).cut();
+
+        assertThat(fixture.runPipe("probe aibo:" + ports.device("ttyUSB0")))
+                .anyMatch(line -> line.endsWith(
+                        "answers; the name of this port can change, aibo:" + ports.named(LEFTY) + " stays"));
+    }
+
+    @Test
+    void aProbeOfThePortOfARobotNamesTheRobot() throws InterruptedException {
+        fixture.aibo.prepare(second -> second.refuse(new BotException("this program uses it already")));
+
+        assertThat(fixture.runPipe("probe aibo:" + ports.named(LEFTY)))
+                .anyMatch(line -> line.endsWith("robot 1 is connected to it already"));
     }
 }

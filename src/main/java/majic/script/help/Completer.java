@@ -176,7 +176,8 @@ public final class Completer {
 
     private List<Completion> addresses() {
         List<Completion> words = new ArrayList<>();
-        factory.types().forEach(type -> words.addAll(Explained.addresses(type)));
+        List<String> ports = factory.serialPorts();
+        factory.types().forEach(type -> words.addAll(Explained.addresses(type, ports)));
         factory.lab().ifPresent(lab -> words.addAll(Explained.addresses(lab)));
         return words;
     }

@@ -57,8 +57,8 @@ final class Explained {
         return words;
     }
 
-    /** The beginnings of the addresses of a type. */
-    static List<Completion> addresses(BotType type) {
+    /** The beginnings of the addresses of a type, and those at serial ports. */
+    static List<Completion> addresses(BotType type, List<String> serialPorts) {
         List<Completion> words = new ArrayList<>();
         String place = type.canListRobots() ? "/SITE/DESK/NUMBER" : "";
         int port = type.defaultPort(type.name());
@@ -66,6 +66,9 @@ final class Explained {
         words.add(new Completion(type.name() + ":", rest, type.make()));
         for (String library : type.libraries()) {
             words.add(new Completion(type.name() + "+" + library + ":", rest, type.make() + ", by " + library));
+        }
+        if (type.reaches().contains(BotType.Reach.SERIAL)) {
+            serialPorts.forEach(name -> words.add(Completion.word(type.name() + ":" + name, "a serial port")));
         }
         return words;
     }
