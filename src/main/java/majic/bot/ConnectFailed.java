@@ -26,15 +26,14 @@ public class ConnectFailed extends BotException {
         REFUSED,
         /** Nothing answered in time: the robot is off, out of reach, or the address is another computer's. */
         NO_ANSWER,
-        /**
-         * Something answered, but not as this type of robot does; or the name of the robot's serial port belongs to
-         * another adapter now.
-         */
+        /** Something answered, but not as this type of robot does. */
         WRONG_DEVICE,
         /** The robot or the serial port is used by another program. */
         BUSY,
         /** There is no serial port of that name. */
         NO_SUCH_PORT,
+        /** The name of the robot's serial port is, or may be, that of another adapter now; nothing was sent to it. */
+        OTHER_ADAPTER,
         /** The user may not use the serial port. */
         NOT_ALLOWED,
         /** The user name or the password is missing or wrong. */
@@ -120,7 +119,7 @@ public class ConnectFailed extends BotException {
             return Reason.NO_SUCH_PORT;
         }
         if (cause instanceof FileAlreadyExistsException) {
-            return Reason.WRONG_DEVICE;
+            return Reason.OTHER_ADAPTER;
         }
         if (cause instanceof AccessDeniedException) {
             return Reason.NOT_ALLOWED;

@@ -95,7 +95,13 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         teams = new FrameTeams(this, session, services, channel);
         editor = new FrameEditor(this, session, services, this::stopAll, dialogs, teams);
         RobotActions actions = new RobotActions(
-                session.team(), channel, plots, dialogs::loadAct, dialogs::removeBot, reconnect.attempts());
+                session.team(),
+                channel,
+                plots,
+                dialogs::loadAct,
+                dialogs::removeBot,
+                reconnect.attempts(),
+                session::address);
         selection.addListener(() -> gamepad.choose(selection.members()));
         start = startPage();
         team = new TeamPane(session, selection, actions, start);

@@ -14,9 +14,9 @@ import majic.time.TimeSource;
 
 /**
  * Connects robots again whose connection was lost: after 1, 2, 5, 10, 20 and 30 s, then every 30 s, until the robot is
- * connected, removed or cancelled. Another device in its place is not connected, and reported once. It does what
- * {@link majic.bot.MajicBot#connect()} does and nothing else: no motion, queue, act or manual control resumes, and a
- * latched STOP stays latched. Thread-safe.
+ * connected, removed or cancelled. Another adapter under the name of its serial port is not connected, and reported
+ * once. It does what {@link majic.bot.MajicBot#connect()} does and nothing else: no motion, queue, act or manual
+ * control resumes, and a latched STOP stays latched. Thread-safe.
  */
 public final class AutoReconnect implements TeamListener, AutoCloseable {
     private static final System.Logger LOG = LateLogger.of(AutoReconnect.class);
@@ -201,14 +201,14 @@ public final class AutoReconnect implements TeamListener, AutoCloseable {
             try {
                 member.bot().connect();
             } catch (BotException e) {
-                reportOtherDevice(e);
+                reportOtherAdapter(e);
                 LOG.log(System.Logger.Level.DEBUG, "robot " + member.number() + " is not connected again yet", e);
             }
         }
 
-        /** Another device in the robot's place needs a decision of the user, so that is said, once. */
-        private void reportOtherDevice(BotException failure) {
-            boolean isOther = failure instanceof ConnectFailed failed && failed.reason() == Reason.WRONG_DEVICE;
+        /** Another adapter under the robot's name needs a decision of the user, so that is said, once. */
+        private void reportOtherAdapter(BotException failure) {
+            boolean isOther = failure instanceof ConnectFailed failed && failed.reason() == Reason.OTHER_ADAPTER;
             if (isOther && !reported) {
                 reported = true;
                 member.report(new BotException("not connected again: " + failure.getMessage(), failure));

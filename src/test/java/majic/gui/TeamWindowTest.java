@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import java.awt.Container;
+import majic.bot.ConnectFailed;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
+import majic.team.Member;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -111,5 +113,27 @@ class TeamWindowTest {
         window.await(
                 "a layout",
                 () -> content.getHeight() > 0 && content.getHeight() - panes.getY() - panes.getHeight() < 10);
+    }
+
+    @Test
+    void anotherAdapterIsConnectedAfterAQuestionOnly() {
+        window.command("add toy:one");
+        window.await("the card", () -> window.cards().contains("1"));
+        ToyBot bot = (ToyBot) window.team.member(1).bot();
+        bot.refuseConnections(
+                new ConnectFailed(ConnectFailed.Reason.OTHER_ADAPTER, "ttyUSB0 is another adapter now; add it"));
+        bot.loseLink();
+        window.await("the button", () -> window.isShowing("cardReconnect1"));
+        window.click("cardReconnect1");
+        window.await("the question", () -> window.isShowing("Connect"));
+        assertThat(window.team.members()).extracting(Member::bot).containsExactly(bot);
+
+        window.click("Connect");
+
+        window.await(
+                "another connection",
+                () -> window.team.members().stream()
+                        .anyMatch(member -> member.bot() != bot && member.bot().isConnected()));
+        assertThat(window.team.member(1).bot()).isNotSameAs(bot);
     }
 }

@@ -38,7 +38,7 @@ public final class ToyBot extends BotDriver {
     private final String address;
     private volatile CountDownLatch jam = new CountDownLatch(0);
     private volatile boolean deaf;
-    private volatile boolean refuses;
+    private volatile @Nullable BotException refusal;
     private volatile @Nullable String holder;
 
     public ToyBot(ToyType type, String address, BotEnvironment environment) {
@@ -75,7 +75,11 @@ public final class ToyBot extends BotDriver {
             throw new ConnectFailed(
                     ConnectFailed.Reason.WRONG_LOGIN, "the broker refuses the user name or the password");
         }
-        if (refuses || address.contains("absent")) {
+        BotException problem = refusal;
+        if (problem != null) {
+            throw problem;
+        }
+        if (address.contains("absent")) {
             throw new BotException("nothing answers at " + address);
         }
         at(Pose.START, false);
@@ -99,7 +103,12 @@ public final class ToyBot extends BotDriver {
 
     /** Makes every further attempt to connect fail. */
     public void refuseConnections() {
-        refuses = true;
+        refuseConnections(new BotException("nothing answers at " + address));
+    }
+
+    /** Makes every further attempt to connect fail for a reason. */
+    public void refuseConnections(BotException reason) {
+        refusal = reason;
     }
 
     public void loseLink() {

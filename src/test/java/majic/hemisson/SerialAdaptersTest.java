@@ -111,7 +111,7 @@ class SerialAdaptersTest {
             assertThatThrownBy(bot::connect)
                     .isInstanceOfSatisfying(
                             ConnectFailed.class,
-                            failed -> assertThat(failed.reason()).isEqualTo(ConnectFailed.Reason.WRONG_DEVICE))
+                            failed -> assertThat(failed.reason()).isEqualTo(ConnectFailed.Reason.OTHER_ADAPTER))
                     .hasMessageContaining("is another one now");
             assertThat(righty.heard()).isEmpty();
         }

@@ -126,7 +126,7 @@ class SerialReconnectTest {
     @Test
     void anotherAdapterTakesTheNumberByTheUsersChoice() throws InterruptedException {
         fixture.bot(1).cut();
-        fixture.bot(1).refuse(new ConnectFailed(ConnectFailed.Reason.WRONG_DEVICE, "another adapter"));
+        fixture.bot(1).refuse(new ConnectFailed(ConnectFailed.Reason.OTHER_ADAPTER, "another adapter"));
 
         fixture.runPipe("add aibo:" + ports.device("ttyUSB0") + " as 1");
 

@@ -231,7 +231,7 @@ class AutoReconnectTest {
                 notices.add(message);
             }
         });
-        bot.refuse(new ConnectFailed(ConnectFailed.Reason.WRONG_DEVICE, "another adapter has its name now"));
+        bot.refuse(new ConnectFailed(ConnectFailed.Reason.OTHER_ADAPTER, "another adapter has its name now"));
 
         bot.cut();
         let(20);

@@ -1,27 +1,35 @@
 package majic.gui.bots;
 
 import java.awt.Component;
+import java.awt.KeyboardFocusManager;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
+import majic.bot.ConnectFailed;
 import majic.gui.kit.CommandChannel;
+import majic.gui.kit.Confirm;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.StopButton;
 import majic.gui.plot.Plots;
 import majic.team.AutoReconnect;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.Texts;
 
 /** What the buttons and menus of a robot do. Must be used on the event dispatch thread; no method blocks. */
 public final class RobotActions {
+    private static final Texts TEXTS = Texts.of(RobotActions.class);
+
     private final Team team;
     private final CommandChannel channel;
     private final Plots plots;
     private final Consumer<Member> loadAct;
     private final Consumer<Member> kill;
     private final AutoReconnect attempts;
+    private final Function<Member, Optional<String>> addresses;
 
     /**
      * Creates the actions.
@@ -31,6 +39,7 @@ public final class RobotActions {
      * @param loadAct opens the dialog that loads an act onto a robot
      * @param kill opens the dialog that removes a robot
      * @param attempts connects lost robots again
+     * @param addresses returns where a robot was connected
      */
     public RobotActions(
             Team team,
@@ -38,13 +47,15 @@ public final class RobotActions {
             Plots plots,
             Consumer<Member> loadAct,
             Consumer<Member> kill,
-            AutoReconnect attempts) {
+            AutoReconnect attempts,
+            Function<Member, Optional<String>> addresses) {
         this.team = team;
         this.channel = channel;
         this.plots = plots;
         this.loadAct = loadAct;
         this.kill = kill;
         this.attempts = attempts;
+        this.addresses = addresses;
     }
 
     /** Stops this robot alone, and whatever drives it. */
@@ -69,10 +80,26 @@ public final class RobotActions {
             } catch (BotException e) {
                 String problem = String.valueOf(e.getMessage());
                 channel.showError(member.number() + ": " + member.bot().type().adviceAfter(problem));
+                addresses
+                        .apply(member)
+                        .filter(address -> isOtherAdapter(e))
+                        .ifPresent(address -> EventThread.later(() -> askForOther(member, problem, address)));
             } finally {
                 EventThread.later(ended);
             }
         });
+    }
+
+    private static boolean isOtherAdapter(BotException failure) {
+        return failure instanceof ConnectFailed failed && failed.reason() == ConnectFailed.Reason.OTHER_ADAPTER;
+    }
+
+    private void askForOther(Member member, String problem, String address) {
+        Confirm.ask(
+                KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow(),
+                TEXTS.get("otherAdapter", member.number(), problem.replace("; ", ";\n")),
+                TEXTS.get("otherAdapter.yes"),
+                () -> channel.submit("add " + address + " as " + member.number()));
     }
 
     /** Returns when a lost robot is connected again; empty if nothing is tried. */

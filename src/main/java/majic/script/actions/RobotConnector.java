@@ -136,7 +136,7 @@ public final class RobotConnector {
         } catch (BotException e) {
             if (replaceable
                     && e.getCause() instanceof ConnectFailed failed
-                    && failed.reason() == ConnectFailed.Reason.WRONG_DEVICE) {
+                    && failed.reason() == ConnectFailed.Reason.OTHER_ADAPTER) {
                 return false;
             }
             throw e;
