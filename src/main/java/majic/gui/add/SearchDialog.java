@@ -18,6 +18,7 @@ import javax.swing.JPanel;
 import javax.swing.JProgressBar;
 import javax.swing.JScrollPane;
 import javax.swing.ListSelectionModel;
+import majic.bot.BotException;
 import majic.bot.BotType;
 import majic.gui.kit.DoubleClick;
 import majic.gui.kit.EventThread;
@@ -47,6 +48,7 @@ final class SearchDialog extends MajicDialog {
     private final transient Consumer<String> chosen;
     private transient @Nullable PortSearch search;
     private boolean closed;
+    private String serialProblem = "";
 
     /**
      * Where to search; each is called in the background and may block.
@@ -96,7 +98,7 @@ final class SearchDialog extends MajicDialog {
     }
 
     private void search() {
-        List<SerialPortChoice> serial = places.serialPorts().get();
+        List<SerialPortChoice> serial = serialPorts();
         EventThread.later(() -> types.stream()
                 .filter(type -> type.reaches().contains(BotType.Reach.SERIAL))
                 .forEach(type -> serial.forEach(port -> add(FoundRobot.at(port, type)))));
@@ -106,6 +108,16 @@ final class SearchDialog extends MajicDialog {
         types.stream().filter(type -> port(type) > 0).forEach(type -> ports.put(port(type), type));
         PortSearch made = new PortSearch(hosts, ports.keySet(), spared, new Results(ports));
         EventThread.later(() -> begin(made, hosts, ports.values()));
+    }
+
+    /** The network is searched all the same if the serial ports cannot be listed. */
+    private List<SerialPortChoice> serialPorts() {
+        try {
+            return places.serialPorts().get();
+        } catch (BotException e) {
+            EventThread.later(() -> serialProblem = String.valueOf(e.getMessage()));
+            return List.of();
+        }
     }
 
     private static int port(BotType type) {
@@ -145,7 +157,7 @@ final class SearchDialog extends MajicDialog {
     private void end(String words, boolean wrong) {
         progress.setIndeterminate(false);
         progress.setValue(progress.getMaximum());
-        status.show(words, wrong);
+        status.show(serialProblem.isEmpty() ? words : words + " " + serialProblem, wrong || !serialProblem.isEmpty());
     }
 
     private void choose() {

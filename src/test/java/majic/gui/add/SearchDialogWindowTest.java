@@ -41,8 +41,10 @@ class SearchDialogWindowTest {
     }
 
     private void search(BotType type, Supplier<List<InetAddress>> hosts, Set<InetSocketAddress> spared) {
-        SearchDialog.Places places =
-                new SearchDialog.Places(hosts, () -> spared, () -> List.of(new SerialPortChoice("COM9", "COM9")));
+        search(type, new SearchDialog.Places(hosts, () -> spared, () -> List.of(new SerialPortChoice("COM9", "COM9"))));
+    }
+
+    private void search(BotType type, SearchDialog.Places places) {
         window.run(() -> new SearchDialog(window.frame(), List.of(type), places, chosen::complete).setVisible(true));
     }
 
@@ -124,5 +126,15 @@ class SearchDialogWindowTest {
     private boolean isProgressing() {
         JProgressBar progress = window.find("searchProgress", JProgressBar.class);
         return progress.isIndeterminate() || progress.getPercentComplete() < 1;
+    }
+
+    @Test
+    void theNetworkIsSearchedAlsoIfTheSerialPortsCannotBeListed() {
+        search(listening(BotType.Reach.TCP), new SearchDialog.Places(() -> List.of(HERE), Set::of, () -> {
+            throw new BotException("No folder allows execution.");
+        }));
+
+        window.await("the robot", () -> list().getModel().getSize() == 1);
+        window.await("the reason", () -> window.text("searchStatus").endsWith("No folder allows execution."));
     }
 }
