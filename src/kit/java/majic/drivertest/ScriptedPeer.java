@@ -168,10 +168,10 @@ public final class ScriptedPeer implements AutoCloseable {
     private synchronized boolean isQuiet() {
         try {
             accept();
-            read();
         } catch (IOException e) {
             leave(true);
         }
+        read();
         return Links.traffic().stream()
                 .filter(traffic -> traffic.open() && traffic.remote().equals(address))
                 .allMatch(this::isThrough);
@@ -206,18 +206,23 @@ public final class ScriptedPeer implements AutoCloseable {
     }
 
     /** Reads a part of what has arrived; returns whether there was any. */
-    private boolean read() throws IOException {
+    private boolean read() {
         SocketChannel open = client;
         ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
-        int count = open == null ? 0 : open.read(chunk);
-        if (count < 0) {
-            leave(false);
-        } else if (count > 0) {
-            received += count;
-            byte[] bytes = Arrays.copyOf(chunk.array(), count);
-            underWay.add(new Due(nanos + latencyNanos, () -> robot.received(this, bytes)));
+        try {
+            int count = open == null ? 0 : open.read(chunk);
+            if (count < 0) {
+                leave(false);
+            } else if (count > 0) {
+                received += count;
+                byte[] bytes = Arrays.copyOf(chunk.array(), count);
+                underWay.add(new Due(nanos + latencyNanos, () -> robot.received(this, bytes)));
+            }
+            return count > 0;
+        } catch (IOException e) {
+            leave(true);
+            return false;
         }
-        return count > 0;
     }
 
     private void leave(boolean reset) {

@@ -236,7 +236,7 @@ final class SideConnection implements TopicSource {
                 }
             } else if (on != open) {
                 on = open;
-                subscription = open.subscribe(wanted, this::arrived);
+                subscription = open.subscribeSized(wanted, this::arrived);
             }
         }
 

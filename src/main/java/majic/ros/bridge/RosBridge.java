@@ -166,18 +166,18 @@ public final class RosBridge implements AutoCloseable {
      * @throws LinkLost if it could not be sent
      */
     public RosSubscription subscribe(TopicSubscription wanted, Consumer<JsonNode> onMessage) {
-        return subscribe(wanted, (message, bytes) -> onMessage.accept(message));
+        return subscribeSized(wanted, (message, bytes) -> onMessage.accept(message));
     }
 
     /**
-     * Subscribes to a topic, as the other method.
+     * Subscribes to a topic, as {@link #subscribe}, with the lengths of the messages.
      *
      * @param wanted the topic, its type, and how often
      * @param onMessage receives each message and its length
      * @return the subscription, to be closed; it ends with the connection
      * @throws LinkLost if it could not be sent
      */
-    public RosSubscription subscribe(TopicSubscription wanted, MessageReceiver onMessage) {
+    public RosSubscription subscribeSized(TopicSubscription wanted, MessageReceiver onMessage) {
         return streams.computeIfAbsent(wanted.topic(), topic -> new TopicStream(time, this::send))
                 .add(wanted, onMessage);
     }
