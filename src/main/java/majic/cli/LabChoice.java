@@ -110,7 +110,7 @@ final class LabChoice {
             description = {
                 "Puts a ROS robot into the lab, a TurtleBot3 behind a rosbridge server: 1 (ROS 1, the default) or 2 (ROS 2), and",
                 "what is different about it: +stamped (TwistStamped commands), +timeout=1.0 or +timeout=none (when it"
-                        + " stops without commands), +unblocked, +nonavigation, +namespace=NAME, +robots=2, +camera, +auth=SECRET."
+                        + " stops without commands), +unblocked, +nonavigation, +namespace=NAME, +robots=2, +camera, +auth=SECRET, +server=NAME."
             })
     private @Nullable String rosModel;
 
