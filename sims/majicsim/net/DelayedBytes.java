@@ -17,6 +17,7 @@ final class DelayedBytes {
     private final ArrayDeque<Piece> pending = new ArrayDeque<>();
     private long enteredNanos = -1;
     private long jitterNanos;
+    private long busyUntilNanos;
     private volatile boolean empty = true;
 
     DelayedBytes(Wiring wiring, boolean jitters, Consumer<byte[]> exit) {
@@ -29,7 +30,7 @@ final class DelayedBytes {
 
     void enter(byte[] message) {
         byte[] bytes = faults.garbled(message);
-        long due = time.lineNanos() + faults.delayNanos() + jitterNanos();
+        long due = transmittedNanos(bytes.length) + faults.delayNanos() + jitterNanos();
         if (faults.isHalving() && bytes.length > 1) {
             keep(due, Arrays.copyOfRange(bytes, 0, bytes.length / 2));
             keep(due + 1, Arrays.copyOfRange(bytes, bytes.length / 2, bytes.length));
@@ -37,6 +38,16 @@ final class DelayedBytes {
             keep(due, bytes);
         }
         release();
+    }
+
+    /** Returns when a line of limited bandwidth has carried these bytes, behind those before. */
+    private long transmittedNanos(int bytes) {
+        long takes = faults.transmissionNanos(bytes);
+        if (takes == 0) {
+            return time.lineNanos();
+        }
+        busyUntilNanos = Math.max(busyUntilNanos, time.lineNanos()) + takes;
+        return busyUntilNanos;
     }
 
     /**

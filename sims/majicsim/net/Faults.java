@@ -19,6 +19,7 @@ public final class Faults {
     private final List<Runnable> cutters = new CopyOnWriteArrayList<>();
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private volatile double delayMs;
+    private volatile double bytesPerSecond = Double.POSITIVE_INFINITY;
     private volatile double garbleProbability;
     private volatile boolean halving;
     private volatile boolean readingStopped;
@@ -80,6 +81,18 @@ public final class Faults {
     }
 
     /**
+     * Lets each line carry only so many bytes in a second, each way; what comes faster waits on the line, in order and
+     * without a limit.
+     *
+     * @param rate bytes in a second, above 0
+     * @throws IllegalArgumentException if it is not above 0; nothing changes
+     */
+    public void bandwidth(double rate) {
+        check(rate > 0, "a bandwidth must be above 0 bytes in a second, not " + rate);
+        bytesPerSecond = rate;
+    }
+
+    /**
      * Damages bytes.
      *
      * @param probability of each byte to be replaced by a random one, 0 to 1
@@ -128,6 +141,7 @@ public final class Faults {
     /** Ends all faults; what they held back is delivered with the next step. */
     public void none() {
         delayMs = 0;
+        bytesPerSecond = Double.POSITIVE_INFINITY;
         garbleProbability = 0;
         halving = false;
         readingStopped = false;
@@ -187,6 +201,11 @@ public final class Faults {
     /** The ordered delay. */
     long delayNanos() {
         return (long) (delayMs * NANOS_PER_MS);
+    }
+
+    /** How long this many bytes take a line; 0 without a limited bandwidth. */
+    long transmissionNanos(int bytes) {
+        return (long) (bytes / bytesPerSecond * 1e9);
     }
 
     /** A further delay, drawn anew each time; none without noise. */

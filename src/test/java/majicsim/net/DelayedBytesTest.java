@@ -61,6 +61,32 @@ class DelayedBytesTest {
         assertThat(left).containsExactly("first", "second");
     }
 
+    @Test
+    void aLineOfLimitedBandwidthCarriesOneMessageAfterTheOther() {
+        faults.bandwidth(1000);
+        enter("12345678");
+        enter("abcd");
+        step();
+        assertThat(left).isEmpty();
+
+        step();
+        assertThat(left).containsExactly("12345678");
+        step();
+        assertThat(left).containsExactly("12345678", "abcd");
+    }
+
+    @Test
+    void aLineOfLimitedBandwidthThatWasIdleIsFreeAtOnce() {
+        faults.bandwidth(1000);
+        enter("1234");
+        step();
+        step();
+        step();
+        enter("abcd");
+        step();
+        assertThat(left).containsExactly("1234", "abcd");
+    }
+
     private void enter(String message) {
         bytes.enter(message.getBytes(StandardCharsets.US_ASCII));
     }
