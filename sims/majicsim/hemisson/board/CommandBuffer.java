@@ -16,15 +16,20 @@ public final class CommandBuffer {
     static final int TABLES = 50;
 
     private final char[] memory = new char[SIZE];
-    private final boolean sticks;
+    private final boolean kTeam;
     private int fill;
     private char last;
     private int length;
     private boolean overflowed;
 
-    /** Creates a buffer whose pointer sticks when it is full, or one that loses only that command. */
-    public CommandBuffer(boolean sticks) {
-        this.sticks = sticks;
+    /**
+     * Creates an empty buffer.
+     *
+     * @param kTeam whether its pointer sticks when it is full and lower-case hex digits are misread, as in K-Team's
+     *     firmware; otherwise only that command is lost, and both cases are read
+     */
+    public CommandBuffer(boolean kTeam) {
+        this.kTeam = kTeam;
     }
 
     /** Takes one character. */
@@ -47,7 +52,7 @@ public final class CommandBuffer {
     }
 
     public boolean isStuck() {
-        return sticks && fill == SIZE;
+        return kTeam && fill == SIZE;
     }
 
     /** Whether the command that has ended was too long to fit; never in a buffer that sticks. */
@@ -79,7 +84,7 @@ public final class CommandBuffer {
         return (byte) (memory[position] - '0');
     }
 
-    /** Two hex digits; a lower-case letter in the low place is misread as the firmware does: 0a is 2A. */
+    /** Two hex digits; K-Team's firmware misreads a lower-case letter in the low place: 0a is 2A. */
     public int hex(int position) {
         return (nibble(position) * 16 + nibble(position + 1)) & 0xFF;
     }
@@ -94,7 +99,7 @@ public final class CommandBuffer {
     }
 
     private int nibble(int position) {
-        char c = memory[position];
+        char c = kTeam ? memory[position] : Character.toUpperCase(memory[position]);
         return c > '9' ? c - 'A' + 10 : c - '0';
     }
 }

@@ -6,9 +6,9 @@ import java.util.Locale;
 final class Arguments {
     private Arguments() {}
 
-    /** Writes upper-case hex digits, as many as given. */
+    /** Reads hex digits in upper or lower case, as many as given. */
     static int hex(String text, int digits) throws ErrorReplyException {
-        return number(text, "[0-9A-F]{" + digits + "}", 16);
+        return number(text, "[0-9A-Fa-f]{" + digits + "}", 16);
     }
 
     /** One or two decimal digits of a range. */

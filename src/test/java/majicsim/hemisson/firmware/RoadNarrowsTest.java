@@ -47,10 +47,13 @@ class RoadNarrowsTest {
                 "A,L,E,xy | <E02: bad syntax>",
                 "A,L,V | a,L,V,01",
                 "A,L,E,0A | a,L,E,0A",
+                "A,L,E,0a | a,L,E,0a",
+                "A,L,E,0g | <E02: bad syntax>",
                 "A,L,L,1 | a,L,L,1",
                 "A,U,V | a,U,V,06",
                 "A,U,U,I | a,U,U,I",
                 "A,U,R,0BB8 | a,U,R,0BB8",
+                "A,U,R,0bb8 | a,U,R,0bb8",
                 "A,U,E,17 | <E16: value out of range>",
                 "A,T,V | a,T,V,07",
                 "A,T,Q | a,T,Q,0",
@@ -91,6 +94,14 @@ class RoadNarrowsTest {
         desk.ask("A,L,E,05");
         desk.ask("A,L,T,60");
         assertThat(desk.ask("A,L,F") + desk.ask("A,L,U")).isEqualTo("a,L,F,05a,L,U,60");
+    }
+
+    @Test
+    void lowerCaseHexDigitsAreReadAsTheirUpperCase() {
+        desk.ask("A,L,E,0a");
+        desk.ask("W,c0,20,3c");
+
+        assertThat(desk.ask("A,L,F") + desk.ask("R,c0,20,01")).isEqualTo("a,L,F,0Ar,060");
     }
 
     @Test
