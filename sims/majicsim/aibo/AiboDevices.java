@@ -73,7 +73,7 @@ final class AiboDevices {
         groups.define("head", List.of("neck", "headPan", "headTilt", "mouth"));
         groups.define("tail", List.of("tailPan", "tailTilt"));
         groups.define("ears", List.of("earR", "earL"));
-        groups.define("bimotors", List.of("ears"));
+        groups.define("bimotors", List.of("earL", "earR"));
         groups.define("ledF", faceLeds());
         groups.define("ledBW", List.of("ledBFW", "ledBMW", "ledBRW"));
         groups.define("ledBC", List.of("ledBFC", "ledBMC", "ledBRC"));
@@ -85,7 +85,7 @@ final class AiboDevices {
                         .flatMap(List::stream)
                         .toList());
         groups.define("legs", LEG_NAMES.stream().map(leg -> "leg" + leg).toList());
-        groups.define("motors", List.of("head", "tail", "legs"));
+        groups.define("motors", motors());
         groups.define("motor", List.of("motors"));
         sensors();
         List<String> devices =
@@ -103,6 +103,14 @@ final class AiboDevices {
         groups.define("video", List.of("camera"));
         groups.define("audio_in", List.of("micro"));
         groups.define("audio_out", List.of("speaker"));
+    }
+
+    /** The motors in the order in which the stick's script creates them. */
+    private static List<String> motors() {
+        return Stream.concat(
+                        joints(List.of("LF", "LH", "RH", "RF"), List.of(1, 2, 3)).stream(),
+                        Stream.of("neck", "headPan", "headTilt", "tailPan", "tailTilt", "mouth"))
+                .toList();
     }
 
     private static List<String> with(List<String> names, String... more) {

@@ -160,9 +160,9 @@ public final class AiboRobot implements Firmware {
         Functions functions = kernel.functions();
         functions.lasting("robot.walk", 1, GaitTask.function(gait, false));
         functions.lasting("robot.turn", 1, GaitTask.function(gait, true));
-        functions.lasting("robot.stepwalk", 1, GaitTask.steps(gait, false));
-        functions.lasting("robot.stepturn", 1, GaitTask.steps(gait, true));
-        functions.builtIn("robot.posture", arguments -> Value.of(orientation.guess()));
+        functions.lasting("lab.stepwalk", 1, GaitTask.steps(gait, false));
+        functions.lasting("lab.stepturn", 1, GaitTask.steps(gait, true));
+        functions.builtIn("lab.posture", arguments -> Value.of(orientation.guess()));
         functions.builtIn("power", arguments -> Value.of(battery.percent() / 100.0));
         speaker.install();
         microphone.install();

@@ -142,10 +142,10 @@ public final class Functions {
         return builtIn.call(arguments);
     }
 
-    /** One line a function, as {@code def} lists them. */
+    /** One line a function, as {@code def} lists them; those that only the lab has are left out. */
     public List<String> listing() {
         return lasting.values().stream()
-                .filter(entry -> entry.name().indexOf('.') >= 0)
+                .filter(entry -> entry.name().indexOf('.') >= 0 && !entry.name().startsWith("lab."))
                 .map(entry -> entry.name() + " : " + entry.arity() + " param(s)")
                 .toList();
     }

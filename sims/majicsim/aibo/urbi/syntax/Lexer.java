@@ -114,7 +114,7 @@ final class Lexer {
                 && !match(SYMBOL, TokenKind.SYMBOL)) {
             Place first = place;
             advance(1);
-            complain.accept(new Span(first, first), "invalid character: " + c);
+            complain.accept(new Span(first, first), "invalid character: " + (c == 0 ? "" : c));
         }
     }
 

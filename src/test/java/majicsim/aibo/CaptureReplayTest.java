@@ -16,7 +16,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 class CaptureReplayTest {
     /** What is not sent, and why: the rest of the captures must agree. */
     private static final Map<String, String> OUT_OF_SUBSET = Map.ofEntries(
-            Map.entry("def;", "the stick's own helper functions are not ours"),
             Map.entry("l1: every(100) headPan.val,", "when in the swing a sample falls depends on the cycle"),
             Map.entry("stop l1;", "belongs to the former"),
             Map.entry(
