@@ -66,13 +66,21 @@ public final class FirstBytes {
     }
 
     /**
+     * Returns the bytes as characters of the same number.
+     *
+     * @return the first 400; empty if nothing was received
+     */
+    public synchronized String text() {
+        return new String(bytes, 0, filled, StandardCharsets.ISO_8859_1);
+    }
+
+    /**
      * Returns the first line of readable text.
      *
      * @return the line, cut to 80 characters; null if there is none
      */
-    public synchronized @Nullable String line() {
-        return new String(bytes, 0, filled, StandardCharsets.ISO_8859_1)
-                .lines()
+    public @Nullable String line() {
+        return text().lines()
                 .map(String::strip)
                 .filter(FirstBytes::isText)
                 .map(line -> line.substring(0, Math.min(line.length(), LONGEST_LINE)))

@@ -4,8 +4,6 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Stream;
 import majic.bot.BotException;
-import majic.bot.ConnectFailed;
-import majic.bot.ConnectFailed.Reason;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
@@ -17,10 +15,12 @@ public final class Handshake {
     private static final double LONGEST_GREETING_S = 1;
 
     private final HemissonSession session;
+    private final HandshakeErrors errors;
     private final RobotWait waiting;
 
     public Handshake(HemissonSession session, RobotWait waiting) {
         this.session = session;
+        this.errors = new HandshakeErrors(session);
         this.waiting = waiting;
     }
 
@@ -37,7 +37,7 @@ public final class Handshake {
         Reply version = ask(Question.VERSION);
         refuseDeadLine();
         if (version == null) {
-            throw noVersion();
+            throw errors.noVersion();
         }
         Reply switches = ask(Question.SWITCHES);
         Reply speeds = ask(Question.SPEEDS);
@@ -87,10 +87,7 @@ public final class Handshake {
     private void stopAndConfirm() {
         session.conversation().stop();
         if (!await(() -> session.conversation().isStopped())) {
-            throw new ConnectFailed(
-                    Reason.NO_ANSWER,
-                    "it answers, but does not confirm a stop within " + timeoutSeconds()
-                            + " s; lift it, switch it off, wait 5 s and switch it on again");
+            throw errors.noStop(timeoutSeconds());
         }
     }
 
@@ -105,50 +102,11 @@ public final class Handshake {
 
     private void refuseDeadLine() {
         if (session.isClosed()) {
-            throw closed();
+            throw errors.closed();
         }
         if (session.firstBytes().isTelnet()) {
-            throw new ConnectFailed(
-                    Reason.WRONG_DEVICE,
-                    "what answers there speaks telnet (RFC 2217), not a raw serial line; can the serial server be set to "
-                            + "raw TCP?");
+            throw errors.telnet();
         }
-    }
-
-    private BotException closed() {
-        String end = session.end();
-        if (end == null) {
-            return new BotException("closed while connecting");
-        }
-        if (!session.isOnNetwork()) {
-            return new BotException("the connection was lost at once: " + end);
-        }
-        return session.firstBytes().isWebServer() ? wrongDevice() : busy(end);
-    }
-
-    private ConnectFailed busy(String end) {
-        String line = session.firstBytes().line();
-        return new ConnectFailed(
-                Reason.BUSY,
-                "the connection was lost at once: " + end + (line == null ? "" : ", saying \"" + line + "\"")
-                        + "; is another program connected to it?");
-    }
-
-    private ConnectFailed noVersion() {
-        if (session.firstBytes().line() != null && !session.isRecognised()) {
-            return wrongDevice();
-        }
-        return new ConnectFailed(
-                Reason.NO_ANSWER,
-                "no Hemisson answered two questions; one that no longer receives anything needs a restart: "
-                        + "switch it off, wait 5 s, switch it on. Or is it another port, or the robot off, or in the Pgm position?");
-    }
-
-    private ConnectFailed wrongDevice() {
-        return new ConnectFailed(
-                Reason.WRONG_DEVICE,
-                "something answers there, but not as a Hemisson does; it says \""
-                        + session.firstBytes().line() + "\"; is it the right port?");
     }
 
     /** Asks again if the robot was switched on in between. */

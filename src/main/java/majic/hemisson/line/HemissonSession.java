@@ -85,7 +85,7 @@ public final class HemissonSession {
         @Override
         public void received(String line) {
             Reply reply = Reply.of(line);
-            recognised |= reply.kind() != Reply.Kind.OTHER;
+            recognised |= reply.isTypical();
             conversation.received(reply);
         }
 

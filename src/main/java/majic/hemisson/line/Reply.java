@@ -37,6 +37,11 @@ public record Reply(Kind kind, String text) {
         return new Reply(ANSWER.matcher(line).matches() ? Kind.ANSWER : Kind.OTHER, line);
     }
 
+    /** Whether only a Hemisson is likely to send it; a single letter can be noise. */
+    boolean isTypical() {
+        return kind == Kind.ANSWER ? text.length() > 2 : kind != Kind.OTHER;
+    }
+
     /** All whole numbers in the line, in order: {@code e,05,-5} holds 5 and -5. */
     public List<Integer> numbers() {
         List<Integer> numbers = new ArrayList<>();
