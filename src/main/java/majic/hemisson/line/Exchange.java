@@ -12,6 +12,7 @@ public final class Exchange {
     private volatile int sendings;
     private volatile boolean written;
     private volatile boolean refused;
+    private volatile long askedNanos;
     private volatile long sentNanos;
     private volatile long answeredNanos;
     private volatile @Nullable Reply reply;
@@ -39,6 +40,7 @@ public final class Exchange {
     void sent(String wording, long nowNanos) {
         text = wording;
         written = false;
+        askedNanos = sendings == 0 ? nowNanos : askedNanos;
         sentNanos = nowNanos;
         sendings = sendings + 1;
     }
@@ -82,6 +84,11 @@ public final class Exchange {
 
     long sentNanos() {
         return sentNanos;
+    }
+
+    /** When it was sent for the first time: what the answer reports was measured later, ns. */
+    public long askedNanos() {
+        return askedNanos;
     }
 
     public boolean isDone() {

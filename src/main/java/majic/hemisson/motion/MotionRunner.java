@@ -1,6 +1,8 @@
 package majic.hemisson.motion;
 
+import java.util.Locale;
 import majic.bot.MotionFailed;
+import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.Motion;
 import majic.hemisson.line.BlockingConversation;
@@ -19,6 +21,9 @@ import org.jspecify.annotations.Nullable;
  * {@code MajicBot} runs one motion at a time.
  */
 public final class MotionRunner {
+    /** A motion that ends earlier or later than this counts as failed: the line delayed its stop, seconds. */
+    private static final double TOLERANCE_S = 0.15;
+
     private final CurrentSession sessions;
     private final BlockingConversation answers;
     private final StopConfirmation stopConfirmation;
@@ -42,7 +47,9 @@ public final class MotionRunner {
     /**
      * Runs a timed motion, or the part of it that the guard allows; blocks until the stop at its end is confirmed.
      *
-     * @throws MotionFailed if the robot missed an answer, disobeyed or was reset; it was stopped
+     * @return what it has covered, as the estimated pose has it
+     * @throws MotionFailed if the robot missed an answer, disobeyed or was reset, or the stop came too late; it was
+     *     stopped, and the message says what it has covered
      */
     public Value run(TimedMotion plan, Motion motion) {
         return new Run(plan, motion).run();
@@ -92,6 +99,7 @@ public final class MotionRunner {
         private final TimedMotion plan;
         private final Motion motion;
         private final MotionWatch watch = monitor.motion();
+        private final PoseEstimator.Way before = monitor.pose().way();
 
         Run(TimedMotion plan, Motion motion) {
             this.plan = plan;
@@ -100,7 +108,7 @@ public final class MotionRunner {
 
         Value run() {
             if (plan.seconds() <= 0 || !isAllowedToBegin()) {
-                return plan.covered(0);
+                return Value.about(0, plan.unit());
             }
             Exchange start = begin();
             long due = start.middleNanos() + nanos(plan.seconds()) - start.roundTripNanos() / 2;
@@ -108,8 +116,34 @@ public final class MotionRunner {
             runUntil(start.middleNanos(), due);
             motion.send(stopConfirmation::send);
             stopConfirmation.confirm();
-            failOn(watch.trouble());
-            return plan.covered((monitor.pose().sinceNanos() - start.middleNanos()) / 1e9);
+            double covered = covered();
+            String trouble = watch.trouble();
+            failAfter(covered, trouble == null ? untimely(start.middleNanos()) : trouble);
+            return Value.about(covered, plan.unit());
+        }
+
+        private double covered() {
+            PoseEstimator.Way now = monitor.pose().way();
+            return plan.unit() == Unit.MM ? now.mm() - before.mm() : now.deg() - before.deg();
+        }
+
+        /** Why the motion has not ended when it should, as half a sentence; null if it has. */
+        private @Nullable String untimely(long begunNanos) {
+            double seconds = (monitor.pose().sinceNanos() - begunNanos) / 1e9;
+            double lateS = seconds - plan.seconds();
+            return motion.guardReached() || Math.abs(lateS) <= TOLERANCE_S
+                    ? null
+                    : String.format(
+                            Locale.ROOT,
+                            "the line is too slow for it: it lasted %.2f s instead of %.2f s",
+                            seconds,
+                            plan.seconds());
+        }
+
+        private void failAfter(double covered, @Nullable String trouble) {
+            if (trouble != null) {
+                throw new MotionFailed(trouble + ", after " + Value.about(Math.rint(covered), plan.unit()));
+            }
         }
 
         /** Reads the sensors once more, so that a guard condition that holds already prevents the motion. */

@@ -15,13 +15,34 @@ public final class PoseEstimator {
     private final BooleanSupplier mayMoveUnreported;
     private final DeadReckoning reckoning = new DeadReckoning();
     private volatile Wheels wheels;
+    private volatile long reportedNanos;
+    private Way before = Way.NONE;
+
+    /**
+     * What the robot has covered, as the pose has it.
+     *
+     * @param mm ahead, less what it went back
+     * @param deg to the left, less what it turned to the right; whole turns count
+     */
+    record Way(double mm, double deg) {
+        static final Way NONE = new Way(0, 0);
+
+        Way plus(Way more) {
+            return new Way(mm + more.mm, deg + more.deg);
+        }
+    }
 
     /** Motor values, the time from which they hold, and their speeds. */
     private record Wheels(MotorValues values, long sinceNanos, SpeedTable table) implements DeadReckoning.Segment {
         @Override
         public Pose at(Pose start, long nanos) {
+            Way way = until(nanos);
+            return start.after(way.mm(), way.deg());
+        }
+
+        Way until(long nanos) {
             double seconds = Math.max(0, nanos - sinceNanos) / 1e9;
-            return start.after(table.speedMmPerSec(values) * seconds, table.turnDegPerSec(values) * seconds);
+            return new Way(table.speedMmPerSec(values) * seconds, table.turnDegPerSec(values) * seconds);
         }
     }
 
@@ -48,9 +69,15 @@ public final class PoseEstimator {
         return wheels.sinceNanos();
     }
 
+    /** What the robot has covered since it was connected. */
+    synchronized Way way() {
+        return before.plus(wheels.until(time.nanos()));
+    }
+
     /** Starts again at the start pose, for a new connection. */
     synchronized void begin() {
         reckoning.reset();
+        before = Way.NONE;
         wheels = new Wheels(MotorValues.STILL, time.nanos(), wheels.table());
     }
 
@@ -64,24 +91,28 @@ public final class PoseEstimator {
         synchronized (this) {
             begin(new Wheels(values, Math.max(nanos, wheels.sinceNanos()), wheels.table()));
         }
-        publish();
+        answered(nanos);
+    }
+
+    /** The robot answered a question that was sent at this time; publishes the state. */
+    void answered(long askedNanos) {
+        reportedNanos = Math.max(reportedNanos, askedNanos);
+        states.accept(state());
     }
 
     private void begin(Wheels next) {
         reckoning.begin(next, next.sinceNanos());
+        before = before.plus(wheels.until(next.sinceNanos()));
         wheels = next;
     }
 
-    /** Publishes the estimate for now. */
-    void publish() {
-        states.accept(state());
-    }
-
+    /** The estimate for now, with the time of the last report. */
     private synchronized BotState state() {
         long now = time.nanos();
         MotorValues values = wheels.values();
         SpeedTable table = wheels.table();
         boolean moving = !values.isStill() || mayMoveUnreported.getAsBoolean();
-        return new BotState(reckoning.at(now), table.speedMmPerSec(values), table.turnDegPerSec(values), moving, now);
+        return new BotState(
+                reckoning.at(now), table.speedMmPerSec(values), table.turnDegPerSec(values), moving, reportedNanos);
     }
 }

@@ -182,8 +182,8 @@ public final class RobotMonitor implements ConversationListener {
     private void valueAnswered(Exchange exchange, Reply reply) {
         Question question = exchange.question();
         if (!question.isLong() && reply.kind() == Reply.Kind.ANSWER) {
-            polled.answered(question, reply);
-            pose.publish();
+            polled.answered(question, reply, exchange.askedNanos());
+            pose.answered(exchange.askedNanos());
         }
         HemissonSession open = session;
         if (question == Question.SWITCHES && open != null) {

@@ -1,7 +1,6 @@
 package majic.hemisson.motion;
 
 import majic.bot.Unit;
-import majic.bot.Value;
 import majic.hemisson.line.MotorValues;
 
 /**
@@ -55,9 +54,9 @@ public record TimedMotion(
         return easedShare == 0 ? 0 : (int) Math.max(1, Math.round(seconds / ROUND_SECONDS));
     }
 
-    /** The way covered in a time, an estimate. */
-    Value covered(double afterSeconds) {
-        return Value.about(perSecond * Math.max(0, afterSeconds), unit);
+    /** The whole way, mm or degrees, signed. */
+    double way() {
+        return perSecond * seconds;
     }
 
     private static int slowed(double wayMm, double cruiseMmPerSec, SpeedTable table) {

@@ -33,7 +33,7 @@ public final class PolledAnswers {
         this.requests = new LastTimes<>(time);
     }
 
-    /** An answer and when it was received. */
+    /** An answer and when it was asked for: what it reports was measured later. */
     public record Answer(Reply reply, long nanos) {}
 
     /**
@@ -54,9 +54,9 @@ public final class PolledAnswers {
         }
     }
 
-    /** Records an answer. */
-    public void answered(Question question, Reply reply) {
-        answers.put(question.text(), new Answer(reply, time.nanos()));
+    /** Records an answer to a question that was sent at this time. */
+    public void answered(Question question, Reply reply, long askedNanos) {
+        answers.put(question.text(), new Answer(reply, askedNanos));
         if (question.equals(Question.PROXIMITY)) {
             Proximity before = proximity;
             proximity = before == null ? new Proximity(reply.numbers()) : before.next(reply.numbers());

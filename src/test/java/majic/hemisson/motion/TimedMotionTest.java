@@ -3,6 +3,7 @@ package majic.hemisson.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import majic.bot.Value;
 import majic.hemisson.line.MotorValues;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,7 +24,7 @@ class TimedMotionTest {
 
         assertThat(plan.wheels()).isEqualTo(new MotorValues(-3, -3));
         assertThat(plan.seconds()).isPositive();
-        assertThat(plan.covered(plan.seconds())).hasToString("about -100 mm");
+        assertThat(Value.about(plan.way(), plan.unit())).hasToString("about -100 mm");
     }
 
     @ParameterizedTest

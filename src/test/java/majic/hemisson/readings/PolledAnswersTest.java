@@ -15,8 +15,8 @@ class PolledAnswersTest {
     @Test
     void aPolledAnswerIsNeverEvictedByRawAnswers() {
         for (int register = 0; register < MANY; register++) {
-            polled.answered(Question.PROXIMITY, Reply.of("n,004,004,004,004,004,004,060,080"));
-            polled.answered(raw(register), Reply.of("r,255"));
+            polled.answered(Question.PROXIMITY, Reply.of("n,004,004,004,004,004,004,060,080"), 0);
+            polled.answered(raw(register), Reply.of("r,255"), 0);
 
             assertThat(polled.hasAnswered(Question.PROXIMITY)).isTrue();
         }
