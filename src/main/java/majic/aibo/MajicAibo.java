@@ -269,7 +269,7 @@ public final class MajicAibo extends BotDriver {
             AiboSession open = session;
             RunningMotion running = open == null ? null : open.executor().current();
             GaitPiece piece = running == null ? null : running.piece();
-            publish(dog.state(piece, running != null, time().nanos()));
+            publish(dog.state(piece, running != null));
         }
 
         @Override

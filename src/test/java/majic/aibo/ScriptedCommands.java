@@ -79,7 +79,7 @@ final class ScriptedCommands {
             line.say(tag, "!!! Error with function eval: " + dog.knowsNo + " [no param]");
             return;
         }
-        if (begin) {
+        if (begin && dog.reportsBegin) {
             line.say(tag, "*** begin");
         }
         Matcher gait = GAIT.matcher(command);

@@ -45,6 +45,9 @@ public final class ScriptedDog implements AutoCloseable {
 
     volatile boolean refusesGuards;
 
+    /** Whether it reports the begin of a command that is to report it. */
+    volatile boolean reportsBegin = true;
+
     /** Whether it leaves tags out as 1.5 does: only flags and channels have one. */
     volatile boolean speaks15;
 

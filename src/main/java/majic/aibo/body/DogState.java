@@ -23,6 +23,7 @@ public final class DogState {
     private final AtomicReference<@Nullable String> stopCommands = new AtomicReference<>();
     private volatile boolean standing;
     private volatile long serverMs;
+    private volatile long measuredNanos;
 
     public DogState(Calibration calibration) {
         this.calibration = calibration;
@@ -82,13 +83,26 @@ public final class DogState {
         return Optional.ofNullable(stopCommands.getAndSet(null));
     }
 
-    /** A set of fast readings is complete, by the server's clock at this time. */
-    public void sensed(long atServerMs) {
+    /**
+     * A set of fast readings is complete.
+     *
+     * @param atServerMs when the dog measured it, by its own clock
+     * @param atNanos the same time on this computer's clock
+     */
+    public void sensed(long atServerMs, long atNanos) {
         serverMs = atServerMs;
+        measuredNanos = atNanos;
         Pose pose = reckoning.at(atServerMs);
         double pan = senses.number(Sensor.HEAD_PAN).orElse(0.0);
         obstacles.add(pose, pan, infraRed.headMm(), atServerMs);
         obstacles.add(pose, 0, infraRed.chestMm(), atServerMs);
+    }
+
+    /**
+     * When the newest set of fast readings was measured, by the dog's clock, ms; the estimated pose is of this time.
+     */
+    public long sensedMs() {
+        return serverMs;
     }
 
     /** The nearest thing in the way ahead, mm from the hull; empty if there is none. */
@@ -97,10 +111,10 @@ public final class DogState {
     }
 
     /** What it shares with all robots, while it walks a piece or none. */
-    public BotState state(@Nullable GaitPiece piece, boolean moving, long nowNanos) {
+    public BotState state(@Nullable GaitPiece piece, boolean moving) {
         double pace = piece == null ? 0 : piece.unitsPerSecond();
         boolean walks = piece != null && piece.gait().isWalk();
-        return new BotState(reckoning.at(serverMs), walks ? pace : 0, walks ? 0 : pace, moving, nowNanos);
+        return new BotState(reckoning.at(serverMs), walks ? pace : 0, walks ? 0 : pace, moving, measuredNanos);
     }
 
     /** The readings of sensors and LEDs as texts, for recordings. */
@@ -124,6 +138,6 @@ public final class DogState {
         leds.restore(texts);
         infraRed.setFloorCm(Double.parseDouble(texts.getOrDefault(FLOOR, "NaN")));
         reckoning.begin((start, time) -> pose, atMs);
-        sensed(atMs);
+        sensed(atMs, measuredNanos);
     }
 }

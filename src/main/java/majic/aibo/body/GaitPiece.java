@@ -3,6 +3,7 @@ package majic.aibo.body;
 import majic.aibo.urbi.UrbiRequest;
 import majic.bot.Pose;
 import majic.driver.DeadReckoning;
+import org.jspecify.annotations.Nullable;
 
 /** One piece of a gait: the commanded amount, and the amount covered by the time stamps of the server. Thread-safe. */
 public final class GaitPiece implements DeadReckoning.Segment {
@@ -11,6 +12,9 @@ public final class GaitPiece implements DeadReckoning.Segment {
 
     /** The tolerance of the dog's time stamps for begin and end: two cycles and something (URBI sheet 15). */
     private static final double SLACK_MS = 100;
+
+    /** A walk that lasted so much longer than ordered did not go as ordered, ms. */
+    private static final double TOO_LONG_MS = 500;
 
     private final Stride stride;
     private final double amount;
@@ -54,9 +58,16 @@ public final class GaitPiece implements DeadReckoning.Segment {
         return coveredAt(Long.MAX_VALUE);
     }
 
-    /** Whether the dog ended it early, by the time stamps of its begin and its end. */
-    public boolean isCutShort() {
-        return ask.isDone() && ask.beganMs() >= 0 && ask.doneMs() - ask.beganMs() < durationMs - SLACK_MS;
+    /** Why it has not covered its amount though the dog has ended it, as half a sentence; null if it has. */
+    public @Nullable String flaw() {
+        if (ask.beganMs() < 0) {
+            return "the dog did not report the begin of its walk";
+        }
+        double excessMs = ask.doneMs() - ask.beganMs() - durationMs;
+        if (excessMs < -SLACK_MS) {
+            return "another program, or its guard, ended the walk";
+        }
+        return excessMs > TOO_LONG_MS ? "the dog ended its walk " + Math.round(excessMs) + " ms late" : null;
     }
 
     @Override

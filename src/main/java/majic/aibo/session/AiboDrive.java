@@ -147,8 +147,9 @@ public final class AiboDrive {
 
     /** Whether the drive must not go on; motors that are off before it has begun are switched on by it. */
     private @Nullable String trouble(@Nullable RunningMotion running) {
-        if (gaits.isSilent()) {
-            return MessageRouter.SILENT;
+        String silence = gaits.silence();
+        if (silence != null) {
+            return silence;
         }
         boolean walks = running != null && running.piece() != null;
         if (walks && time.secondsSince(begunNanos) > OVERDUE_S) {
@@ -203,7 +204,7 @@ public final class AiboDrive {
             dog.setStanding(true);
             return null;
         }
-        return piece.isCutShort() ? GaitControl.CUT_SHORT : null;
+        return piece.flaw();
     }
 
     private boolean isWanted() {

@@ -39,7 +39,7 @@ public final class AiboSession {
     private final DogState dog;
     private final Robot robot;
     private final Tags tags = new Tags();
-    private final PollCommands poll = new PollCommands(tags);
+    private final PollPace pace;
     private final DogClock clock;
     private final BatteryWatch battery;
     private final MessageRouter router;
@@ -70,8 +70,10 @@ public final class AiboSession {
         Consumer<String> notice = robot::notice;
         this.clock = new DogClock(waiting);
         this.battery = new BatteryWatch(notice);
-        this.router = new MessageRouter(waiting, dog, poll, clock, battery, robot::sensed);
         this.connections = new AiboConnections(transport, waiting, this::received, this::lost);
+        PollCommands poll = new PollCommands(tags);
+        this.pace = new PollPace(poll, connections.sensors(), clock);
+        this.router = new MessageRouter(waiting, dog, poll, clock, battery, pace, robot::sensed);
         this.executor = new MotionExecutor(connections, tags, waiting, dog, robot::sensed);
         this.guard = new DogGuard(connections, tags, waiting, clock);
         this.sweep = new HeadSweep(connections.sensors(), tags);
@@ -80,7 +82,7 @@ public final class AiboSession {
         this.postures = new PostureControl(executor, connections.motion(), questions, dog, notice);
         this.joints = new JointControl(executor, connections.sensors(), postures, sweep, dog);
         GaitControl gaits = new GaitControl(executor, guard, sweep, router, dog.senses());
-        this.walker = new Walker(gaits, postures, clock, waiting);
+        this.walker = new Walker(gaits, postures, dog, clock, waiting);
         this.drive = new AiboDrive(gaits, postures, dog, waiting.time(), notice);
     }
 
@@ -105,9 +107,7 @@ public final class AiboSession {
     }
 
     private void awaitFirstReadings() {
-        for (Sensor.Rate rate : Sensor.Rate.values()) {
-            connections.sensors().send(poll.order(rate, connections.sensors().version()));
-        }
+        pace.begin();
         boolean all = waiting.awaitConnecting(() -> router.answered() == Sensor.values().length, FIRST_READINGS_S);
         if (!all && router.answered() == 0) {
             throw new ConnectFailed(
@@ -187,6 +187,7 @@ public final class AiboSession {
         if (current != null) {
             current.tick();
             haltInSilence(current);
+            pace.tick(executor.current() != null);
         }
         executor.repeatStop();
         drive.tick();
@@ -195,9 +196,9 @@ public final class AiboSession {
     }
 
     private void haltInSilence(ConnectionMonitor current) {
-        if (current.fallsSilent() && executor.current() != null) {
-            robot.notice(
-                    "no message from the dog for " + MessageRouter.SILENCE_S + " s while it moves; MAJIC stops it");
+        String silence = current.fallsSilent();
+        if (silence != null && executor.current() != null) {
+            robot.notice(silence + "; it moves, so MAJIC stops it");
             executor.halt(sweep.halt());
             waiting.changes().raise();
         }
@@ -213,7 +214,7 @@ public final class AiboSession {
     private String closingCommands() {
         RunningMotion running = executor.current();
         String own = running == null ? "" : " " + running.stopCommands();
-        return UrbiCommands.STOP_GAITS + own + sweep.halt() + " " + guard.stop() + " " + poll.stop()
+        return UrbiCommands.STOP_GAITS + own + sweep.halt() + " " + guard.stop() + " " + pace.stop()
                 + microphone.stopCommand() + " ";
     }
 

@@ -6,6 +6,7 @@ import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.PingProbe;
 import majic.aibo.urbi.Tags;
 import majic.driver.RobotWait;
+import org.jspecify.annotations.Nullable;
 
 /** Detects a dog that no longer reports or no longer receives. Used by the robot's timer thread. */
 final class ConnectionMonitor {
@@ -37,11 +38,12 @@ final class ConnectionMonitor {
         }
     }
 
-    /** Whether a silence has begun that was not reported yet. */
-    boolean fallsSilent() {
-        boolean silent = router.isSilent();
-        boolean report = silent && !reported;
-        reported = silent;
-        return report;
+    /** Why the dog must not move, if a silence has begun that was not reported yet; otherwise null. */
+    @Nullable
+    String fallsSilent() {
+        String silence = router.silence();
+        boolean report = !reported;
+        reported = silence != null;
+        return report ? silence : null;
     }
 }

@@ -10,9 +10,6 @@ import org.jspecify.annotations.Nullable;
  * each, and the sweep of the head. Thread-safe.
  */
 final class GaitControl {
-    /** The failure when a piece ended early and no stop was sent. */
-    static final String CUT_SHORT = "another program, or its guard, ended the walk";
-
     /** The failure when the end of a piece was not reported. */
     static final String OVERDUE = "the dog did not report the end of its walk in time; MAJIC stopped it";
 
@@ -62,11 +59,14 @@ final class GaitControl {
     /** Why a walking dog must be stopped, as half a sentence; null if there is no reason. */
     @Nullable
     String trouble() {
-        return router.isSilent() ? MessageRouter.SILENT : readings.unfit();
+        String silent = silence();
+        return silent == null ? readings.unfit() : silent;
     }
 
-    /** Whether no reading has come for so long that the dog must not move. */
-    boolean isSilent() {
-        return router.isSilent();
+    /** The same, if it is that there are no new readings. */
+    @Nullable
+    String silence() {
+        String silence = router.silence();
+        return silence == null ? null : silence + "; MAJIC stops a dog without new readings";
     }
 }

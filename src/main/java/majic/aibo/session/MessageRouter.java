@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.regex.Matcher;
@@ -14,14 +15,12 @@ import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
 import majic.driver.RobotWait;
+import org.jspecify.annotations.Nullable;
 
 /** Routes messages that answer no request: readings, battery lines, the rest. Called on the readers' threads. */
 final class MessageRouter {
-    /** A dog must not move after so long without a reading, seconds. */
-    static final double SILENCE_S = 1.5;
-
-    /** The failure of a motion of a dog that is silent. */
-    static final String SILENT = "no message from the dog for " + SILENCE_S + " s; MAJIC stopped it";
+    /** A dog must not move after so long without a reading, and without one that is newer than this, seconds. */
+    private static final double SILENCE_S = 1.5;
 
     private static final Logger LOG = System.getLogger(MessageRouter.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
@@ -31,9 +30,11 @@ final class MessageRouter {
     private final PollCommands poll;
     private final DogClock clock;
     private final BatteryWatch battery;
+    private final PollPace pace;
     private final Runnable whenSensed;
     private final List<Consumer<UrbiMessage>> listeners = new CopyOnWriteArrayList<>();
     private volatile long lastReadingNanos;
+    private volatile long measuredNanos;
 
     /** Calls the last argument when a set of readings is in. */
     MessageRouter(
@@ -42,14 +43,16 @@ final class MessageRouter {
             PollCommands poll,
             DogClock clock,
             BatteryWatch battery,
+            PollPace pace,
             Runnable whenSensed) {
         this.waiting = waiting;
         this.dog = dog;
         this.poll = poll;
         this.clock = clock;
         this.battery = battery;
+        this.pace = pace;
         this.whenSensed = whenSensed;
-        this.lastReadingNanos = waiting.time().nanos();
+        restartSilence();
     }
 
     /** For how long no reading has come, seconds. */
@@ -57,14 +60,22 @@ final class MessageRouter {
         return waiting.time().secondsSince(lastReadingNanos);
     }
 
-    /** Whether no reading has come for so long that the dog must not move. */
-    boolean isSilent() {
-        return silenceS() > SILENCE_S;
+    /** Why the dog must not move, as half a sentence: there is no reading that is new enough; null if there is one. */
+    @Nullable
+    String silence() {
+        if (silenceS() > SILENCE_S) {
+            return "no message from the dog for " + SILENCE_S + " s";
+        }
+        double ageS = waiting.time().secondsSince(measuredNanos);
+        return ageS > SILENCE_S
+                ? String.format(Locale.ROOT, "the link to the dog is slow: its newest reading is %.1f s old", ageS)
+                : null;
     }
 
     /** Counts the silence from now on. */
     void restartSilence() {
         lastReadingNanos = waiting.time().nanos();
+        measuredNanos = lastReadingNanos;
     }
 
     /** How many sensors the dog has answered for. */
@@ -101,7 +112,7 @@ final class MessageRouter {
     }
 
     private void sensed(Sensor sensor, UrbiMessage message) {
-        restartSilence();
+        lastReadingNanos = waiting.time().nanos();
         clock.received(message.timeMs());
         if (message.body() instanceof UrbiMessage.Result result) {
             sensed(sensor, result.value(), message.timeMs());
@@ -109,9 +120,17 @@ final class MessageRouter {
             dog.senses().refuse(sensor, "the dog says: " + failure.text());
         }
         if (sensor == Sensor.HEAD_PAN) {
-            dog.sensed(message.timeMs());
+            measured(message.timeMs());
             whenSensed.run();
         }
+    }
+
+    /** Takes the time of a set of fast readings; a damaged time stamp makes no older one of the newest. */
+    private void measured(long stampMs) {
+        long nanos = clock.nanosAt(stampMs);
+        measuredNanos = Math.max(measuredNanos, nanos);
+        dog.sensed(stampMs, nanos);
+        pace.arrived(stampMs);
     }
 
     private void sensed(Sensor sensor, UrbiValue value, long stampMs) {

@@ -24,6 +24,9 @@ import org.jspecify.annotations.Nullable;
  * arrived after the command that it stops is checked afterwards, see {@link RunningMotion#continueStop}. Thread-safe.
  */
 public final class MotionExecutor {
+    /** The failure of a motion that was stopped because of {@link MessageRouter#silence}. */
+    static final String STOPPED = "no new reading came from the dog; MAJIC stopped it";
+
     private static final double CONFIRM_S = 5;
     private static final double AGAIN_S = 0.1;
 
@@ -144,6 +147,9 @@ public final class MotionExecutor {
         if (failure != null) {
             throw new MotionFailed("the dog refuses: " + failure);
         }
+        if (running.isStopRequested()) {
+            throw new MotionFailed(STOPPED);
+        }
     }
 
     private static boolean mayContinue(Motion motion) {
@@ -200,7 +206,7 @@ public final class MotionExecutor {
     void abandon() {
         RunningMotion running = current.get();
         if (running != null) {
-            running.abandon("connection lost");
+            running.abandon("connection lost", dog.sensedMs());
         }
     }
 }

@@ -1,5 +1,6 @@
 package majic.aibo.session;
 
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.stream.Collectors;
@@ -23,25 +24,34 @@ final class PollCommands {
         }
     }
 
+    /**
+     * The orders for all sensors.
+     *
+     * @param slowness how many times their usual period they are reported with
+     */
+    String start(int slowness, UrbiVersion version) {
+        return Arrays.stream(Sensor.Rate.values())
+                .map(rate -> order(rate, slowness, version))
+                .collect(Collectors.joining(" "));
+    }
+
     /** The order for all sensors of a rate; a name that the dog does not have spoils only its own reading. */
-    String order(Sensor.Rate rate, UrbiVersion version) {
+    private String order(Sensor.Rate rate, int slowness, UrbiVersion version) {
         String readings = rate.sensors().stream()
                 .map(sensor -> version.labelled(tags.named(sensor.tagName()), sensor.expression()))
                 .collect(Collectors.joining(" & "));
-        return pollTag(rate) + ": every(" + rate.periodMs() + ") { " + readings + " },";
+        return pollTag(rate, slowness) + ": every(" + slowness * rate.periodMs() + ") { " + readings + " },";
     }
 
-    /** What ends all orders. */
-    String stop() {
-        StringBuilder stop = new StringBuilder();
-        for (Sensor.Rate rate : Sensor.Rate.values()) {
-            stop.append("stop ").append(pollTag(rate)).append(", ");
-        }
-        return stop.toString();
+    /** What ends the orders with this slowness; those with another have other tags, so they are not ended with them. */
+    String stop(int slowness) {
+        return Arrays.stream(Sensor.Rate.values())
+                .map(rate -> "stop " + pollTag(rate, slowness) + ", ")
+                .collect(Collectors.joining());
     }
 
-    private String pollTag(Sensor.Rate rate) {
-        return tags.named("poll" + rate.ordinal());
+    private String pollTag(Sensor.Rate rate, int slowness) {
+        return tags.named("poll" + rate.ordinal() + "x" + slowness);
     }
 
     /** Returns the sensor that a message reports; null if none. */

@@ -106,9 +106,13 @@ public final class RunningMotion {
         return ask.doneMs();
     }
 
-    /** Takes it as ended, regardless of later messages. */
-    void abandon(String reason) {
+    /**
+     * Takes it as ended, regardless of later messages.
+     *
+     * @param knownMs until when it is known to have gone on, by the server's clock
+     */
+    void abandon(String reason, long knownMs) {
         on.forget(ask);
-        ask.fail(reason, on.lastTimeMs());
+        ask.fail(reason, Math.max(knownMs, on.lastTimeMs()));
     }
 }

@@ -1,10 +1,12 @@
 package majic.aibo.session;
 
 import java.util.Objects;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Gait;
 import majic.aibo.body.GaitPiece;
 import majic.aibo.body.Stride;
 import majic.aibo.urbi.DogClock;
+import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -22,12 +24,14 @@ public final class Walker {
 
     private final GaitControl gaits;
     private final PostureControl postures;
+    private final DogState dog;
     private final DogClock clock;
     private final RobotWait waiting;
 
-    Walker(GaitControl gaits, PostureControl postures, DogClock clock, RobotWait waiting) {
+    Walker(GaitControl gaits, PostureControl postures, DogState dog, DogClock clock, RobotWait waiting) {
         this.gaits = gaits;
         this.postures = postures;
+        this.dog = dog;
         this.clock = clock;
         this.waiting = waiting;
     }
@@ -43,6 +47,7 @@ public final class Walker {
      * @param amount mm or degrees, positive
      * @return the amount covered, with the sign of the gait
      * @throws MotionFailed if the dog must not or does not walk on; the message says how far it came
+     * @throws LinkLost if the connection was lost; the message says how far it came by then
      */
     public double cover(Stride stride, double amount, Motion motion) {
         return new Walk(stride, motion).cover(amount);
@@ -52,7 +57,8 @@ public final class Walker {
     private final class Walk {
         private final Stride stride;
         private final Motion motion;
-        private double covered;
+        private double coveredBefore;
+        private @Nullable RunningMotion current;
 
         Walk(Stride stride, Motion motion) {
             this.stride = stride;
@@ -65,6 +71,15 @@ public final class Walker {
                 return 0;
             }
             stand(motion);
+            try {
+                walkAll(amount);
+            } catch (LinkLost e) {
+                throw new LinkLost(withDistance(String.valueOf(e.getMessage())), e);
+            }
+            return covered();
+        }
+
+        private void walkAll(double amount) {
             if (stride.gait() == Gait.FORWARD) {
                 startSweep();
             }
@@ -74,7 +89,6 @@ public final class Walker {
                 walk(amount / pieces);
             }
             motion.send(gaits.sweep()::end);
-            return covered;
         }
 
         /** The head sweeps while the dog walks ahead; with a guard condition the walk begins after one whole sweep. */
@@ -87,34 +101,41 @@ public final class Walker {
 
         private void walk(double amount) {
             gaits.executor().awaitFree(motion);
+            failOn(gaits.trouble());
             motion.send(gaits::armGuard);
             RunningMotion running = gaits.piece(stride, amount);
             GaitPiece piece = Objects.requireNonNull(running.piece());
+            coveredBefore = covered();
+            current = running;
             motion.send(() -> gaits.start(running, () -> true));
             motion.await(() -> running.isOver() || gaits.trouble() != null, piece.durationMs() / 1000 + LATE_S);
+            motion.check();
             checkEnd(running, piece);
-            covered += piece.covered();
-            if (piece.isCutShort() && !running.isStopRequested()) {
-                throw failed(GaitControl.CUT_SHORT);
+        }
+
+        /**
+         * Checks how a piece has ended, and ends one that is not over: at a guard condition, in trouble, or overdue.
+         */
+        private void checkEnd(RunningMotion running, GaitPiece piece) {
+            String trouble = trouble(running);
+            if (!running.isOver()) {
+                end(running);
+            }
+            failOn(trouble);
+            if (!running.isOver()) {
+                failOn(GaitControl.OVERDUE);
+            } else if (!running.isStopRequested()) {
+                failOn(piece.flaw());
+            } else if (!motion.guardReached()) {
+                failOn(MotionExecutor.STOPPED);
             }
         }
 
-        /** Checks how a piece has ended, and ends one that is not over: at a guard condition, or overdue. */
-        private void checkEnd(RunningMotion running, GaitPiece piece) {
+        /** Stops a piece and waits for its end, so that it is known how far the dog came. */
+        private void end(RunningMotion running) {
+            motion.send(() -> gaits.executor().halt(""));
+            waiting.await(running::isOver, LATE_S);
             motion.check();
-            String trouble = trouble(running);
-            if (trouble != null) {
-                covered += piece.coveredAt(Math.round(clock.estimateMs()));
-                throw failed(trouble);
-            }
-            if (!running.isOver()) {
-                motion.send(() -> gaits.executor().halt(""));
-                boolean ended = waiting.await(running::isOver, LATE_S);
-                motion.check();
-                if (!ended || !motion.guardReached()) {
-                    throw failed(GaitControl.OVERDUE);
-                }
-            }
         }
 
         private @Nullable String trouble(RunningMotion running) {
@@ -122,9 +143,24 @@ public final class Walker {
             return failure == null ? gaits.trouble() : Gait.refusal(failure);
         }
 
-        private MotionFailed failed(String why) {
+        private void failOn(@Nullable String why) {
+            if (why != null) {
+                throw new MotionFailed(withDistance(why));
+            }
+        }
+
+        private String withDistance(String why) {
             Unit unit = stride.gait().isWalk() ? Unit.MM : Unit.DEG;
-            return new MotionFailed(why + ", after " + Value.about(Math.rint(covered), unit));
+            return why + ", after " + Value.about(Math.rint(covered()), unit);
+        }
+
+        /** How far it has come, at the time of the newest reading, as the estimated pose has it. */
+        private double covered() {
+            GaitPiece piece = current == null ? null : current.piece();
+            if (piece == null) {
+                return coveredBefore;
+            }
+            return coveredBefore + (current.isOver() ? piece.covered() : piece.coveredAt(dog.sensedMs()));
         }
     }
 }

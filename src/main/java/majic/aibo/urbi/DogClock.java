@@ -99,6 +99,12 @@ public final class DogClock {
         return nowMs() + aheadMs;
     }
 
+    /** Returns when the dog's clock showed a time stamp, on this computer's clock; not later than now, ns. */
+    public synchronized long nanosAt(long stampMs) {
+        double ageMs = Math.max(0, estimateMs() - stampMs);
+        return waiting.time().nanos() - (long) (ageMs * 1e6);
+    }
+
     /** How long the dog takes to answer at best, seconds; 0 before it is known. */
     public synchronized double roundTripS() {
         Bounds known = known();
