@@ -40,6 +40,7 @@ final class ConversationState {
     private @Nullable String ended;
     private boolean endedInStop;
     private long answeredNanos;
+    private @Nullable Exchange firstStop;
 
     ConversationState(TimeSource time, LineTimes times) {
         this.time = time;
@@ -138,7 +139,19 @@ final class ConversationState {
         if (next != null && next.sendings() > 1) {
             meter.repeated();
         }
+        if (next != null && next.purpose() == Purpose.STOP) {
+            stopSent(next);
+        }
         return next;
+    }
+
+    private void stopSent(Exchange stop) {
+        Exchange first = firstStop;
+        if (first == null) {
+            firstStop = stop;
+        } else {
+            stop.repeats(first.sentNanos());
+        }
     }
 
     /** Processes a line from the robot. */
@@ -157,9 +170,21 @@ final class ConversationState {
         if (newest == null || !newest.isWritten() || !isOverdue(newest, now)) {
             return Outcome.NONE;
         }
-        meter.missed(now);
         LOG.log(Level.DEBUG, "no answer to {0}", newest.text());
+        if (now - newest.askedNanos() < timeoutNanos) {
+            repeatStop(newest);
+            return Outcome.NONE;
+        }
+        meter.missed(now);
         return giveUp(newest, "no answer within " + timeoutNanos / 1_000_000 + " ms");
+    }
+
+    /** A stop is repeated before its answer counts as missed. */
+    private void repeatStop(Exchange unanswered) {
+        open.remove(unanswered);
+        unanswered.failed("repeated");
+        motion.doubt();
+        stopAfterAPause();
     }
 
     /** A stop is overdue as soon as it may be sent again. */
@@ -198,6 +223,7 @@ final class ConversationState {
     private void close(Exchange answered, Reply reply) {
         answeredNanos = time.nanos();
         answered.answered(reply, answeredNanos);
+        firstStop = answered.purpose() == Purpose.STOP ? null : firstStop;
         open.remove(answered);
     }
 
@@ -229,6 +255,7 @@ final class ConversationState {
     private Outcome gotGreeting() {
         open.discard(Exchange.RESET);
         unanswered.clear();
+        firstStop = null;
         queue.discardAll(Exchange.RESET);
         stops.wasReset();
         stopAfterAPause();

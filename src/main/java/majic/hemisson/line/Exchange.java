@@ -86,6 +86,11 @@ public final class Exchange {
         return sentNanos;
     }
 
+    /** Records that it repeats a stop, which was sent at this time and is not answered yet. */
+    void repeats(long firstNanos) {
+        askedNanos = firstNanos;
+    }
+
     /** When it was sent for the first time: what the answer reports was measured later, ns. */
     public long askedNanos() {
         return askedNanos;
@@ -107,11 +112,16 @@ public final class Exchange {
 
     /** From sending to answer, ns; only when answered. */
     public long roundTripNanos() {
-        return answeredNanos - sentNanos;
+        return answeredNanos - fromNanos();
     }
 
     /** The likeliest time of execution, ns: half way between sending and answer. */
     public long middleNanos() {
-        return sentNanos + roundTripNanos() / 2;
+        return fromNanos() + roundTripNanos() / 2;
+    }
+
+    /** Stops are repeated before the first one can be answered, so an answer is that to the first. */
+    private long fromNanos() {
+        return purpose() == Question.Purpose.STOP ? askedNanos : sentNanos;
     }
 }

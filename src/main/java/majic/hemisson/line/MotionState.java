@@ -34,9 +34,14 @@ final class MotionState {
         mayMove |= purpose == Purpose.MOTION;
     }
 
+    /** Records that a late answer to an earlier question is possible. */
+    void doubt() {
+        doubtful = true;
+    }
+
     /** Records that an answer is missing. */
     void missed() {
-        doubtful = true;
+        doubt();
         unreached |= mayMove;
     }
 
