@@ -218,7 +218,7 @@ public final class MajicAibo extends BotDriver {
 
     /** Makes the poller of pictures and LEDs, which does not poll yet. */
     PanelPoller poller(PanelPoller.PictureReceiver receiver) {
-        return new PanelPoller(waiting(), this::openSensors, receiver);
+        return new PanelPoller(waiting(), this::openSensors, () -> state().moving(), receiver);
     }
 
     private @Nullable UrbiConnection openSensors() {

@@ -3,6 +3,7 @@ package majic.aibo;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import majic.aibo.panel.PanelPoller;
@@ -85,6 +86,25 @@ class PanelPollerTest implements PanelPoller.PictureReceiver {
         awaitReadings();
 
         assertThat(dog.received(ASKED)).hasSize(asked);
+    }
+
+    @Test
+    void onASlowLinkNoPictureIsRequestedWhileTheDogMoves() {
+        dog.set("robot.MyguessPosition()", "\"stand\"");
+        dog.set("legLF1.load", "1.000000");
+        aibo.connect();
+        dog.slownessMs = 600;
+        CompletableFuture<Void> walk = driven.aside(() -> aibo.move(500));
+        dog.clock().until(() -> aibo.state().moving());
+        poller.look(true);
+
+        assertThat(next(missed)).isEqualTo("no pictures while it moves: the link takes 0.6 s for one");
+        int asked = dog.received(ASKED).size();
+        awaitReadings();
+        assertThat(dog.received(ASKED)).hasSize(asked);
+        driven.join(walk);
+        seen.clear();
+        assertThat(next(seen)).isInstanceOf(UrbiValue.Binary.class);
     }
 
     @Test

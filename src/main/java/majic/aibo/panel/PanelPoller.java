@@ -1,5 +1,7 @@
 package majic.aibo.panel;
 
+import java.util.Locale;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import majic.aibo.body.LedReadings;
 import majic.aibo.urbi.Tags;
@@ -16,12 +18,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * Polls the values that are needed only while the panel is visible: pictures, and the state of the LEDs and ears. Has
  * its own thread meanwhile, because no other may wait for a picture. After each picture the connection is left to the
- * readings for at least as long as the picture took. Thread-safe.
+ * readings for at least as long as the picture took; on a link on which a picture takes long, none is requested while
+ * the dog moves. Thread-safe.
  */
 public final class PanelPoller {
     private static final Texts TEXTS = Texts.of(PanelPoller.class);
     private static final double LEAST_PERIOD_S = 0.1;
     private static final double AFTER_FAILURE_S = 1;
+
+    /** A picture that takes longer would make the readings too old for a dog that moves, s. */
+    private static final double LONG_S = 0.5;
 
     /** Receives the pictures. Called on the poller's thread; may block. */
     public interface PictureReceiver {
@@ -34,6 +40,7 @@ public final class PanelPoller {
 
     private final RobotWait waiting;
     private final Supplier<@Nullable UrbiConnection> connection;
+    private final BooleanSupplier moving;
     private final PictureReceiver receiver;
     private final Camera camera;
     private final Tags tags = new Tags();
@@ -43,10 +50,16 @@ public final class PanelPoller {
      * Makes a poller that does not poll yet.
      *
      * @param connection the one for sensors and settings that is open now; null while none is
+     * @param moving whether the dog moves
      */
-    public PanelPoller(RobotWait waiting, Supplier<@Nullable UrbiConnection> connection, PictureReceiver receiver) {
+    public PanelPoller(
+            RobotWait waiting,
+            Supplier<@Nullable UrbiConnection> connection,
+            BooleanSupplier moving,
+            PictureReceiver receiver) {
         this.waiting = waiting;
         this.connection = connection;
+        this.moving = moving;
         this.receiver = receiver;
         this.camera = new Camera(waiting);
     }
@@ -108,10 +121,18 @@ public final class PanelPoller {
                     receiver.see(picture, rate.arrived(nanos));
                     double tookS = (nanos - askedNanos) / 1e9;
                     pause(on, Math.max(tookS, LEAST_PERIOD_S - tookS));
+                    awaitRest(on, tookS);
                 }
             } catch (UrbiRefusal e) {
                 receiver.miss(String.valueOf(e.getMessage()));
                 pause(on, AFTER_FAILURE_S);
+            }
+        }
+
+        private void awaitRest(UrbiConnection on, double tookS) {
+            if (tookS > LONG_S && moving.getAsBoolean()) {
+                receiver.miss(TEXTS.get("camera.slow", String.format(Locale.ROOT, "%.1f", tookS)));
+                waiting.await(() -> !sees(on) || !moving.getAsBoolean(), Signal.FOR_EVER);
             }
         }
 
