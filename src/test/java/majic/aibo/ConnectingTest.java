@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
+import majic.link.Loopback;
 import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -24,6 +26,16 @@ class ConnectingTest {
     void aConnectionClosedBeforeTheBannerIsReported(int connection) {
         refusedThenConnected(
                 connection, ScriptedDog.Trouble.HANGS_UP, expected(connection, "closed the connection at once"));
+    }
+
+    @Test
+    void aDogThatDoesNotAnswerMayHaveANewAddress() {
+        try (MajicAibo elsewhere = new MajicAibo("aibo://127.0.0.1:" + Loopback.freePort())) {
+            assertThatThrownBy(elsewhere::connect)
+                    .hasMessageContaining("nothing listens at 127.0.0.1")
+                    .hasMessageContaining("another address")
+                    .hasMessageContaining("Search the network");
+        }
     }
 
     @ParameterizedTest

@@ -26,6 +26,8 @@ public final class AiboConnections implements UrbiConnection.Owner {
     private static final int OPEN_TIMEOUT_MS = 4000;
     private static final double IDENT_TIMEOUT_S = 4;
     private static final double CLOSING_S = 1;
+    private static final String NEW_ADDRESS =
+            " A router may have given it another address; Search the network in Add Bot finds it.";
 
     private final RobotWait waiting;
     private final UrbiConnection motion;
@@ -84,8 +86,9 @@ public final class AiboConnections implements UrbiConnection.Owner {
                     : ConnectFailed.of(
                             e,
                             Advice.joined(
-                                    String.valueOf(e.getMessage()),
-                                    "is the dog on, in the network, and URBI on its stick?"));
+                                            String.valueOf(e.getMessage()),
+                                            "is the dog on, in the network, and URBI on its stick?")
+                                    + NEW_ADDRESS);
         }
         if (connection.isEnded() || !connection.isIdentified()) {
             throw granted() > 0 ? tooFew(null) : refusal(connection);
@@ -118,7 +121,7 @@ public final class AiboConnections implements UrbiConnection.Owner {
                 Reason.WRONG_DEVICE,
                 "something answers there, but not as an URBI server within " + (int) IDENT_TIMEOUT_S + " s"
                         + (said == null ? "" : "; it says \"" + said + "\"")
-                        + "; is this the dog, and is 54000 the right port?");
+                        + "; is this the dog, and is 54000 the right port?" + NEW_ADDRESS);
     }
 
     /**
