@@ -30,6 +30,13 @@ class BinaryTest {
     }
 
     @Test
+    void theSpeakerReturnsTheSoundThatItWasGiven() {
+        client.say("speaker.val;speaker.val = BIN 4 raw 1 8000 8 1;abcdspeaker.val;");
+
+        assertThat(client.raw().replaceAll("\\d{8}:", "t:")).isEqualTo("[t:notag] BIN 4 raw 1 8000 8 1\nabcd");
+    }
+
+    @Test
     void bytesThatLookLikeProgramTextAreTakenAsBytes() {
         for (char c : "speaker.val = BIN 6 raw 1 8000 8 1;1;\"{(#8;".toCharArray()) {
             client.say(String.valueOf(c));
