@@ -80,7 +80,7 @@ public final class CommandReader {
             return step;
         } catch (SyntaxError error) {
             // The real kernel goes on counting behind a command only if it had understood a part of it (captures A to
-            // C).
+            // C), or it begins with an @.
             place = error.afterCommand() ? lexer.end() : start;
             complain.accept(error.span() + ": " + error.getMessage());
             return null;

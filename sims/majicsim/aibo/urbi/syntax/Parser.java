@@ -32,7 +32,8 @@ final class Parser {
         boolean background = tokens.at(",");
         boolean ended = background || tokens.at(";");
         if (!ended) {
-            throw SyntaxError.expectedEnd(tokens.peek(), !tokens.isFirst());
+            boolean counted = !tokens.isFirst() || tokens.at("@");
+            throw SyntaxError.expectedEnd(tokens.peek(), counted);
         }
         tokens.next();
         if (!tokens.peek().is(TokenKind.END)) {

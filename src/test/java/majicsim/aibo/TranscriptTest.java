@@ -75,6 +75,14 @@ class TranscriptTest {
                 .containsExactly("[error] !!! 19.5: invalid character: \u00e9", "[notag] 0.000000");
     }
 
+    @Test
+    void theLinesGoOnBehindAnAtSignButNotBehindABracket() {
+        assertThat(Bench.exact().client().ask("\n@;\n1 +;").stream().map(Transcript::plain))
+                .contains("[error] !!! 21.4: syntax error, unexpected ;");
+        assertThat(Bench.exact().client().ask("\n);\n1 +;").stream().map(Transcript::plain))
+                .contains("[error] !!! 20.4: syntax error, unexpected ;");
+    }
+
     private static List<String> lines(String resource) throws IOException {
         try (BufferedReader lines = new BufferedReader(new InputStreamReader(
                 Objects.requireNonNull(TranscriptTest.class.getResourceAsStream(resource)), StandardCharsets.UTF_8))) {
