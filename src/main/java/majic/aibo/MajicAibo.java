@@ -164,6 +164,12 @@ public final class MajicAibo extends BotDriver {
     }
 
     @Override
+    protected @Nullable Value driven() {
+        session().drive().checkEnded();
+        return null;
+    }
+
+    @Override
     protected void halt() {
         session().halt();
     }

@@ -74,6 +74,16 @@ class AiboDriveTest {
         assertThat(dog.isWalking()).isFalse();
     }
 
+    @Test
+    void aTimedDriveThatGoesWrongAfterItsLastRenewalIsNotDone() {
+        CompletableFuture<Void> drive = driven.aside(() -> aibo.drive(60, 0, 0.29, Guard.NEVER));
+        driven.until(dog::isWalking);
+
+        dog.endWalk();
+
+        assertThatThrownBy(() -> driven.join(drive)).hasMessageContaining("ended the walk");
+    }
+
     private void standStill(double seconds) {
         try {
             aibo.time().sleep(seconds);

@@ -107,6 +107,16 @@ class MotionTest {
     }
 
     @Test
+    void aTimedDriveThatGoesWrongAfterItsLastRenewalIsNotDone() {
+        bot.connect();
+        pair.onceItMoves(pair::switchOffAndOn);
+
+        assertThatThrownBy(() -> bot.drive(42, 0, 0.25, Guard.NEVER))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("reset");
+    }
+
+    @Test
     void wheelsSetByAnotherSourceEndTheMotion() {
         bot.connect();
         robot.answer('E', command -> "e,00,00");

@@ -33,6 +33,7 @@ public final class AiboDrive {
     private final Consumer<String> notice;
     private volatile @Nullable Stride wanted;
     private volatile @Nullable String failure;
+    private volatile @Nullable String failureOfEnded;
     private volatile long renewedNanos;
     private volatile @Nullable Gait announced;
     private volatile boolean underWay;
@@ -58,6 +59,9 @@ public final class AiboDrive {
             fail(LATE);
         }
         refuseAfterFailure();
+        if (wanted == null) {
+            failureOfEnded = null;
+        }
         if (stride != null && gaits.executor().current() == null) {
             postures.refuseFallen(dog.senses().posture());
         }
@@ -75,6 +79,18 @@ public final class AiboDrive {
         String wrong = failure;
         if (wrong != null) {
             forget();
+            throw new MotionFailed(wrong);
+        }
+    }
+
+    /**
+     * Checks a drive that has ended after its last renewal.
+     *
+     * @throws MotionFailed if something went wrong in it since that renewal
+     */
+    public void checkEnded() {
+        String wrong = failureOfEnded;
+        if (wrong != null) {
             throw new MotionFailed(wrong);
         }
     }
@@ -102,6 +118,8 @@ public final class AiboDrive {
 
     /** Ends the drive without sending anything; the caller stops what has been started. */
     void forget() {
+        String wrong = failure;
+        failureOfEnded = wrong == null ? failureOfEnded : wrong;
         wanted = null;
         announced = null;
         failure = null;

@@ -67,8 +67,13 @@ public final class MotionRunner {
         failOn(conversation().ask(Question.wheels(wheels)).failure());
     }
 
-    /** What the wheels were set to by the last {@link #drive}. */
+    /**
+     * What the wheels were set to by the last {@link #drive}, which has ended.
+     *
+     * @throws MotionFailed if something went wrong in it
+     */
     public MotorValues driven() {
+        failOn(monitor.motion().trouble());
         return driven;
     }
 
