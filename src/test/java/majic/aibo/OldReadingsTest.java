@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 
 /** Readings that arrive late or not at all, and what becomes of a motion then. */
 class OldReadingsTest {
-    private static final Pattern AFTER = Pattern.compile(".*, after about (-?\\d+) mm");
+    private static final Pattern AFTER = Pattern.compile(".*(?:, after|it had come) about (-?\\d+) mm");
 
     @AutoClose
     private final DrivenAibo driven = DrivenAibo.standing().connected();

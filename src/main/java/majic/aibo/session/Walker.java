@@ -74,7 +74,8 @@ public final class Walker {
             try {
                 walkAll(amount);
             } catch (LinkLost e) {
-                throw new LinkLost(withDistance(String.valueOf(e.getMessage())), e);
+                String done = stride.gait().isWalk() ? "come " : "turned ";
+                throw new LinkLost(e.getMessage() + "; by then it had " + done + distance(), e);
             }
             return covered();
         }
@@ -145,13 +146,12 @@ public final class Walker {
 
         private void failOn(@Nullable String why) {
             if (why != null) {
-                throw new MotionFailed(withDistance(why));
+                throw new MotionFailed(why + ", after " + distance());
             }
         }
 
-        private String withDistance(String why) {
-            Unit unit = stride.gait().isWalk() ? Unit.MM : Unit.DEG;
-            return why + ", after " + Value.about(Math.rint(covered()), unit);
+        private Value distance() {
+            return Value.about(Math.rint(covered()), stride.gait().isWalk() ? Unit.MM : Unit.DEG);
         }
 
         /** How far it has come, at the time of the newest reading, as the estimated pose has it. */
