@@ -1,27 +1,32 @@
 package majic.aibo.session;
 
+import majic.aibo.body.Sensor;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.UrbiConnection;
 
 /**
  * Paces the periodic reports of the sensors to the link. Reports that the dog sends faster than the link carries them
- * queue up and arrive ever later; then the dog is ordered to send them at half the rate. It is ordered to send them
- * faster again when they have been on time for a while and the dog does not move. Thread-safe.
+ * queue up and arrive ever later; then the dog is ordered to send them at half or a quarter of the rate. It is ordered
+ * to send them faster again when they have been on time for a while and the dog does not move. Thread-safe.
  */
 final class PollPace {
     /** Readings that arrive this much later than the quickest are late, s. */
-    private static final double LATE_S = 0.25;
+    private static final double LATE_S = 0.15;
 
     /** A queue that shortens by less than this from one window to the next counts as one, s. */
     private static final double SHRINKS_S = 0.05;
 
-    /** Readings of one window: more than come between two sets of slow readings. */
-    private static final int WINDOW = 8;
+    /** Fast readings of one window: as many as come between two sets of slow ones. */
+    private static final int WINDOW = 4;
 
-    /** How long readings must be on time before the dog sends them faster, s. */
-    private static final double CALM_S = 10;
+    /** A queue that grows by more than this in a second needs a rate of less than half, s. */
+    private static final double FAST_GROWTH = 0.8;
 
-    private static final int SLOWEST = 16;
+    /** How long readings must be on time before the dog sends them faster, s; twice as long after each queue. */
+    private static final double FIRST_CALM_S = 10;
+
+    private static final double LONGEST_CALM_S = 160;
+    private static final int SLOWEST = 8;
 
     private final PollCommands poll;
     private final UrbiConnection sensors;
@@ -31,8 +36,9 @@ final class PollPace {
     private int counted;
     private double leastLateS;
     private double lastWindowS;
-    private boolean congested;
+    private int slower = 1;
     private double calmSinceMs;
+    private double calmS = FIRST_CALM_S;
 
     PollPace(PollCommands poll, UrbiConnection sensors, DogClock clock) {
         this.poll = poll;
@@ -66,7 +72,11 @@ final class PollPace {
     }
 
     private void endWindow() {
-        congested |= Math.min(leastLateS, lastWindowS) > LATE_S && leastLateS > lastWindowS - SHRINKS_S;
+        double growsS = leastLateS - lastWindowS;
+        if (Math.min(leastLateS, lastWindowS) > LATE_S && growsS > -SHRINKS_S) {
+            double windowS = WINDOW * slowness * Sensor.Rate.FAST.periodMs() / 1000.0;
+            slower = Math.max(slower, growsS > FAST_GROWTH * windowS ? 4 : 2);
+        }
         if (leastLateS > LATE_S) {
             calmSinceMs = clock.estimateMs();
         }
@@ -88,18 +98,22 @@ final class PollPace {
     }
 
     private synchronized String due(boolean moving) {
-        if (congested && slowness < SLOWEST) {
-            return stop() + order(slowness * 2);
+        if (moving) {
+            calmSinceMs = clock.estimateMs();
         }
-        boolean calm = clock.estimateMs() - calmSinceMs > CALM_S * 1000;
-        return calm && slowness > 1 && !moving ? stop() + order(slowness / 2) : "";
+        if (slower > 1 && slowness < SLOWEST) {
+            calmS = Math.min(2 * calmS, LONGEST_CALM_S);
+            return stop() + order(Math.min(slowness * slower, SLOWEST));
+        }
+        boolean calm = clock.estimateMs() - calmSinceMs > calmS * 1000;
+        return calm && slowness > 1 ? stop() + order(slowness / 2) : "";
     }
 
     private synchronized String order(int newSlowness) {
         slowness = newSlowness;
         orderedMs = clock.estimateMs() + clock.roundTripS() * 1000;
         calmSinceMs = orderedMs;
-        congested = false;
+        slower = 1;
         lastWindowS = 0;
         restartWindow();
         return poll.start(slowness, sensors.version());
