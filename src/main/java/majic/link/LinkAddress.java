@@ -65,13 +65,4 @@ public final class LinkAddress {
                         .toList())
                 .orElse(List.of(text));
     }
-
-    /**
-     * Returns what identifies the device.
-     *
-     * @return the adapter of a serial port that was opened, if the system identifies it; otherwise this address
-     */
-    public String device() {
-        return names().get(0);
-    }
 }
