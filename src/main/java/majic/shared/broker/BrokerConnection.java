@@ -41,6 +41,31 @@ public interface BrokerConnection extends AutoCloseable {
          * @param reason how, as half a sentence
          */
         default void lost(String reason) {}
+
+        /**
+         * The broker has refused a message that was published by {@link BrokerConnection#publish(BrokerMessage)}. For
+         * quality of service 0 only the first message on each topic of a connection has an outcome.
+         *
+         * @param message what was not published
+         * @param reason as the broker gives it: {@code not authorized}
+         */
+        default void notPublished(BrokerMessage message, String reason) {}
+
+        /**
+         * The broker has refused a subscription when the connection was made, so no message arrives for it.
+         *
+         * @param filter as it was subscribed to
+         * @param reason as the broker gives it
+         */
+        default void notSubscribed(String filter, String reason) {}
+
+        /**
+         * The broker has delivered a message that breaks the rules of MQTT. It was left out: no handler is called.
+         *
+         * @param topic of the message, control characters made visible
+         * @param problem what is wrong in it, as half a sentence
+         */
+        default void malformed(String topic, String problem) {}
     }
 
     /**
@@ -93,7 +118,9 @@ public interface BrokerConnection extends AutoCloseable {
     void unsubscribe(String filter);
 
     /**
-     * Publishes a message: queues it to be written in the order of the calls, and never blocks.
+     * Publishes a message: queues it to be written in the order of the calls, and never blocks. A refusal of the broker
+     * is reported to the watchers. The first message on each topic of a connection is sent with quality of service 1,
+     * since a broker refuses others silently.
      *
      * @param message what to publish
      * @throws BotException while not connected, or while so much waits to be sent that the network or the broker is too
@@ -102,11 +129,12 @@ public interface BrokerConnection extends AutoCloseable {
     void publish(BrokerMessage message);
 
     /**
-     * Publishes a message as {@link #publish(BrokerMessage)}, and reports its outcome.
+     * Publishes a message as {@link #publish(BrokerMessage)}, and reports its outcome to the caller alone.
      *
      * @param message what to publish
      * @param acknowledged called once: with null when the broker has acknowledged it (quality of service 1) or it has
-     *     been written (0), otherwise with the reason; on any thread, must not wait
+     *     been written (0), with a {@link PublicationRefused} if the broker refuses it, otherwise with the reason; on
+     *     any thread, must not wait
      * @throws BotException as {@link #publish(BrokerMessage)}; {@code acknowledged} is not called then
      */
     void publish(BrokerMessage message, Consumer<@Nullable BotException> acknowledged);

@@ -94,6 +94,11 @@ public record BrokerMessage(
         return new BrokerMessage(topic, payload, quality, kept, responseTopic, correlation, expirySeconds, contentType);
     }
 
+    BrokerMessage withQuality(Quality other) {
+        return new BrokerMessage(
+                topic, payload, other, retained, responseTopic, correlation, expirySeconds, contentType);
+    }
+
     /**
      * Returns the same message, which the broker drops after a time.
      *

@@ -22,6 +22,9 @@ final class HiveConnection implements BrokerConnection {
     private static final int SHORTEST_PAUSE_MS = 500;
     private static final int LONGEST_PAUSE_MS = 1_500;
 
+    /** After sessions that end because of what the broker sends, since it may send that again at once. */
+    private static final int LONGEST_PAUSE_AFTER_MALFORMED_MS = 30_000;
+
     private final BrokerAddress address;
     private final ConnectOptions options;
     private final ThreadPoolExecutor handlers;
@@ -30,6 +33,7 @@ final class HiveConnection implements BrokerConnection {
     private final List<Watcher> watchers = new CopyOnWriteArrayList<>();
     private final CountDownLatch end = new CountDownLatch(1);
     private @Nullable HiveSession session;
+    private int longestPauseMs = LONGEST_PAUSE_MS;
     private boolean begun;
     private boolean closed;
 
@@ -84,13 +88,21 @@ final class HiveConnection implements BrokerConnection {
                 throw new BotException("closed while connecting");
             }
             session = opened;
-            Stream.of(urgent, subscriptions)
-                    .forEach(kind -> kind.all().forEach(one -> opened.subscribe(one.filter(), one.quality())));
+            Stream.of(urgent, subscriptions).forEach(kind -> kind.all().forEach(one -> subscribe(opened, one)));
         }
         notify(Watcher::connected);
         if (!opened.isOpen()) {
             lost(opened, new TimeoutException("Timeout"));
         }
+    }
+
+    private void subscribe(HiveSession opened, TopicHandlers.Subscription one) {
+        opened.subscribe(one.filter(), one.quality()).whenComplete((done, failure) -> {
+            if (failure != null) {
+                HiveErrors.notSubscribed(failure)
+                        .ifPresent(reason -> notify(watcher -> watcher.notSubscribed(one.filter(), reason)));
+            }
+        });
     }
 
     private void notify(Consumer<Watcher> event) {
@@ -105,6 +117,9 @@ final class HiveConnection implements BrokerConnection {
                 return;
             }
             session = null;
+            longestPauseMs = HiveErrors.isMalformed(cause)
+                    ? Math.min(2 * longestPauseMs, LONGEST_PAUSE_AFTER_MALFORMED_MS)
+                    : LONGEST_PAUSE_MS;
         }
         String reason = HiveErrors.lost(cause);
         notify(watcher -> watcher.lost(reason));
@@ -116,8 +131,7 @@ final class HiveConnection implements BrokerConnection {
      */
     private void reconnect() {
         try {
-            while (!end.await(
-                    ThreadLocalRandom.current().nextInt(SHORTEST_PAUSE_MS, LONGEST_PAUSE_MS), TimeUnit.MILLISECONDS)) {
+            while (!end.await(pauseMs(), TimeUnit.MILLISECONDS)) {
                 if (reconnected()) {
                     return;
                 }
@@ -125,6 +139,11 @@ final class HiveConnection implements BrokerConnection {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    private synchronized long pauseMs() {
+        return ThreadLocalRandom.current()
+                .nextInt(SHORTEST_PAUSE_MS * longestPauseMs / LONGEST_PAUSE_MS, longestPauseMs);
     }
 
     private boolean reconnected() {
@@ -174,6 +193,9 @@ final class HiveConnection implements BrokerConnection {
                 kind.remove(added);
                 throw new BotException(
                         address + ": the broker does not accept the subscription to " + filter
+                                + HiveErrors.notSubscribed(e)
+                                        .map(reason -> " (" + reason + ")")
+                                        .orElse("")
                                 + "; has this user the right to read there?",
                         e);
             }
@@ -196,7 +218,11 @@ final class HiveConnection implements BrokerConnection {
 
     @Override
     public void publish(BrokerMessage message) {
-        publish(message, problem -> {});
+        publish(message, problem -> {
+            if (problem instanceof PublicationRefused refused) {
+                notify(watcher -> watcher.notPublished(message, refused.reason()));
+            }
+        });
     }
 
     @Override
@@ -205,13 +231,9 @@ final class HiveConnection implements BrokerConnection {
         if (present == null || !present.isOpen()) {
             throw new BotException("not connected to the broker " + address.hostAndPort());
         }
-        present.publish(message, failure -> acknowledged.accept(failure == null ? null : problem(message, failure)));
-    }
-
-    private static BotException problem(BrokerMessage message, Throwable failure) {
-        return new BotException(
-                "the broker did not take the message on " + message.topic() + ": " + HiveErrors.refusal(failure),
-                failure);
+        present.publish(
+                message,
+                failure -> acknowledged.accept(failure == null ? null : HiveErrors.notPublished(message, failure)));
     }
 
     private synchronized @Nullable HiveSession present() {
@@ -260,6 +282,11 @@ final class HiveConnection implements BrokerConnection {
             if (!isClosed()) {
                 (isUrgent ? urgent : subscriptions).dispatch(message);
             }
+        }
+
+        @Override
+        public void malformed(String topic, String problem) {
+            HiveConnection.this.notify(watcher -> watcher.malformed(topic, problem));
         }
     }
 

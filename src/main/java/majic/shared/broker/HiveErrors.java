@@ -1,9 +1,11 @@
 package majic.shared.broker;
 
 import com.hivemq.client.mqtt.exceptions.ConnectionClosedException;
+import com.hivemq.client.mqtt.exceptions.MqttDecodeException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5ConnAckException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5DisconnectException;
 import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5PubAckException;
+import com.hivemq.client.mqtt.mqtt5.exceptions.Mqtt5SubAckException;
 import com.hivemq.client.mqtt.mqtt5.message.Mqtt5ReasonCode;
 import com.hivemq.client.mqtt.mqtt5.message.connect.connack.Mqtt5ConnAck;
 import java.util.Locale;
@@ -13,6 +15,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.net.ssl.SSLException;
 import javax.net.ssl.SSLHandshakeException;
+import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 
@@ -135,6 +138,9 @@ final class HiveErrors {
 
     /** Says how a connection was lost, as half a sentence. */
     static String lost(Throwable failure) {
+        if (isMalformed(failure)) {
+            return "the broker has sent something malformed: " + innermost(failure);
+        }
         Optional<Mqtt5DisconnectException> told = cause(failure, Mqtt5DisconnectException.class);
         if (told.isPresent() && !isTimeout(failure)) {
             return "the broker ended the connection: "
@@ -143,11 +149,26 @@ final class HiveErrors {
         return isTimeout(failure) ? "the broker does not answer" : "the broker closed the connection";
     }
 
-    /** Returns why the broker did not take a message: the reason that it gave, or that of the system. */
-    static String refusal(Throwable failure) {
+    /** Returns why a message was not published: a refusal of the broker, or the reason of the system. */
+    static BotException notPublished(BrokerMessage message, Throwable failure) {
         return cause(failure, Mqtt5PubAckException.class)
-                .map(refused -> words(refused.getMqttMessage().getReasonCode()))
-                .orElseGet(() -> innermost(failure));
+                .<BotException>map(refused -> new PublicationRefused(
+                        message.topic(), words(refused.getMqttMessage().getReasonCode())))
+                .orElseGet(() -> new BotException(
+                        "the broker did not take the message on " + message.topic() + ": " + innermost(failure),
+                        failure));
+    }
+
+    /** Returns why the broker refuses a subscription, as it words it; empty if it has not answered. */
+    static Optional<String> notSubscribed(Throwable failure) {
+        return cause(failure, Mqtt5SubAckException.class)
+                .map(refused -> refused.getMqttMessage().getReasonCodes().get(0))
+                .map(HiveErrors::words);
+    }
+
+    /** Returns whether a session has ended because of what the broker has sent. */
+    static boolean isMalformed(Throwable failure) {
+        return cause(failure, MqttDecodeException.class).isPresent();
     }
 
     private static String words(Mqtt5ReasonCode code) {

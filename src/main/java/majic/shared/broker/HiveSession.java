@@ -11,7 +11,9 @@ import io.reactivex.disposables.Disposable;
 import io.reactivex.schedulers.Schedulers;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
@@ -33,8 +35,14 @@ final class HiveSession {
     private static final int LARGEST_PACKET_BYTES = 1 << 20;
     private static final long REPORT_MS = 500;
 
+    /** Of more topics the broker need not answer the first message: others choose the topics of their answers. */
+    private static final int MOST_TOPICS = 20_000;
+
     private final Mqtt5AsyncClient client;
     private final OutgoingQueue outgoing = new OutgoingQueue();
+    /** Topics on which something was published; the broker's answer to the first message is that to all of them. */
+    private final Set<String> published = ConcurrentHashMap.newKeySet();
+
     private volatile boolean accepted;
 
     /** What the messages of a session are for. */
@@ -52,6 +60,9 @@ final class HiveSession {
          * @param urgent true for the urgent ones, on the thread of the network; false for the others, on the executor
          */
         void received(BrokerMessage message, boolean urgent);
+
+        /** Reports a message that was left out, on the thread of the network. */
+        void malformed(String topic, String problem);
     }
 
     private HiveSession(Mqtt5ClientBuilder builder, Consumer<Throwable> lost) {
@@ -94,6 +105,7 @@ final class HiveSession {
         HiveSession session = new HiveSession(builder, lost);
         session.receive(arrivals, handlers);
         session.connect(address, connect(options, credentials), options.timeoutMs() + REPORT_MS);
+        MalformedMessages.leaveOut(session.client, arrivals::malformed);
         return session;
     }
 
@@ -174,13 +186,14 @@ final class HiveSession {
     }
 
     /**
-     * Queues a message.
+     * Queues a message. The first one on a topic is sent so that the broker has to answer.
      *
      * @param outcome called once: with null when it is acknowledged or written, otherwise with the reason
      * @throws BotException if the session has ended or is too slow
      */
     void publish(BrokerMessage message, Consumer<@Nullable Throwable> outcome) {
-        outgoing.add(message, outcome);
+        boolean first = published.size() < MOST_TOPICS && published.add(message.topic());
+        outgoing.add(first ? message.withQuality(Quality.AT_LEAST_ONCE) : message, outcome);
     }
 
     /** Ends the session after what was queued; the broker does not publish the will. */

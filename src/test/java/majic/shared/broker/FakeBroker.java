@@ -68,6 +68,14 @@ public final class FakeBroker implements AutoCloseable {
         new ArrayList<>(connections).forEach(connection -> deliver(connection, message.withRetained(false)));
     }
 
+    /** Delivers a malformed message to the connections that have subscribed to its topic. */
+    public synchronized void publishMalformed(String topic, String problem) {
+        new ArrayList<>(connections)
+                .stream()
+                        .filter(connection -> connection.subscribed(topic).isPresent())
+                        .forEach(connection -> connection.arriveMalformed(topic, problem));
+    }
+
     /** All messages that were published and match a filter, the oldest first. */
     public synchronized List<BrokerMessage> published(String filter) {
         TopicFilter topics = new TopicFilter(filter);

@@ -35,6 +35,7 @@ public final class FakeConnection implements BrokerConnection {
     private boolean holding;
     private boolean unreachable;
     private volatile boolean closed;
+    private volatile String refused = "";
     private long deadlineNanos = Long.MAX_VALUE;
 
     FakeConnection(FakeBroker broker, ConnectOptions options) {
@@ -106,6 +107,11 @@ public final class FakeConnection implements BrokerConnection {
         changed.raise();
     }
 
+    /** From now on the broker refuses what this client publishes on some topics; all again for an empty filter. */
+    public void refuse(String filter) {
+        refused = filter;
+    }
+
     String clientId() {
         return options.clientId();
     }
@@ -129,6 +135,11 @@ public final class FakeConnection implements BrokerConnection {
     /** Takes a message from the broker. */
     void arrive(BrokerMessage message) {
         transport(() -> event(() -> subscriptions.dispatch(message)));
+    }
+
+    /** Takes a malformed message from the broker. */
+    void arriveMalformed(String topic, String problem) {
+        transport(() -> event(() -> watchers.forEach(watcher -> watcher.malformed(topic, problem))));
     }
 
     /** Ends the connection for both ends, unless it is closed. */
@@ -297,7 +308,11 @@ public final class FakeConnection implements BrokerConnection {
 
     @Override
     public void publish(BrokerMessage message) {
-        publish(message, problem -> {});
+        publish(message, problem -> {
+            if (problem instanceof PublicationRefused refusal) {
+                watchers.forEach(watcher -> watcher.notPublished(message, refusal.reason()));
+            }
+        });
     }
 
     @Override
@@ -307,10 +322,18 @@ public final class FakeConnection implements BrokerConnection {
                 throw new BotException("not connected to the broker");
             }
             transport(() -> {
-                broker.publish(message);
-                event(() -> acknowledged.accept(null));
+                if (isRefused(message)) {
+                    event(() -> acknowledged.accept(new PublicationRefused(message.topic(), "not authorized")));
+                } else {
+                    broker.publish(message);
+                    event(() -> acknowledged.accept(null));
+                }
             });
         }
+    }
+
+    private boolean isRefused(BrokerMessage message) {
+        return !refused.isEmpty() && new TopicFilter(refused).matches(message.topic());
     }
 
     @Override
