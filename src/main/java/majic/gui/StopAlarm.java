@@ -8,6 +8,8 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
 import javax.swing.JButton;
@@ -22,8 +24,8 @@ import majic.text.NumberList;
 import majic.text.Texts;
 
 /**
- * The strip below the buttons that names the robots whose stop was not confirmed, with the reasons and with what to do.
- * Hidden while there is none.
+ * The strip below the buttons that names the robots whose stop was not confirmed, with the reasons and with what to do,
+ * and why STOP has not reached other desks. Hidden while there is neither.
  */
 final class StopAlarm extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
@@ -36,6 +38,7 @@ final class StopAlarm extends JPanel implements TeamListener {
     private final transient Team team;
     private final JLabel title = white(new StyledLabel("stopAlarm", "", Font.BOLD, 2));
     private final JLabel reasons = white(new NamedLabel("stopReasons", ""));
+    private final JLabel remedy = white(new NamedLabel("stopRemedy", TEXTS.get("remedy")));
     private final JButton again = new JButton(TEXTS.get("stopAgain"));
 
     StopAlarm(Team team) {
@@ -47,7 +50,6 @@ final class StopAlarm extends JPanel implements TeamListener {
         again.setFocusable(false);
         again.setToolTipText(TEXTS.get("stopAgain.tip"));
         again.addActionListener(event -> stopAgain());
-        JLabel remedy = white(new NamedLabel("stopRemedy", TEXTS.get("remedy")));
         remedy.setToolTipText(remedy.getText());
         Box texts = Box.createVerticalBox();
         texts.add(title);
@@ -72,13 +74,20 @@ final class StopAlarm extends JPanel implements TeamListener {
     }
 
     private void showRobots() {
-        Map<Integer, String> unconfirmed = team.stopStatus().unconfirmed();
-        setVisible(!unconfirmed.isEmpty());
-        if (unconfirmed.isEmpty()) {
-            return;
-        }
-        title.setText(TEXTS.get("unconfirmed", unconfirmed.size(), NumberList.of(List.copyOf(unconfirmed.keySet()))));
-        String why = reasons(unconfirmed);
+        StopStatus status = team.stopStatus();
+        Map<Integer, String> unconfirmed = status.unconfirmed();
+        String elsewhere = status.elsewhere();
+        setVisible(!unconfirmed.isEmpty() || !elsewhere.isEmpty());
+        again.setVisible(!unconfirmed.isEmpty());
+        remedy.setVisible(!unconfirmed.isEmpty());
+        title.setText(
+                unconfirmed.isEmpty()
+                        ? TEXTS.get("notElsewhere")
+                        : TEXTS.get(
+                                "unconfirmed", unconfirmed.size(), NumberList.of(List.copyOf(unconfirmed.keySet()))));
+        String why = Stream.of(reasons(unconfirmed), elsewhere)
+                .filter(text -> !text.isEmpty())
+                .collect(Collectors.joining("   "));
         reasons.setText(why);
         reasons.setToolTipText(why);
     }

@@ -65,7 +65,7 @@ final class StopPanel extends JPanel implements TeamListener {
         stop.addActionListener(event -> stopAll.run());
         release.setName("release");
         release.setToolTipText(TEXTS.get("release.tip"));
-        release.addActionListener(event -> team.release());
+        release.addActionListener(event -> EventThread.background("releasing STOP", team::release));
         add(release, BorderLayout.WEST);
         add(stop, BorderLayout.EAST);
         this.team = team;
@@ -127,6 +127,9 @@ final class StopPanel extends JPanel implements TeamListener {
 
     /** Returns the count, shortened to make room for the hint that the keys do not reach this program. */
     private static String receipt(StopStatus status) {
+        if (!status.elsewhere().isEmpty()) {
+            return confirmed(status);
+        }
         if (keysReachMajic() || status.asked() == 0) {
             return keysReachMajic() ? confirmed(status) : TEXTS.get("keys.elsewhere");
         }
@@ -134,6 +137,9 @@ final class StopPanel extends JPanel implements TeamListener {
     }
 
     private static String confirmed(StopStatus status) {
+        if (!status.elsewhere().isEmpty()) {
+            return TEXTS.get("confirmed.here", status.confirmed(), status.asked());
+        }
         return status.asked() == 0
                 ? TEXTS.get("untilReleased")
                 : TEXTS.get("confirmed", status.confirmed(), status.asked());

@@ -17,6 +17,7 @@ final class StopReceipts {
     private final Roster roster;
     private final Map<Member, Receipt> receipts = new LinkedHashMap<>();
     private StopStatus status = StopStatus.NONE;
+    private String elsewhere = "";
     private long stops;
 
     /**
@@ -100,6 +101,13 @@ final class StopReceipts {
     synchronized void released() {
         receipts.replaceAll(
                 (member, last) -> new Receipt(last.stop, false, last.confirmed, last.pending, last.problem));
+        elsewhere = "";
+        changed();
+    }
+
+    /** Keeps why STOP has not reached other programs; empty if it has. */
+    synchronized void elsewhere(String problem) {
+        elsewhere = problem;
         changed();
     }
 
@@ -121,7 +129,7 @@ final class StopReceipts {
                 unconfirmed.put(entry.getKey().number(), receipt.problem);
             }
         }
-        StopStatus now = new StopStatus(asked, confirmed, unconfirmed);
+        StopStatus now = new StopStatus(asked, confirmed, unconfirmed, elsewhere);
         if (!now.equals(status)) {
             status = now;
             events.put(listener -> listener.stopStatusChanged(now));

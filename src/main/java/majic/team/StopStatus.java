@@ -12,10 +12,12 @@ import java.util.TreeMap;
  * @param confirmed how many of those have confirmed it, 0 to {@code asked}
  * @param unconfirmed the numbers of the robots whose last stop failed to be confirmed, by STOP or alone, each with the
  *     reason as half a sentence; a robot stays until it confirms a later stop or is removed
+ * @param elsewhere why the latched STOP has not reached programs that share it, as a sentence; empty if it has reached
+ *     all of them, or is not shared
  */
-public record StopStatus(int asked, int confirmed, SortedMap<Integer, String> unconfirmed) {
+public record StopStatus(int asked, int confirmed, SortedMap<Integer, String> unconfirmed, String elsewhere) {
     /** The status of a team that was not stopped. */
-    public static final StopStatus NONE = new StopStatus(0, 0, new TreeMap<>());
+    public static final StopStatus NONE = new StopStatus(0, 0, new TreeMap<>(), "");
 
     /** Copies the map. */
     public StopStatus {

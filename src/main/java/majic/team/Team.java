@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
@@ -43,7 +44,7 @@ public final class Team implements AutoCloseable {
     private final StopSender stopSender;
     private volatile boolean latched;
     private volatile @Nullable StopOrigin stopOrigin;
-    private volatile boolean stopShared;
+    private volatile @Nullable SharedStop sharedStop;
 
     /**
      * Creates an empty team of at most {@link #MAX_BOTS} robots.
@@ -239,12 +240,22 @@ public final class Team implements AutoCloseable {
 
     /**
      * Sets whether STOP of this team stops robots of other programs too, so that it has robots to stop even while this
-     * team has none.
+     * team has none, and is released by all of them.
      *
-     * @param shared false in a new team
+     * @param with the other programs; null for none, as in a new team
      */
-    public void shareStop(boolean shared) {
-        stopShared = shared;
+    public void shareStop(@Nullable SharedStop with) {
+        sharedStop = with;
+    }
+
+    /**
+     * Reports whether the latched STOP has reached the programs that share it.
+     *
+     * @param problem why it has not, as a sentence; empty if it has
+     */
+    public void reportSharedStop(String problem) {
+        stopReceipts.elsewhere(problem);
+        stopReceipts.publish();
     }
 
     /**
@@ -254,7 +265,7 @@ public final class Team implements AutoCloseable {
      * @return whether it latched
      */
     public boolean stopAllIfAny() {
-        if (members().isEmpty() && !stopShared) {
+        if (members().isEmpty() && sharedStop == null) {
             stops.stoppedAll();
             changes.raise();
             return false;
@@ -308,8 +319,30 @@ public final class Team implements AutoCloseable {
         }
     }
 
-    /** Allows motion again after STOP. Nothing resumes by itself. */
+    /**
+     * Allows motion again after STOP. Nothing resumes by itself. If STOP is shared with other programs, it is released
+     * for all of them or not at all; this method waits {@value #CALLBACK_BOUND_MS} ms at most until that is decided.
+     */
     public void release() {
+        SharedStop shared = sharedStop;
+        if (shared == null) {
+            releaseAlone();
+            return;
+        }
+        AtomicBoolean decided = new AtomicBoolean();
+        shared.release(() -> {
+            decided.set(true);
+            changes.raise();
+        });
+        try {
+            changes.await(decided::get, CALLBACK_BOUND_MS / 1000.0);
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    /** Releases STOP as {@link #release()}, for this team only: the programs that share it have been released. */
+    public void releaseAlone() {
         latch(false, null);
         members().forEach(Member::release);
         stopReceipts.released();

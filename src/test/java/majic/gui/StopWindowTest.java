@@ -41,6 +41,24 @@ class StopWindowTest {
     }
 
     @Test
+    void aStopThatHasNotReachedOtherDesksDoesNotLookAsIfItHad() {
+        window.add("one");
+        window.click("stop");
+        window.await("the count", () -> window.text("stopCount").equals("1 of 1 confirmed"));
+
+        window.team.reportSharedStop("the broker refuses it");
+        window.await("the restriction", () -> window.text("stopCount").equals("1 of 1, only here"));
+        window.await("the strip", () -> window.text("stopReasons").equals("the broker refuses it"));
+        assertThat(window.text("stopAlarm")).isEqualTo("STOP has not reached the robots of other desks");
+
+        window.click("release");
+        window.await(
+                "the end",
+                () -> !window.team.isLatched()
+                        && window.team.stopStatus().elsewhere().isEmpty());
+    }
+
+    @Test
     void theTipOfTheButtonNamesTheUserAndTheDeskOfAStopThatWasPressedElsewhere() {
         window.add("one");
         window.team.stopAll(new StopOrigin("Anna at desk1", null));

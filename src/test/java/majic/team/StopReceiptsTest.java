@@ -49,7 +49,7 @@ class StopReceiptsTest {
     }
 
     private void awaitStatus(int asked, int confirmed, Map<Integer, String> unconfirmed) throws InterruptedException {
-        StopStatus wanted = new StopStatus(asked, confirmed, new TreeMap<>(unconfirmed));
+        StopStatus wanted = new StopStatus(asked, confirmed, new TreeMap<>(unconfirmed), "");
         team.changes().await(() -> team.stopStatus().equals(wanted), 100);
         assertThat(team.stopStatus()).isEqualTo(wanted);
     }
@@ -180,10 +180,10 @@ class StopReceiptsTest {
 
         assertThat(reported)
                 .containsExactly(
-                        new StopStatus(2, 0, new TreeMap<>()),
-                        new StopStatus(2, 1, new TreeMap<>()),
-                        new StopStatus(2, 1, new TreeMap<>(Map.of(2, OVERDUE))),
-                        new StopStatus(2, 1, new TreeMap<>(Map.of(2, STUCK))),
-                        new StopStatus(0, 0, new TreeMap<>(Map.of(2, STUCK))));
+                        new StopStatus(2, 0, new TreeMap<>(), ""),
+                        new StopStatus(2, 1, new TreeMap<>(), ""),
+                        new StopStatus(2, 1, new TreeMap<>(Map.of(2, OVERDUE)), ""),
+                        new StopStatus(2, 1, new TreeMap<>(Map.of(2, STUCK)), ""),
+                        new StopStatus(0, 0, new TreeMap<>(Map.of(2, STUCK)), ""));
     }
 }

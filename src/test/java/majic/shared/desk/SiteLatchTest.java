@@ -8,6 +8,7 @@ import java.time.ZoneId;
 import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
+import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.FakeBot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -335,5 +336,123 @@ class SiteLatchTest {
                     .hasSize(1);
         }
         assertThat(List.of(using.isConnected())).containsExactly(true);
+    }
+
+    @Test
+    void aStopThatTheBrokerRefusesDoesNotLookAsIfTheSiteWereStopped() {
+        connection.refuse(TOPIC);
+        other.stopAll();
+
+        rig.clock.until(() -> other.stopStatus().elsewhere().contains("(not authorized)"));
+        assertThat(other.stopStatus().elsewhere())
+                .startsWith("STOP has stopped only the robots of this program: the broker refuses it on " + TOPIC);
+        rig.sleep(3);
+        assertThat(rig.team.isLatched()).isFalse();
+
+        other.release();
+        assertThat(other.isLatched()).isFalse();
+        assertThat(other.stopStatus().elsewhere()).isEmpty();
+    }
+
+    @Test
+    void aReleaseThatTheBrokerRefusesReleasesNothing() {
+        List<String> said = listen(other);
+        rig.team.stopAll();
+        bothLatched(true);
+        connection.refuse(TOPIC);
+        rig.sleep(1);
+
+        other.release();
+        rig.clock.until(() -> said.stream().anyMatch(line -> line.startsWith("not released: the broker refuses it")));
+        rig.sleep(2);
+        assertThat(rig.team.isLatched() && other.isLatched()).isTrue();
+        assertThat(said).doesNotContain("latched: false");
+
+        rig.team.release();
+        bothLatched(false);
+    }
+
+    private static List<String> listen(Team team) {
+        List<String> said = new CopyOnWriteArrayList<>();
+        team.addListener(new TeamListener() {
+            @Override
+            public void noticed(int robot, String message) {
+                said.add(message);
+            }
+
+            @Override
+            public void latchChanged(boolean latched) {
+                said.add("latched: " + latched);
+            }
+        });
+        return said;
+    }
+
+    @Test
+    void aReleaseHasTakenEffectWhenItReturns() {
+        rig.team.stopAll();
+        bothLatched(true);
+        rig.sleep(1);
+
+        other.release();
+        assertThat(other.isLatched()).isFalse();
+    }
+
+    @Test
+    void aStopWithoutTheBrokerSaysThatItWaits() {
+        rig.broker.stop();
+        rig.clock.until(() -> !rig.sharing.isConnected() && !sharing.isConnected());
+        other.stopAll();
+        rig.clock.until(() -> other.stopStatus().elsewhere().contains("when the connection is back"));
+        rig.broker.start();
+
+        bothLatched(true);
+        rig.clock.until(() -> other.stopStatus().elsewhere().isEmpty());
+    }
+
+    @Test
+    void aReleaseWithoutTheBrokerLastsUntilTheStopOfTheSiteIsSeenAgain() {
+        List<String> said = listen(other);
+        rig.team.stopAll();
+        bothLatched(true);
+        rig.sleep(1);
+        connection.unplug();
+        rig.clock.until(() -> !sharing.isConnected());
+        other.release();
+        assertThat(other.isLatched()).isFalse();
+        rig.clock.until(() -> said.stream().anyMatch(line -> line.startsWith("released only here: ")));
+        connection.restore();
+
+        bothLatched(true);
+    }
+
+    @Test
+    void aMalformedMessageOnTheTopicOfStopIsAStopThatCanBeReleased() {
+        rig.broker.publishMalformed(TOPIC, "its response topic \"a/+/b\" contains a wildcard");
+        bothLatched(true);
+        rig.clock.until(() -> rig.isSaid("STOP by a malformed message"));
+        rig.sleep(1);
+
+        other.release();
+        bothLatched(false);
+    }
+
+    @Test
+    @SuppressWarnings("try")
+    void aTeamOnTwoSitesStopsBoth() {
+        FakeConnection using = open("using");
+        using.connect();
+        try (SiteLatch second = new SiteLatch(rig.team, using, "hall", rig.sharing.self())) {
+            rig.team.stopAll();
+            bothLatched(true);
+            rig.clock.until(() -> rig.broker.retained("hall/majic/1/stop").isPresent());
+            rig.team.release();
+            bothLatched(false);
+            rig.clock.until(() -> !LatchMessage.parse(rig.broker
+                            .retained("hall/majic/1/stop")
+                            .orElseThrow()
+                            .payload())
+                    .latched());
+        }
     }
 }
