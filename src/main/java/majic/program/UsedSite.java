@@ -2,6 +2,7 @@ package majic.program;
 
 import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
+import majic.shared.broker.MessageLimit;
 import majic.shared.desk.SiteLatch;
 import majic.shared.message.Sender;
 import majic.team.Team;
@@ -12,9 +13,12 @@ import majic.team.Team;
  * Thread-safe.
  */
 final class UsedSite implements BrokerConnection.Watcher, AutoCloseable {
+    private static final int MALFORMED_PER_S = 1;
+
     private final Team team;
     private final BrokerAddress address;
     private final SiteLatch latch;
+    private final MessageLimit malformed;
     private volatile boolean lost;
     private volatile boolean closed;
 
@@ -27,6 +31,7 @@ final class UsedSite implements BrokerConnection.Watcher, AutoCloseable {
     UsedSite(Team team, BrokerConnection connection, BrokerAddress address, Sender sender) {
         this.team = team;
         this.address = address;
+        this.malformed = new MessageLimit(connection.time(), MALFORMED_PER_S);
         this.latch = new SiteLatch(team, connection, address.site(), sender);
         connection.watch(this);
     }
@@ -47,6 +52,27 @@ final class UsedSite implements BrokerConnection.Watcher, AutoCloseable {
             team.notice("connected with the broker " + address.hostAndPort() + " again: STOP of the site "
                     + address.site() + " reaches this desk");
         }
+    }
+
+    @Override
+    public void malformed(String topic, String problem) {
+        if (isOfSite(topic) && malformed.allows()) {
+            long before = malformed.toComplainAbout();
+            team.notice("a message on " + topic + " is left out: " + problem
+                    + (before == 0 ? "" : " (and " + before + " more malformed messages)"));
+        }
+    }
+
+    @Override
+    public void notSubscribed(String filter, String reason) {
+        if (isOfSite(filter)) {
+            team.notice("the broker " + address.hostAndPort() + " refuses the subscription to " + filter + " (" + reason
+                    + "): nothing arrives from there");
+        }
+    }
+
+    private boolean isOfSite(String topic) {
+        return !closed && topic.startsWith(address.site() + "/");
     }
 
     @Override

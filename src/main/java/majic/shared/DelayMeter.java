@@ -69,6 +69,11 @@ final class DelayMeter {
                 + " ms: commands and stops take as long, and readings are as old";
     }
 
+    /** Returns half of the delay, which a report of the robot is on its way, ns; 0 before the first answer. */
+    long oneWayNanos() {
+        return delay instanceof Value.Number number ? Math.round(number.amount() * 1e6 / 2) : 0;
+    }
+
     /** Returns the delay in ms; unknown before the first answer. */
     Value delay() {
         return delay;

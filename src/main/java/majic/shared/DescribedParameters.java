@@ -3,6 +3,7 @@ package majic.shared;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import majic.bot.BotCommand;
 import majic.bot.Parameter;
@@ -23,16 +24,20 @@ final class DescribedParameters {
 
     private final RemoteMotions motions;
     private final Supplier<Map<String, JsonNode>> values;
+    private final BooleanSupplier isConnected;
 
     /**
      * Reads and sets the parameters of one robot.
      *
      * @param motions commands it
      * @param values the newest values
+     * @param isConnected whether they are still reported
      */
-    DescribedParameters(RemoteMotions motions, Supplier<Map<String, JsonNode>> values) {
+    DescribedParameters(
+            RemoteMotions motions, Supplier<Map<String, JsonNode>> values, BooleanSupplier isConnected) {
         this.motions = motions;
         this.values = values;
+        this.isConnected = isConnected;
     }
 
     /** Replaces the parameters of an earlier description. */
@@ -65,9 +70,13 @@ final class DescribedParameters {
 
     /** The state has what the robot reports by itself; for all else its desk has to ask the robot. */
     private Value read(Parameter parameter) {
+        if (!isConnected.getAsBoolean()) {
+            return Value.unknown("not connected");
+        }
         JsonNode json = values.get().get(parameter.name());
-        Value known =
-                json == null ? Value.unknown("its desk has not reported it yet") : ValueJson.read(json, parameter);
+        Value known = json == null
+                ? Value.unknown("its desk has not reported it yet")
+                : ValueJson.read(json, parameter);
         if (!(known instanceof Value.Unknown) || !WaitPolicy.isAllowed()) {
             return known;
         }

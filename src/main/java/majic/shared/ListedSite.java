@@ -1,6 +1,5 @@
 package majic.shared;
 
-import java.util.Map;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.ConnectFailed;
@@ -32,8 +31,8 @@ final class ListedSite extends BotDriver {
 
     @Override
     protected void open() {
-        Map<String, String> robots = new SiteListing(opener, address, environment).robots();
-        throw new ConnectFailed(Reason.OTHER, SiteListing.question(address, robots));
+        SiteListing listing = new SiteListing(opener, address, environment);
+        throw new ConnectFailed(Reason.OTHER, listing.question(listing.robots()));
     }
 
     @Override

@@ -9,7 +9,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.concurrent.TimeUnit;
 import java.util.regex.Pattern;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
@@ -31,6 +30,7 @@ import majic.driver.Motion;
 import majic.driver.RobotWait;
 import majic.driver.TeamMembership;
 import majic.environment.BotEnvironment;
+import majic.shared.broker.PublicationRefused;
 import majic.shared.message.Description;
 import majic.shared.message.RequestReply;
 import majic.shared.message.RequestedAction;
@@ -103,7 +103,7 @@ public final class MajicShared extends BotDriver {
         this.waiting = waiting();
         this.stop = new RemoteStop(this::toDesk, waiting, this.address.title());
         this.motions = new RemoteMotions(this::toDesk, waiting, stop, new AtDesk());
-        this.described = new DescribedParameters(motions, this::values);
+        this.described = new DescribedParameters(motions, this::values, this::isFeeding);
         describe();
         every("shared robot", TICK_S, this::tick);
     }
@@ -302,6 +302,12 @@ public final class MajicShared extends BotDriver {
         return last == null ? Map.of() : last.state().values();
     }
 
+    /** Also while the robot is being connected. */
+    private boolean isFeeding() {
+        RobotFeed open = feed;
+        return open != null && !open.isOver();
+    }
+
     private RobotHolder holder() {
         RobotFeed open = feed;
         return open == null ? new RobotHolder(null, false) : open.holder();
@@ -318,7 +324,7 @@ public final class MajicShared extends BotDriver {
                 motion.mmPerSec(),
                 motion.degPerSec(),
                 motion.moving(),
-                received.nanos() - TimeUnit.MILLISECONDS.toNanos(Math.max(0, motion.ageMs()))));
+                received.reportedNanos() - delay.oneWayNanos()));
         frame.reported(motion);
         noteStops(received.state().stops());
     }
@@ -347,16 +353,30 @@ public final class MajicShared extends BotDriver {
             return;
         }
         if (open.holder().here() || motions.isActive()) {
-            toDesk().heartbeat();
+            toDesk().heartbeat(this::heartbeatRefused);
         }
         Description newest = open.description();
-        if (newest != null && newest != description) {
+        if (newest != null && !newest.equals(description)) {
             readopt(newest);
         }
         String warning = delay.tick();
         if (warning != null) {
             notice(warning);
         }
+        long leftOut = open.linesLeftOut();
+        if (leftOut > 0) {
+            notice(leftOut + (leftOut == 1 ? " line" : " lines") + " of " + address.desk()
+                    + " left out: more arrive than can be read");
+        }
+    }
+
+    private void heartbeatRefused(PublicationRefused refused) {
+        environment
+                .time()
+                .runAsync(
+                        "heartbeat refused",
+                        () -> notice(address.desk() + " stops it within a second of each motion: the broker refuses"
+                                + " the heartbeats of its holder (" + refused.reason() + ")"));
     }
 
     private void readopt(Description newest) {
@@ -454,7 +474,9 @@ public final class MajicShared extends BotDriver {
 
         @Override
         public void message(RobotMessage message) {
-            if (isConnected() && message.kind() != RobotMessage.Kind.ANSWER) {
+            RobotFeed open = feed;
+            boolean shown = isConnected() && message.kind() != RobotMessage.Kind.ANSWER;
+            if (shown && open != null && open.allowsLine()) {
                 notice(message.text());
             }
         }

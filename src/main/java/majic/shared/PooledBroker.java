@@ -14,6 +14,7 @@ import majic.bot.BotException;
 import majic.driver.RobotWait;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.MessageLimit;
 import majic.shared.broker.Quality;
 import majic.shared.message.Sender;
 import majic.shared.message.SiteTopics;
@@ -27,6 +28,9 @@ import majic.time.WaitPolicy;
 final class PooledBroker implements BrokerConnection.Watcher {
     private static final Logger LOG = System.getLogger(PooledBroker.class.getName());
 
+    /** More lines of one desk cannot be read while they appear. */
+    private static final int LINES_PER_S = 20;
+
     private final BrokerConnection connection;
     private final Sender sender;
     private final String sessionHash;
@@ -34,6 +38,7 @@ final class PooledBroker implements BrokerConnection.Watcher {
     private final Map<String, PendingReply> pending = new ConcurrentHashMap<>();
     private final Set<String> sitesWithReplies = ConcurrentHashMap.newKeySet();
     private final List<Consumer<String>> lossListeners = new CopyOnWriteArrayList<>();
+    private final Map<String, MessageLimit> lines = new ConcurrentHashMap<>();
     private final AtomicLong requests;
     private final Signal changes;
 
@@ -75,6 +80,12 @@ final class PooledBroker implements BrokerConnection.Watcher {
     /** Returns what others see in place of the session of the sender. */
     String sessionHash() {
         return sessionHash;
+    }
+
+    /** Returns the limit of the lines that are shown of one desk, for all of its robots together. */
+    MessageLimit lines(SharedAddress robot) {
+        return lines.computeIfAbsent(
+                robot.broker().site() + "/" + robot.desk(), key -> new MessageLimit(connection.time(), LINES_PER_S));
     }
 
     /** Returns the number for another request. */

@@ -1,9 +1,11 @@
 package majic.shared;
 
 import java.util.OptionalLong;
+import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.driver.RobotWait;
 import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.PublicationRefused;
 import majic.shared.broker.Quality;
 import majic.shared.message.HoldMessage;
 import majic.shared.message.Request;
@@ -12,6 +14,7 @@ import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
 import majic.shared.message.SpeedMessage;
 import majic.shared.message.StopMessage;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Publishes what moves, stops and asks one shared robot. Everything that may move it is valid for a short time on the
@@ -74,15 +77,23 @@ final class RobotCommands {
         broker.publish(BrokerMessage.json(topic(Part.SPEED), speed.toJson(), Quality.AT_MOST_ONCE), topics, drive);
     }
 
-    /** Publishes the heartbeat of the holder. */
-    void heartbeat() {
+    /**
+     * Publishes the heartbeat of the holder.
+     *
+     * @param refused receives the reason if the broker refuses it, on any thread; must not wait
+     */
+    void heartbeat(Consumer<PublicationRefused> refused) {
         HoldMessage hold = new HoldMessage(broker.sender(), feed.deskClockIn(HEARTBEAT_MS));
-        publish(Part.HOLD, hold.toJson());
+        publish(Part.HOLD, hold.toJson(), problem -> {
+            if (problem instanceof PublicationRefused refusal) {
+                refused.accept(refusal);
+            }
+        });
     }
 
-    /** Publishes a stop by the fastest way, without an answer. */
+    /** Publishes a stop by the fastest way; the second copy is answered, also by a refusal. */
     void stopAhead(String id) {
-        publish(Part.STOP, stop(id));
+        publish(Part.STOP, stop(id), problem -> {});
     }
 
     /** Publishes a stop that is delivered for certain and answered. */
@@ -106,8 +117,8 @@ final class RobotCommands {
         return new StopMessage(broker.sender(), broker.lastNumber(), id).toJson();
     }
 
-    private void publish(Part part, byte[] json) {
-        broker.connection().publish(BrokerMessage.json(topic(part), json, Quality.AT_MOST_ONCE));
+    private void publish(Part part, byte[] json, Consumer<@Nullable BotException> outcome) {
+        broker.connection().publish(BrokerMessage.json(topic(part), json, Quality.AT_MOST_ONCE), outcome);
     }
 
     private String topic(Part part) {

@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.shared.broker.BrokerConnection;
@@ -33,6 +34,7 @@ final class RobotFeed {
     private final TimeSource time;
     private final Listener listener;
     private final List<Runnable> subscribed = new ArrayList<>();
+    private final TransitTimes transit = new TransitTimes();
     private volatile @Nullable Description description;
     private volatile @Nullable Received state;
     private volatile @Nullable Presence presence;
@@ -61,8 +63,16 @@ final class RobotFeed {
      *
      * @param state the state
      * @param nanos on the clock of the driver
+     * @param lateNanos how much longer than the fastest message it was on its way
      */
-    record Received(RobotState state, long nanos) {}
+    record Received(RobotState state, long nanos, long lateNanos) {
+        /** Returns when the robot reported it, on the clock of the driver. */
+        long reportedNanos() {
+            return nanos
+                    - lateNanos
+                    - TimeUnit.MILLISECONDS.toNanos(Math.max(0, state.motion().ageMs()));
+        }
+    }
 
     RobotFeed(PooledBroker broker, SharedAddress address, TimeSource time, Listener listener) {
         this.broker = broker;
@@ -167,7 +177,8 @@ final class RobotFeed {
     }
 
     private void receive(RobotState newest) {
-        Received now = new Received(newest, time.nanos());
+        long nanos = time.nanos();
+        Received now = new Received(newest, nanos, transit.lateNanos(newest.clock(), nanos));
         state = now;
         listener.reported(now);
     }
@@ -206,6 +217,16 @@ final class RobotFeed {
     @Nullable
     String end() {
         return end;
+    }
+
+    /** Returns whether one more line of the desk is shown; counts it if not. */
+    boolean allowsLine() {
+        return broker.lines(address).allows();
+    }
+
+    /** Returns how many lines of the desk were left out, if that is to be said now; otherwise 0. */
+    long linesLeftOut() {
+        return broker.lines(address).toComplainAbout();
     }
 
     /** Returns the newest description; null before the first one. */

@@ -152,4 +152,28 @@ class ReceivedChangesTest {
 
         assertThat(reported).extracting(RobotState::clock).containsExactly(1000L, 2000L);
     }
+
+    @Test
+    void aMessageThatWasLongerOnItsWayThanOthersIsOlder() throws InterruptedException {
+        publishState(state(1000, 12, 0));
+        until(1);
+        user.holdBack();
+        publishChange(1000, 11);
+        clock.time().sleep(4);
+        user.deliver();
+        until(2);
+
+        RobotFeed.Received late = Objects.requireNonNull(feed.state());
+        assertThat(clock.time().secondsSince(late.nanos())).isLessThan(0.5);
+        assertThat(clock.time().secondsSince(late.reportedNanos())).isBetween(4.0, 4.5);
+    }
+
+    @Test
+    void aClockThatIsALittleFasterDoesNotMakeMessagesLate() {
+        TransitTimes transit = new TransitTimes();
+        long second = 1_000_000_000L;
+        for (int i = 0; i < 100_000; i++) {
+            assertThat(transit.lateNanos(i * 1000L, i * (second + 50_000))).isLessThan(1_000_000);
+        }
+    }
 }

@@ -8,6 +8,9 @@ import java.util.List;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
+import majic.shared.message.RobotMessage;
+import majic.shared.broker.Quality;
+import majic.bot.Value;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.shared.broker.BrokerMessage;
@@ -379,6 +382,43 @@ class SharedRobotInLabTest {
         assertThatThrownBy(robotAt("mqtt://broker/school/")::connect)
                 .hasMessageStartingWith("no desk shares a robot there")
                 .hasMessageContaining("--share mqtt://broker/school --desk NAME");
+    }
+
+    @Test
+    void withoutTheBrokerNothingIsKnownOfTheHolderAndTheReadings() throws InterruptedException {
+        assertThat(anna.run("1 move 100", "1 get holder")).contains("1 holder = this program");
+        desks.broker.stop();
+        desks.pass(1);
+
+        assertThat(anna.bot.isConnected()).isFalse();
+        assertThat(anna.bot.get("holder")).isEqualTo(Value.unknown("not connected"));
+        assertThat(anna.bot.get("delay")).isEqualTo(Value.unknown("not connected"));
+        assertThat(anna.bot.get("voltage")).isInstanceOf(Value.Unknown.class);
+    }
+
+    @Test
+    void linesOfAnotherDeskAreLimitedAndTheOthersCounted() throws InterruptedException {
+        for (int line = 0; line < 5000; line++) {
+            desks.broker.publish(BrokerMessage.json(
+                    "lab/majic/1/desks/desk2/robots/1/messages",
+                    new RobotMessage(RobotMessage.Kind.MESSAGE, "line " + line).toJson(),
+                    Quality.AT_LEAST_ONCE));
+        }
+        desks.pass(2);
+
+        assertThat(anna.said().stream().filter(line -> line.contains("line "))).hasSizeLessThan(60);
+        assertThat(anna.said()).anyMatch(line -> line.matches("1: \\d+ lines of desk2 left out: more arrive than can be"
+                + " read"));
+    }
+
+    @Test
+    void aUserWithoutTheRightToSendHeartbeatsIsToldWhatHappens() throws InterruptedException {
+        anna.connection().refuse("lab/majic/1/desks/+/robots/+/hold");
+        anna.say("1 move 2000");
+        desks.pass(3);
+
+        assertThat(anna.said())
+                .anyMatch(line -> line.contains("the broker refuses the heartbeats of its holder (not authorized)"));
     }
 
     private MajicBot robotAt(String address) {

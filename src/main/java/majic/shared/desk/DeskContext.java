@@ -1,10 +1,12 @@
 package majic.shared.desk;
 
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.bot.BotException;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.PublicationRefused;
 import majic.shared.message.RequestReply;
 import majic.shared.message.Sender;
 import majic.shared.message.SiteTopics;
@@ -37,6 +39,23 @@ record DeskContext(
             return true;
         } catch (BotException e) {
             return false;
+        }
+    }
+
+    /**
+     * Publishes a message as {@link #publish(BrokerMessage)}.
+     *
+     * @param refused receives the reason if the broker refuses it; must not wait
+     */
+    void publish(BrokerMessage message, Consumer<PublicationRefused> refused) {
+        try {
+            connection.publish(message, problem -> {
+                if (problem instanceof PublicationRefused refusal) {
+                    refused.accept(refusal);
+                }
+            });
+        } catch (BotException e) {
+            // Everything is published again with the next connection.
         }
     }
 

@@ -1,10 +1,12 @@
 package majic.shared.desk;
 
 import java.util.List;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.PublicationRefused;
 import majic.shared.broker.Quality;
 import majic.shared.message.Presence;
 import majic.shared.message.Presence.State;
@@ -25,6 +27,12 @@ final class DeskPresence {
      */
     private static final double ECHO_S = 2;
 
+    /** The broker forgets a desk of which nothing was published for so long, seconds. */
+    static final int EXPIRY_S = 3600;
+
+    /** How often something is published that expires so, seconds. */
+    static final double RENEWAL_S = EXPIRY_S / 3.0;
+
     private final DeskContext desk;
     private final String program;
     private final Supplier<List<Integer>> robots;
@@ -32,6 +40,8 @@ final class DeskPresence {
     private final Signal changed;
     private volatile @Nullable Presence other;
     private volatile boolean echoed;
+    private volatile @Nullable PublicationRefused refused;
+    private volatile long publishedNanos;
     private volatile boolean active;
     private volatile List<Integer> published = List.of();
 
@@ -53,14 +63,15 @@ final class DeskPresence {
                         topics.presence(self.sender().desk()),
                         self.ended(State.BROKEN).toJson(),
                         Quality.AT_LEAST_ONCE)
-                .retain();
+                .retain()
+                .expiringAfter(EXPIRY_S);
     }
 
     /**
      * Takes the name. Blocks until the broker has delivered what it keeps, and for 3 s more if another desk seems to be
      * there.
      *
-     * @throws BotException if another desk has the name
+     * @throws BotException if another desk has the name, or the broker refuses what a sharing desk has to publish
      */
     void takeName() {
         String topic = desk.topics().replies(desk.self().session());
@@ -68,20 +79,50 @@ final class DeskPresence {
             echoed = true;
             changed.raise();
         });
-        desk.publish(BrokerMessage.json(topic, "{}", Quality.AT_LEAST_ONCE));
+        desk.publish(BrokerMessage.json(topic, "{}", Quality.AT_LEAST_ONCE), this::refused);
         try {
-            changed.await(() -> echoed, ECHO_S);
+            changed.await(() -> echoed || refused != null, ECHO_S);
+            requireNotRefused();
             if (!changed.await(() -> !isTaken(), WILL_S)) {
                 throw new BotException(taken());
             }
+            publishFirst();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
             throw new BotException("interrupted");
         } finally {
             desk.connection().unsubscribe(topic);
         }
+    }
+
+    /** Publishes the presence, and waits for the answer of the broker. */
+    private void publishFirst() throws InterruptedException {
         active = true;
-        publish();
+        AtomicBoolean answered = new AtomicBoolean();
+        desk.connection().publish(message(State.ONLINE, robots.get()), problem -> {
+            refused = problem instanceof PublicationRefused refusal ? refusal : null;
+            answered.set(true);
+            changed.raise();
+        });
+        changed.await(answered::get, ECHO_S);
+        active = refused == null;
+        requireNotRefused();
+    }
+
+    private void refused(PublicationRefused refusal) {
+        refused = refusal;
+        changed.raise();
+    }
+
+    private void requireNotRefused() {
+        PublicationRefused refusal = refused;
+        if (refusal != null) {
+            throw new BotException(
+                    "no robot is shared: " + refusal.getMessage() + "; a desk that shares robots needs a user who may"
+                            + " write " + desk.topics().desk(desk.self().desk()) + " and "
+                            + desk.topics().replies("#"),
+                    refusal);
+        }
     }
 
     private boolean isTaken() {
@@ -118,15 +159,14 @@ final class DeskPresence {
     /** Publishes that the desk is there, with its robots. */
     void publish() {
         if (active) {
-            List<Integer> now = robots.get();
-            published = now;
-            publish(presence(State.ONLINE, now));
+            desk.publish(message(State.ONLINE, robots.get()));
         }
     }
 
-    /** Publishes the robots, if they have changed. */
+    /** Publishes the robots if they have changed, and before the broker forgets them. */
     void publishChange() {
-        if (active && !robots.get().equals(published)) {
+        boolean due = desk.connection().time().secondsSince(publishedNanos) >= RENEWAL_S;
+        if (active && (due || !robots.get().equals(published))) {
             publish();
         }
     }
@@ -135,7 +175,7 @@ final class DeskPresence {
     void end() {
         if (active) {
             active = false;
-            publish(presence(State.OFFLINE, List.of()));
+            desk.publish(message(State.OFFLINE, List.of()));
         }
     }
 
@@ -143,13 +183,12 @@ final class DeskPresence {
         return active;
     }
 
-    private Presence presence(State state, List<Integer> numbers) {
-        return new Presence(state, desk.self(), program, numbers);
-    }
-
-    private void publish(Presence presence) {
-        desk.publish(
-                BrokerMessage.json(desk.topics().presence(desk.self().desk()), presence.toJson(), Quality.AT_LEAST_ONCE)
-                        .retain());
+    private BrokerMessage message(State state, List<Integer> numbers) {
+        published = numbers;
+        publishedNanos = desk.connection().time().nanos();
+        Presence presence = new Presence(state, desk.self(), program, numbers);
+        return BrokerMessage.json(desk.topics().presence(desk.self().desk()), presence.toJson(), Quality.AT_LEAST_ONCE)
+                .retain()
+                .expiringAfter(EXPIRY_S);
     }
 }

@@ -11,6 +11,7 @@ import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.MessageLimit;
 import majic.shared.broker.Quality;
 import majic.shared.message.Description;
 import majic.shared.message.Presence;
@@ -46,6 +47,7 @@ public final class DeskSharing implements AutoCloseable {
     private final SharedTeam shared;
     private final @Nullable DeskFleet fleet;
     private final MessageLimit strays;
+    private final RefusedTopics refused;
     private final AtomicBoolean closed = new AtomicBoolean();
     private volatile @Nullable SiteLatch latch;
     private volatile boolean lost;
@@ -85,6 +87,7 @@ public final class DeskSharing implements AutoCloseable {
         this.fleet = options.vda5050() ? new DeskFleet(desk, options.site(), opener) : null;
         this.shared = new SharedTeam(desk, options.robots(), robots, presence, fleet);
         this.strays = new MessageLimit(connection.time(), STRAYS_PER_S);
+        this.refused = new RefusedTopics(desk);
     }
 
     private static String clientId(Sender self) {
@@ -95,7 +98,8 @@ public final class DeskSharing implements AutoCloseable {
      * Connects, takes the name of the desk and publishes the robots. Blocks for at most 13 s.
      *
      * @throws ConnectFailed if there is no connection with the broker; with the reason and advice
-     * @throws BotException if another desk has the name; nothing is shared, and nothing stays open
+     * @throws BotException if another desk has the name, or the broker does not let this user share robots; nothing is
+     *     shared, and nothing stays open
      */
     public void start() {
         try {
@@ -126,7 +130,7 @@ public final class DeskSharing implements AutoCloseable {
     }
 
     private void received(BrokerMessage message) {
-        topicOf(message).ifPresent(topic -> {
+        topicOf(message.topic()).ifPresent(topic -> {
             SharedRobot robot = robots.get(topic.robot());
             if (robot != null) {
                 knownTopics.putIfAbsent(message.topic(), topic);
@@ -142,9 +146,9 @@ public final class DeskSharing implements AutoCloseable {
         });
     }
 
-    private Optional<SiteTopics.OfRobot> topicOf(BrokerMessage message) {
-        SiteTopics.OfRobot known = knownTopics.get(message.topic());
-        return known == null ? desk.topics().ofRobot(message.topic()) : Optional.of(known);
+    private Optional<SiteTopics.OfRobot> topicOf(String topic) {
+        SiteTopics.OfRobot known = knownTopics.get(topic);
+        return known == null ? desk.topics().ofRobot(topic) : Optional.of(known);
     }
 
     /** A description of another session is an old one of this desk, or one of a desk that has just lost the name. */
@@ -234,6 +238,7 @@ public final class DeskSharing implements AutoCloseable {
     private final class LossWatcher implements BrokerConnection.Watcher {
         @Override
         public void connected() {
+            refused.connected();
             if (lost) {
                 lost = false;
                 presence.publish();
@@ -249,6 +254,28 @@ public final class DeskSharing implements AutoCloseable {
             worker.submit(() -> desk.team()
                     .notice("sharing is interrupted: the connection with the broker is lost (" + reason
                             + "); it is being made again"));
+        }
+
+        @Override
+        public void notPublished(BrokerMessage message, String reason) {
+            refused.notPublished(message, reason);
+        }
+
+        @Override
+        public void notSubscribed(String filter, String reason) {
+            refused.notSubscribed(filter, reason);
+        }
+
+        /** A stop that cannot be read is still a stop. */
+        @Override
+        public void malformed(String topic, String problem) {
+            topicOf(topic)
+                    .filter(of -> of.part() == Part.STOP)
+                    .map(of -> robots.get(of.robot()))
+                    .ifPresent(SharedRobot::stopForMalformed);
+            if (strays.allows()) {
+                worker.submit(() -> desk.team().notice("a message on " + topic + " is left out: " + problem));
+            }
         }
     }
 

@@ -46,6 +46,7 @@ final class RobotPublisher {
     private @Nullable RobotState published;
 
     private long describedNanos;
+    private long renewedNanos;
     private @Nullable Description described;
     private boolean ended;
 
@@ -161,10 +162,13 @@ final class RobotPublisher {
         }
         describedNanos = now;
         Description present = RobotStates.description(member, desk.self());
-        if (!Objects.equals(present, described)
+        boolean due = (now - renewedNanos) / 1e9 >= DeskPresence.RENEWAL_S;
+        if ((due || !Objects.equals(present, described))
                 && desk.publish(BrokerMessage.json(topic(Part.DESCRIPTION), present.toJson(), Quality.AT_LEAST_ONCE)
-                        .retain())) {
+                        .retain()
+                        .expiringAfter(DeskPresence.EXPIRY_S))) {
             described = present;
+            renewedNanos = now;
         }
     }
 

@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.MessageLimit;
 import majic.shared.broker.Quality;
 import majic.shared.message.HoldMessage;
 import majic.shared.message.RequestReply;
@@ -53,6 +54,7 @@ final class SharedRobot implements StoppableRobot {
     private final MessageLimit heartbeatLimit;
     private final MessageLimit mistakeLimit;
     private final MessageLimit lineLimit;
+    private final MessageLimit stopLineLimit;
     private volatile boolean removed;
 
     SharedRobot(DeskContext desk, Member member) {
@@ -69,6 +71,7 @@ final class SharedRobot implements StoppableRobot {
         this.heartbeatLimit = new MessageLimit(desk.connection().time(), HEARTBEATS_PER_S);
         this.mistakeLimit = new MessageLimit(desk.connection().time(), 1);
         this.lineLimit = new MessageLimit(desk.connection().time(), LINES_PER_S);
+        this.stopLineLimit = new MessageLimit(desk.connection().time(), LINES_PER_S);
     }
 
     @Override
@@ -146,7 +149,8 @@ final class SharedRobot implements StoppableRobot {
     }
 
     /** Listeners of the team may block, so they are called on the worker. */
-    void complain(String words) {
+    @Override
+    public void complain(String words) {
         desk.worker().submit(() -> member.notice(words));
     }
 
@@ -160,7 +164,7 @@ final class SharedRobot implements StoppableRobot {
             if (own != null) {
                 stoppedByHolder(own);
             }
-            complain("stopped by " + written.sender());
+            reportStop(written.sender().toString());
         });
     }
 
@@ -172,7 +176,19 @@ final class SharedRobot implements StoppableRobot {
                 reply -> result.accept(
                         reply.outcome() == Outcome.DONE ? Optional.empty() : Optional.of(reply.message())),
                 null,
-                written -> complain("stopped by " + by));
+                written -> reportStop(by));
+    }
+
+    /** Every stop is carried out, but more lines than can be read are not shown. */
+    private void reportStop(String by) {
+        if (stopLineLimit.allows()) {
+            complain("stopped by " + by);
+        }
+    }
+
+    /** Stops the robot because of a malformed message on its topic for stops. */
+    void stopForMalformed() {
+        stop("a malformed message", result -> {});
     }
 
     private static void stoppedByHolder(RobotHold own) {
@@ -326,6 +342,18 @@ final class SharedRobot implements StoppableRobot {
         requests.acceptQueued();
         freeUnused();
         publisher.tick();
+        reportLeftOut();
+    }
+
+    private void reportLeftOut() {
+        long stopLines = stopLineLimit.toComplainAbout();
+        if (stopLines > 0) {
+            complain("stopped " + stopLines + " more times");
+        }
+        long lines = lineLimit.toComplainAbout();
+        if (lines > 0) {
+            publish(RobotMessage.Kind.MESSAGE, lines + (lines == 1 ? " line" : " lines") + " left out");
+        }
     }
 
     /**
@@ -370,9 +398,12 @@ final class SharedRobot implements StoppableRobot {
 
     /** Publishes a line about the robot, unless there are too many. */
     void publishLine(RobotMessage.Kind kind, String text) {
-        if (!lineLimit.allows()) {
-            return;
+        if (lineLimit.allows()) {
+            publish(kind, text);
         }
+    }
+
+    private void publish(RobotMessage.Kind kind, String text) {
         String topic = desk.topics().robot(desk.self().desk(), member.number(), Part.MESSAGES);
         desk.publish(BrokerMessage.json(topic, new RobotMessage(kind, text).toJson(), Quality.AT_LEAST_ONCE));
     }

@@ -69,6 +69,16 @@ public record SiteTopics(String site) {
     }
 
     /**
+     * Returns the filter for everything that a sharing desk publishes about itself and its robots.
+     *
+     * @param desk its name
+     * @return the filter
+     */
+    public String desk(String desk) {
+        return site + VERSION + "desks/" + desk + "/#";
+    }
+
+    /**
      * Returns the desk whose presence a topic is for.
      *
      * @param topic any

@@ -90,6 +90,12 @@ public final class FleetVehicle implements AutoCloseable {
                 publishFactsheet();
                 publishState();
             }
+
+            @Override
+            public void notPublished(BrokerMessage message, String reason) {
+                robot.complain("fleet tools do not see it as a vehicle of VDA 5050: the broker refuses "
+                        + message.topic() + " (" + reason + ")");
+            }
         });
         connection.connect();
     }

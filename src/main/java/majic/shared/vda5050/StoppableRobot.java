@@ -20,4 +20,11 @@ public interface StoppableRobot {
      * @param result called when the robot has confirmed the stop, or with the reason why it has not
      */
     void stop(String by, Consumer<Optional<String>> result);
+
+    /**
+     * Reports a problem to the user of the desk. Returns at once.
+     *
+     * @param words what is wrong, as a sentence
+     */
+    void complain(String words);
 }

@@ -83,6 +83,7 @@ class AccessListTest {
     @ParameterizedTest
     @CsvSource({
         "olga, desks/desk2/robots/1/stop",
+        "olga, stop",
         "dirk, desks/desk2/robots/1/request",
         "dirk, desks/desk2/robots/1/hold",
         "dirk, desks/desk2/robots/1/stop",
@@ -127,7 +128,7 @@ class AccessListTest {
     @CsvSource({
         "olga, desks/desk2/robots/1/request",
         "olga, desks/desk2/robots/1/speed",
-        "olga, stop",
+        "olga, desks/desk2/presence",
         "dirk, desks/desk2/robots/1/state",
         "dirk, desks/desk2/presence",
         "desk2, desks/desk3/presence"

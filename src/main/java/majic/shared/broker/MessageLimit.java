@@ -1,9 +1,9 @@
-package majic.shared.desk;
+package majic.shared.broker;
 
 import majic.time.TimeSource;
 
 /** Limits how many messages of one kind are used, and counts those that are not. Thread-safe. */
-final class MessageLimit {
+public final class MessageLimit {
     /** How often a complaint about left out messages is due at most, seconds. */
     private static final double COMPLAINT_S = 10;
 
@@ -15,16 +15,25 @@ final class MessageLimit {
     private long complainedNanos;
     private boolean complained;
 
-    /** @param perSecond how many messages are used in the long run; as many may come at once */
-    MessageLimit(TimeSource time, double perSecond) {
+    /**
+     * Begins with all messages of a second.
+     *
+     * @param time the clock
+     * @param perSecond how many messages are used in the long run; as many may come at once
+     */
+    public MessageLimit(TimeSource time, double perSecond) {
         this.time = time;
         this.perSecond = perSecond;
         this.room = perSecond;
         this.filledNanos = time.nanos();
     }
 
-    /** Whether one more message is used; counts it if not. */
-    synchronized boolean allows() {
+    /**
+     * Returns whether one more message is used; counts it if not.
+     *
+     * @return false if too many have come
+     */
+    public synchronized boolean allows() {
         long now = time.nanos();
         room = Math.min(perSecond, room + (now - filledNanos) / 1e9 * perSecond);
         filledNanos = now;
@@ -36,8 +45,12 @@ final class MessageLimit {
         return true;
     }
 
-    /** Returns how many messages were left out since the last complaint, if another one is due; otherwise 0. */
-    synchronized long toComplainAbout() {
+    /**
+     * Returns how many messages were left out since the last complaint, if another one is due.
+     *
+     * @return 0 if none was left out, or the last complaint was less than 10 s ago
+     */
+    public synchronized long toComplainAbout() {
         boolean due = leftOut > 0 && (!complained || time.secondsSince(complainedNanos) >= COMPLAINT_S);
         if (!due) {
             return 0;
