@@ -33,8 +33,7 @@ final class DescribedParameters {
      * @param values the newest values
      * @param isConnected whether they are still reported
      */
-    DescribedParameters(
-            RemoteMotions motions, Supplier<Map<String, JsonNode>> values, BooleanSupplier isConnected) {
+    DescribedParameters(RemoteMotions motions, Supplier<Map<String, JsonNode>> values, BooleanSupplier isConnected) {
         this.motions = motions;
         this.values = values;
         this.isConnected = isConnected;
@@ -74,9 +73,8 @@ final class DescribedParameters {
             return Value.unknown("not connected");
         }
         JsonNode json = values.get().get(parameter.name());
-        Value known = json == null
-                ? Value.unknown("its desk has not reported it yet")
-                : ValueJson.read(json, parameter);
+        Value known =
+                json == null ? Value.unknown("its desk has not reported it yet") : ValueJson.read(json, parameter);
         if (!(known instanceof Value.Unknown) || !WaitPolicy.isAllowed()) {
             return known;
         }

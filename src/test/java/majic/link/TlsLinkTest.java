@@ -136,7 +136,32 @@ class TlsLinkTest {
                     .isInstanceOf(ConnectFailed.class)
                     .hasMessageContaining(
                             "the certificate of 127.0.0.1 port " + server.getLocalPort() + " is not trusted")
-                    .hasMessageContaining("keytool -importcert");
+                    .hasMessageContaining("keytool -importcert -cacerts -alias 127.0.0.1 -file ")
+                    .hasMessageNotContaining("ros://");
+        }
+    }
+
+    @Test
+    void aServerThatRefusesTheHandshakeIsNotTakenForOneWithoutTls() throws IOException {
+        byte[] handshakeFailure = {0x15, 3, 3, 0, 2, 2, 40};
+        try (ServerSocket refusing = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
+                MajicRos robot = new MajicRos("ross://127.0.0.1:" + refusing.getLocalPort())) {
+            Thread server = new Thread(() -> {
+                try (Socket client = refusing.accept()) {
+                    client.getInputStream().read(new byte[10_000]);
+                    client.getOutputStream().write(handshakeFailure);
+                    client.getInputStream().read(new byte[10_000]);
+                } catch (IOException e) {
+                    // The test has ended.
+                }
+            });
+            server.setDaemon(true);
+            server.start();
+
+            assertThatThrownBy(robot::connect)
+                    .isInstanceOf(ConnectFailed.class)
+                    .hasMessageContaining("TLS failed")
+                    .hasMessageNotContaining("ros://");
         }
     }
 

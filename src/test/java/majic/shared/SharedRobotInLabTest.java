@@ -8,12 +8,12 @@ import java.util.List;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
-import majic.shared.message.RobotMessage;
-import majic.shared.broker.Quality;
-import majic.bot.Value;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
+import majic.bot.Value;
 import majic.shared.broker.BrokerMessage;
+import majic.shared.broker.Quality;
+import majic.shared.message.RobotMessage;
 import majic.time.WaitPolicy;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -407,8 +407,8 @@ class SharedRobotInLabTest {
         desks.pass(2);
 
         assertThat(anna.said().stream().filter(line -> line.contains("line "))).hasSizeLessThan(60);
-        assertThat(anna.said()).anyMatch(line -> line.matches("1: \\d+ lines of desk2 left out: more arrive than can be"
-                + " read"));
+        assertThat(anna.said())
+                .anyMatch(line -> line.matches("1: \\d+ lines of desk2 left out: more arrive than can be" + " read"));
     }
 
     @Test

@@ -2,7 +2,7 @@ package majic.ros.bridge;
 
 import java.io.IOException;
 import java.net.SocketTimeoutException;
-import java.security.cert.CertificateException;
+import java.security.GeneralSecurityException;
 import javax.net.ssl.SSLException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
@@ -19,19 +19,23 @@ final class BridgeErrors {
         if (failure instanceof NotWebSocket other) {
             return new ConnectFailed(Reason.WRONG_DEVICE, notRosbridge(other, where, address), failure);
         }
-        CertificateException certificate = certificate(failure);
-        if (certificate != null) {
+        Throwable untrusted = untrusted(failure);
+        if (untrusted != null) {
             return new ConnectFailed(
                     Reason.NOT_ALLOWED,
-                    "the certificate of " + where + " is not trusted (" + certificate.getMessage()
+                    "the certificate of " + where + " is not trusted (" + untrusted.getMessage()
                             + "); is it issued for " + address.host()
-                            + " and in the trust store of this Java (keytool -importcert)?",
+                            + " and in the trust store of this Java (keytool -importcert -cacerts -alias "
+                            + address.host() + " -file CERTIFICATE.pem)?",
                     failure);
         }
         if (failure instanceof SSLException) {
             return new ConnectFailed(
                     Reason.WRONG_DEVICE,
-                    where + " was reached, but TLS failed (" + failure.getMessage() + "); " + withoutTls(address),
+                    where + " was reached, but TLS failed (" + failure.getMessage() + "); "
+                            + (speaksTls(failure)
+                                    ? "does the server accept the TLS of this Java without a client certificate?"
+                                    : withoutTls(address)),
                     failure);
         }
         if (address.secure() && failure instanceof SocketTimeoutException) {
@@ -44,10 +48,16 @@ final class BridgeErrors {
         return "is it a server without TLS, which is added as ros://" + address.hostAndPort() + "?";
     }
 
-    private static @Nullable CertificateException certificate(Throwable failure) {
+    /** An alert is an answer in TLS. */
+    private static boolean speaksTls(IOException failure) {
+        return String.valueOf(failure.getMessage()).contains("alert");
+    }
+
+    /** Returns why the certificate is not trusted: it is wrong, or this Java has no trust store that can be used. */
+    private static @Nullable Throwable untrusted(Throwable failure) {
         for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
-            if (cause instanceof CertificateException certificate) {
-                return certificate;
+            if (cause instanceof GeneralSecurityException) {
+                return cause;
             }
         }
         return null;

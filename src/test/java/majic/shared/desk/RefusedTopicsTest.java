@@ -50,8 +50,8 @@ class RefusedTopicsTest {
         rig.connection().refuse(DESK + "robots/+/" + part);
         rig.sharing.start();
         rig.team.member(1).notice("battery low");
-        rig.clock.until(() -> rig.isSaid("the broker refuses " + DESK + "robots/1/" + part + " (not authorized): "
-                + meaning));
+        rig.clock.until(
+                () -> rig.isSaid("the broker refuses " + DESK + "robots/1/" + part + " (not authorized): " + meaning));
         rig.sleep(5);
 
         assertThat(rig.said.stream().filter(line -> line.startsWith("the broker refuses")))
@@ -65,8 +65,8 @@ class RefusedTopicsTest {
         rig.broker.publishMalformed(DESK + "robots/1/stop", "its response topic is empty");
 
         rig.clock.until(() -> rig.bot().sent().contains("halt"));
-        rig.clock.until(() -> rig.isSaid("a message on " + DESK + "robots/1/stop is left out: its response topic is"
-                + " empty"));
+        rig.clock.until(() ->
+                rig.isSaid("a message on " + DESK + "robots/1/stop is left out: its response topic is" + " empty"));
     }
 
     @Test

@@ -79,7 +79,8 @@ class UnwantedMessagesTest {
         assertThat(bot.count("halt")).isBetween(1L, 300L);
         assertThat(isObeyed()).isTrue();
         rig.sleep(11);
-        assertThat(rig.said.stream().filter(line -> line.contains("stopped by"))).hasSizeLessThan(60);
+        assertThat(rig.said.stream().filter(line -> line.contains("stopped by")))
+                .hasSizeLessThan(60);
         assertThat(rig.isSaid("more times")).isTrue();
     }
 
