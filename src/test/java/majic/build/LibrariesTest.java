@@ -27,7 +27,9 @@ class LibrariesTest {
     private static final Path LIST = Path.of("src/main/resources/META-INF/LIBRARIES.txt");
     private static final Pom MAJIC = Pom.read(Path.of("pom.xml"));
 
-    /** An artifact with a version of numbers, which Netty ends with a word: no range, no newest one, no preliminary one. */
+    /**
+     * An artifact with a version of numbers, which Netty ends with a word: no range, no newest one, no preliminary one.
+     */
     private static final Pattern FIXED = Pattern.compile("[\\w.-]+:\\d+(\\.\\d+)*(\\.Final)?");
 
     private static final String OWN_GROUP = "${project.groupId}";
