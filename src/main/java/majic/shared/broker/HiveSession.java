@@ -11,9 +11,7 @@ import io.reactivex.disposables.Disposable;
 import io.reactivex.schedulers.Schedulers;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
-import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
@@ -35,14 +33,8 @@ final class HiveSession {
     private static final int LARGEST_PACKET_BYTES = 1 << 20;
     private static final long REPORT_MS = 500;
 
-    /** Of more topics the broker need not answer the first message: others choose the topics of their answers. */
-    private static final int MOST_TOPICS = 20_000;
-
     private final Mqtt5AsyncClient client;
     private final OutgoingQueue outgoing = new OutgoingQueue();
-    /** Topics on which something was published; the broker's answer to the first message is that to all of them. */
-    private final Set<String> published = ConcurrentHashMap.newKeySet();
-
     private volatile boolean accepted;
 
     /** What the messages of a session are for. */
@@ -186,14 +178,13 @@ final class HiveSession {
     }
 
     /**
-     * Queues a message. The first one on a topic is sent so that the broker has to answer.
+     * Queues a message.
      *
      * @param outcome called once: with null when it is acknowledged or written, otherwise with the reason
      * @throws BotException if the session has ended or is too slow
      */
     void publish(BrokerMessage message, Consumer<@Nullable Throwable> outcome) {
-        boolean first = published.size() < MOST_TOPICS && published.add(message.topic());
-        outgoing.add(first ? message.withQuality(Quality.AT_LEAST_ONCE) : message, outcome);
+        outgoing.add(message, outcome);
     }
 
     /** Ends the session after what was queued; the broker does not publish the will. */

@@ -6,9 +6,11 @@ import io.reactivex.disposables.Disposable;
 import io.reactivex.processors.FlowableProcessor;
 import io.reactivex.processors.UnicastProcessor;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import org.jspecify.annotations.Nullable;
@@ -24,9 +26,13 @@ final class OutgoingQueue {
     /** Of all messages. Stops are small and rare; there is always room for them. */
     private static final long LIMIT_BYTES = 64 << 20;
 
+    /** Of more topics the broker need not answer the first message: others choose the topics of their answers. */
+    private static final int MOST_TOPICS = 20_000;
+
     private final FlowableProcessor<Mqtt5Publish> queue =
             UnicastProcessor.<Mqtt5Publish>create().toSerialized();
     private final Map<Mqtt5Publish, Consumer<@Nullable Throwable>> pending = new IdentityHashMap<>();
+    private final Set<String> topics = new HashSet<>();
     private long bytes;
     private @Nullable Throwable end;
     private @Nullable Disposable results;
@@ -44,7 +50,7 @@ final class OutgoingQueue {
      * @throws BotException if the connection is too slow for what is published, or has ended; the message is not sent
      */
     void add(BrokerMessage message, Consumer<@Nullable Throwable> outcome) {
-        Mqtt5Publish publish = HiveMessages.publish(message);
+        Mqtt5Publish publish;
         synchronized (this) {
             if (end != null) {
                 throw new BotException("the connection with the broker has ended", end);
@@ -53,10 +59,17 @@ final class OutgoingQueue {
                 throw new BotException("the network or the broker is too slow: " + (bytes >> 20)
                         + " MB wait to be sent; the message on " + message.topic() + " is dropped");
             }
+            publish = HiveMessages.publish(answerable(message));
             bytes += message.payload().length;
             pending.put(publish, outcome);
         }
         queue.onNext(publish);
+    }
+
+    /** The first message on a topic is sent so that the broker has to answer; the answer is that to all of them. */
+    private BrokerMessage answerable(BrokerMessage message) {
+        boolean first = topics.size() < MOST_TOPICS && topics.add(message.topic());
+        return first ? message.withQuality(Quality.AT_LEAST_ONCE) : message;
     }
 
     private void done(Mqtt5Publish publish, @Nullable Throwable failure) {
