@@ -1,13 +1,19 @@
 package majic.gui;
 
+import java.awt.AWTEvent;
 import java.awt.Component;
 import java.awt.KeyEventDispatcher;
 import java.awt.KeyboardFocusManager;
+import java.awt.Toolkit;
+import java.awt.Window;
+import java.awt.event.AWTEventListener;
 import java.awt.event.KeyEvent;
+import java.awt.event.MouseEvent;
 import java.util.Collections;
 import java.util.Set;
 import java.util.WeakHashMap;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import javax.swing.JComboBox;
 import javax.swing.MenuSelectionManager;
 import javax.swing.SwingUtilities;
@@ -19,7 +25,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Makes F12 and Esc stop all robots in every window and dialog, whatever component has the focus. F12 always stops. Esc
  * does not stop while it has something to close: a menu, an open list, a dialog, or what a {@link ClosesByEsc} has
- * open.
+ * open. A dialog that has opened by itself since the previous Esc, such as one that waited for a file, does not count.
  *
  * <p>F12 does not wait for the event dispatch thread: while that thread handles an earlier event, the thread "early
  * keys" stops. Esc waits, because what it closes is known only when all earlier events were handled.
@@ -29,6 +35,10 @@ final class StopKeys implements KeyEventDispatcher, AutoCloseable {
     private final Runnable stopAll;
     private final EarlyKeyQueue queue = EarlyKeyQueue.installed();
     private final Consumer<KeyEvent> pressedEarly = this::stopEarly;
+    private final AWTEventListener mouse = this::mouseUsed;
+
+    /** The windows at the last press of Esc; null once another key or the mouse was pressed. */
+    private @Nullable Set<Window> openAtEsc;
 
     /** The presses of F12 that have stopped before the event dispatch thread received them. */
     private final Set<KeyEvent> early = Collections.synchronizedSet(Collections.newSetFromMap(new WeakHashMap<>()));
@@ -46,6 +56,7 @@ final class StopKeys implements KeyEventDispatcher, AutoCloseable {
 
     void install() {
         KeyboardFocusManager.getCurrentKeyboardFocusManager().addKeyEventDispatcher(this);
+        Toolkit.getDefaultToolkit().addAWTEventListener(mouse, AWTEvent.MOUSE_EVENT_MASK);
         queue.addListener(pressedEarly);
     }
 
@@ -72,7 +83,22 @@ final class StopKeys implements KeyEventDispatcher, AutoCloseable {
         if (event.getID() == KeyEvent.KEY_PRESSED && stops && !hasStopped(event)) {
             stopAll.run();
         }
+        if (event.getID() == KeyEvent.KEY_PRESSED) {
+            openAtEsc = event.getKeyCode() == KeyEvent.VK_ESCAPE ? showing() : null;
+        }
         return false;
+    }
+
+    private static Set<Window> showing() {
+        Set<Window> windows = Collections.newSetFromMap(new WeakHashMap<>());
+        Stream.of(Window.getWindows()).filter(Window::isShowing).forEach(windows::add);
+        return windows;
+    }
+
+    private void mouseUsed(AWTEvent event) {
+        if (event.getID() == MouseEvent.MOUSE_PRESSED) {
+            openAtEsc = null;
+        }
     }
 
     /** An early stop does not count if input from before the key, such as a click on Release, has released it. */
@@ -84,8 +110,12 @@ final class StopKeys implements KeyEventDispatcher, AutoCloseable {
         KeyboardFocusManager focus = KeyboardFocusManager.getCurrentKeyboardFocusManager();
         return MenuSelectionManager.defaultManager().getSelectedPath().length > 0
                 || isInOpenList(focus.getFocusOwner())
-                || focus.getFocusedWindow() instanceof MajicDialog
+                || isOpenedByUser(focus.getFocusedWindow())
                 || isInOpen(focus.getFocusOwner());
+    }
+
+    private boolean isOpenedByUser(@Nullable Window focused) {
+        return focused instanceof MajicDialog && (openAtEsc == null || openAtEsc.contains(focused));
     }
 
     private static boolean isInOpen(@Nullable Component focused) {
@@ -106,6 +136,7 @@ final class StopKeys implements KeyEventDispatcher, AutoCloseable {
     @Override
     public void close() {
         queue.removeListener(pressedEarly);
+        Toolkit.getDefaultToolkit().removeAWTEventListener(mouse);
         KeyboardFocusManager.getCurrentKeyboardFocusManager().removeKeyEventDispatcher(this);
     }
 }

@@ -165,6 +165,20 @@ class StopWindowTest {
     }
 
     @Test
+    void escapeStopsAgainAlthoughADialogHasOpenedByItselfMeanwhile() {
+        window.add("one");
+        window.focus("commandLine");
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window.team::isLatched);
+        window.team.release();
+        window.push("Add Bot");
+        window.awaitDialogWithKeys("Add Bot");
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window.team::isLatched);
+        window.await("the dialog to close", () -> !window.isShowing("Add Bot dialog"));
+    }
+
+    @Test
     void f12StopsWhileADialogHasTheFocus() {
         window.add("one");
         window.click("Add Bot");

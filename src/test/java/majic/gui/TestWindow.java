@@ -6,6 +6,7 @@ import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
+import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
@@ -304,6 +305,20 @@ public final class TestWindow implements AutoCloseable {
         Component component = find(name, Component.class);
         run(() -> component.dispatchEvent(
                 new KeyEvent(component, KeyEvent.KEY_TYPED, whenMs, 0, KeyEvent.VK_UNDEFINED, character)));
+    }
+
+    /** Types a character and presses Esc before the window handles anything that follows from the character. */
+    public void typeAndEsc(String name, char character) {
+        Component component = find(name, Component.class);
+        KeyboardFocusManager keys = KeyboardFocusManager.getCurrentKeyboardFocusManager();
+        run(() -> {
+            keys.dispatchEvent(key(component, KeyEvent.KEY_TYPED, KeyEvent.VK_UNDEFINED, character));
+            keys.dispatchEvent(key(component, KeyEvent.KEY_PRESSED, KeyEvent.VK_ESCAPE, (char) KeyEvent.VK_ESCAPE));
+        });
+    }
+
+    private static KeyEvent key(Component component, int event, int keyCode, char character) {
+        return new KeyEvent(component, event, System.currentTimeMillis(), 0, keyCode, character);
     }
 
     /** Types a line of commands and presses Enter. */

@@ -2,8 +2,6 @@ package majic.gui.command;
 
 import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
-import java.awt.event.FocusAdapter;
-import java.awt.event.FocusEvent;
 import java.awt.event.KeyEvent;
 import java.util.Optional;
 import java.util.Set;
@@ -45,8 +43,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private transient @Nullable RefusedLater refusedLater;
     private @Nullable LineMenu menu;
     private boolean putting;
-    private boolean edited;
-    private boolean editPending;
+    private boolean movedOn;
     private long newLineUntilMs;
 
     private record RefusedLater(String line, Refusal why) {}
@@ -74,11 +71,9 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         bind("ESCAPE", this::escape);
         bind("ctrl R", this::searchOrNext);
         getDocument().addDocumentListener(new TextChange(this::changed));
-        addCaretListener(event -> caretMoved());
-        addFocusListener(new FocusAdapter() {
-            @Override
-            public void focusLost(FocusEvent event) {
-                choices.close();
+        addCaretListener(event -> {
+            if (!putting) {
+                choices.caretMoved();
             }
         });
         if (file != null) {
@@ -134,7 +129,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
 
     private void run(String line) {
         choices.close();
-        edited = false;
+        movedOn = false;
         Optional<Refusal> refusal = line.isBlank()
                 ? Optional.empty()
                 : parser.submit(line, why -> EventThread.later(() -> refusedLater(line, why)));
@@ -154,11 +149,11 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     }
 
     /**
-     * Brings a line back that was refused after its files were read, unless another one has been begun; Up recalls it
-     * then.
+     * Brings a line back that was refused after its files were read, unless another one has been begun or Esc was
+     * pressed; Up recalls it then.
      */
     private void refusedLater(String line, Refusal why) {
-        if (edited || !getText().isEmpty()) {
+        if (movedOn || !getText().isEmpty()) {
             history.add(line);
             refusedLater = new RefusedLater(line, why);
             hint.accept(TEXTS.get("line.refused", why.message()));
@@ -240,12 +235,13 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         choices.searchOrNext();
     }
 
+    /** Closes the popup or removes the mark, and drops what was asked for, so that nothing appears after Esc. */
     private void escape() {
-        if (choices.isShowing()) {
-            choices.close();
-        } else {
+        movedOn = true;
+        if (!choices.isShowing()) {
             unmark();
         }
+        choices.close();
     }
 
     /** Returns whether the popup is open or the line is marked as wrong; Esc closes the popup or removes the mark. */
@@ -278,24 +274,11 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         wrongWord.paint(graphics);
     }
 
-    private void caretMoved() {
-        if (!putting && !editPending) {
-            choices.caretMoved();
-        }
-    }
-
     private void changed() {
-        if (putting) {
-            return;
-        }
-        edited = true;
-        unmark();
-        if (!editPending) {
-            editPending = true;
-            EventThread.later(() -> {
-                editPending = false;
-                choices.edited();
-            });
+        if (!putting) {
+            movedOn = true;
+            unmark();
+            choices.textChanged();
         }
     }
 }

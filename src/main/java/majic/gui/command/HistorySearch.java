@@ -2,6 +2,7 @@ package majic.gui.command;
 
 import java.util.List;
 import java.util.function.Consumer;
+import majic.gui.completion.ChoicePopup;
 import majic.script.help.Completion;
 import majic.text.Texts;
 
@@ -9,7 +10,7 @@ import majic.text.Texts;
  * Searches the history for lines that contain the typed text. Enter takes the chosen line without running it; Esc
  * brings the typed text back. Must be used on the event dispatch thread.
  */
-final class HistorySearch implements PopupUse {
+final class HistorySearch {
     private static final Texts TEXTS = Texts.of(HistorySearch.class);
     private final CommandLine line;
     private final History history;
@@ -30,8 +31,8 @@ final class HistorySearch implements PopupUse {
         edited();
     }
 
-    @Override
-    public void edited() {
+    /** Lists the lines that contain the present text. */
+    void edited() {
         List<Completion> found = history.containing(line.getText()).stream()
                 .map(text -> new Completion(text, "", ""))
                 .toList();
@@ -40,15 +41,14 @@ final class HistorySearch implements PopupUse {
         hint.accept(TEXTS.get("search.keys"));
     }
 
-    @Override
-    public void use(Completion entry) {
+    /** Takes a line. */
+    void use(Completion entry) {
         popup.hide();
         line.put(new CompletedLine(entry.text(), entry.text().length()));
     }
 
-    @Override
-    public void close() {
-        popup.hide();
+    /** Brings the typed text back. */
+    void cancel() {
         line.put(new CompletedLine(before, before.length()));
     }
 }

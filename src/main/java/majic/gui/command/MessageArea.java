@@ -1,6 +1,7 @@
 package majic.gui.command;
 
 import com.formdev.flatlaf.util.UIScale;
+import java.awt.Component;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -19,6 +20,7 @@ import javax.swing.JScrollPane;
 import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Position;
+import majic.gui.completion.ChoicePopup;
 import majic.gui.kit.EventThread;
 import majic.log.Line;
 import majic.log.SessionListener;
@@ -30,7 +32,7 @@ import org.jspecify.annotations.Nullable;
  * scrolled up. Lines may arrive from any thread and at any rate; they are shown ten times a second, and the oldest are
  * removed.
  */
-public final class MessageArea extends JScrollPane implements SessionListener {
+public final class MessageArea extends JScrollPane implements SessionListener, ChoicePopup.TextInView {
     private static final long serialVersionUID = 1L;
     private static final int MOST_KEPT = 2 * MessageDocument.MOST_LINES;
 
@@ -189,12 +191,13 @@ public final class MessageArea extends JScrollPane implements SessionListener {
         }
     }
 
-    /**
-     * Returns where the text of the lowest lines in view ends, in pixels from the left of this area.
-     *
-     * @param height the height of these lines in pixels; more than the area has for all lines in view
-     */
-    int textEnd(int height) {
+    @Override
+    public Component component() {
+        return this;
+    }
+
+    @Override
+    public int textEnd(int height) {
         MessageText text = text();
         Rectangle view = getViewport().getViewRect();
         int line = text.getFontMetrics(text.getFont()).getHeight();

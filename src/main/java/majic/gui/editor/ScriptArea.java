@@ -66,7 +66,7 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
 
     @Override
     public boolean hasToClose() {
-        return completion.isOpen();
+        return completion.isShowing();
     }
 
     RSyntaxTextArea text() {

@@ -1,169 +1,143 @@
 package majic.gui.editor;
 
-import com.formdev.flatlaf.util.UIScale;
-import java.awt.Dimension;
-import java.awt.Point;
-import java.util.ArrayList;
+import java.awt.event.KeyAdapter;
+import java.awt.event.KeyEvent;
 import java.util.List;
-import java.util.Optional;
-import java.util.stream.Collectors;
-import javax.swing.UIManager;
-import javax.swing.text.JTextComponent;
-import majic.gui.kit.CompletionCell;
-import majic.gui.kit.EventThread;
+import java.util.function.Consumer;
+import javax.swing.event.DocumentEvent;
+import javax.swing.event.DocumentListener;
+import majic.gui.completion.LineCompleter;
+import majic.gui.completion.LinePlace;
 import majic.script.ScriptRunner;
+import majic.script.help.Completion;
 import majic.script.help.Completions;
-import org.fife.ui.autocomplete.AbstractCompletion;
-import org.fife.ui.autocomplete.AutoCompletion;
-import org.fife.ui.autocomplete.Completion;
-import org.fife.ui.autocomplete.CompletionProviderBase;
-import org.fife.ui.autocomplete.ParameterizedCompletion;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 
 /**
- * Lists what a word of a script can become: while it is typed, and with Ctrl Space. What needs files is found in the
- * background. Must be used on the event dispatch thread.
+ * Lists what a word of a script can become: while it is typed, and with Ctrl Space. Its first entry is chosen: Enter
+ * and Tab take it. Must be used on the event dispatch thread.
  */
-final class ScriptCompletion extends CompletionProviderBase {
-    private static final int DELAY_MS = 200;
-    private static final int MOST_ROWS = 9;
-    private static final int FRAME = 16;
-    private static final int SIDES = 24;
-    private static final Completions NONE = new Completions(0, List.of());
-
+final class ScriptCompletion extends LineCompleter {
     private final RSyntaxTextArea area;
     private final ScriptRunner runner;
-    private final CompletionCell cell = new CompletionCell();
-    private final AutoCompletion popup = new Popup();
-    private ScriptPlace found = new ScriptPlace("", 0);
-    private Completions there = NONE;
-    private boolean searching;
-
-    /** A completion in the list. */
-    private static final class Entry extends AbstractCompletion {
-        private final majic.script.help.Completion completion;
-
-        Entry(ScriptCompletion provider, majic.script.help.Completion completion) {
-            super(provider);
-            this.completion = completion;
-        }
-
-        @Override
-        public String getReplacementText() {
-            return completion.text();
-        }
-
-        @Override
-        public String getSummary() {
-            return completion.explanation();
-        }
-    }
-
-    /** The list, as high as it needs to be. */
-    private final class Popup extends AutoCompletion {
-        Popup() {
-            super(ScriptCompletion.this);
-        }
-
-        @Override
-        protected int refreshPopupWindow() {
-            int rows = Math.min(MOST_ROWS, getCompletions(area).size());
-            cell.measure(there.entries(), UIManager.getFont("List.font"));
-            Dimension row = cell.getPreferredSize();
-            setChoicesWindowSize(row.width + UIScale.scale(SIDES), rows * row.height + UIScale.scale(FRAME));
-            return super.refreshPopupWindow();
-        }
-    }
+    private boolean putting;
 
     /** Completes the words that are typed into a text. */
     ScriptCompletion(RSyntaxTextArea area, ScriptRunner runner) {
+        super(area);
         this.area = area;
         this.runner = runner;
-        setAutoActivationRules(true, "$");
-        popup.setAutoActivationEnabled(true);
-        popup.setAutoActivationDelay(DELAY_MS);
-        popup.setAutoCompleteSingleChoices(false);
-        popup.setShowDescWindow(false);
-        popup.setListCellRenderer(
-                (list, value, index, selected, focused) -> cell.show(((Entry) value).completion, selected));
-        popup.install(area);
-    }
-
-    /** Whether the list is open. */
-    boolean isOpen() {
-        return popup.isPopupVisible();
-    }
-
-    private ScriptPlace place() {
-        return ScriptPlace.at(area, area.getCaretPosition());
-    }
-
-    private Completions completions(ScriptPlace place) {
-        if (!place.equals(found)) {
-            Optional<Completions> variables = runner.completeVariable(area.getText(), place.line(), place.index());
-            if (variables.isEmpty() && place.readsFiles()) {
-                search(place);
-                return NONE;
+        area.getDocument().addDocumentListener(new Typing());
+        area.addCaretListener(event -> {
+            if (!putting) {
+                caretMoved();
             }
-            found = place;
-            there = variables.orElseGet(() -> runner.complete(place.line(), place.index()));
-        }
-        return there;
-    }
-
-    private void search(ScriptPlace place) {
-        if (searching) {
-            return;
-        }
-        searching = true;
-        EventThread.background(
-                "completing",
-                () -> {
-                    Completions result = runner.complete(place.line(), place.index());
-                    EventThread.later(() -> searched(place, result));
-                },
-                why -> searching = false);
-    }
-
-    private void searched(ScriptPlace place, Completions result) {
-        searching = false;
-        if (place.equals(place())) {
-            found = place;
-            there = result;
-            popup.doCompletion();
-        } else if (area.isEditable() && area.isFocusOwner()) {
-            completions(place());
-        }
+        });
+        area.addKeyListener(new Keys());
     }
 
     @Override
-    public String getAlreadyEnteredText(JTextComponent component) {
-        ScriptPlace place = place();
-        Completions now = completions(place);
-        return now.entries().isEmpty() ? "" : place.line().substring(now.start(), place.index());
+    protected Completions complete(LinePlace place) {
+        return runner.complete(place.line(), place.index());
     }
 
-    /** A word that is complete is left alone, so that Enter ends the line. The library adds to the list. */
+    /** Follows what is typed: lists words as soon as one is begun. */
     @Override
-    protected List<Completion> getCompletionsImpl(JTextComponent component) {
-        Completions now = completions(place());
-        String typed = getAlreadyEnteredText(component);
-        if (!area.isEditable() || now.words().stream().anyMatch(typed::equalsIgnoreCase)) {
-            return new ArrayList<>();
+    protected void edited() {
+        String before = place().before();
+        if (before.isEmpty() || Character.isWhitespace(before.charAt(before.length() - 1))) {
+            close();
+        } else {
+            list(1);
         }
-        return now.entries().stream()
-                .filter(entry -> !entry.isHint())
-                .map(entry -> new Entry(this, entry))
-                .collect(Collectors.toCollection(ArrayList::new));
+    }
+
+    /**
+     * Lists the words that fit.
+     *
+     * @param begun how many characters of a word must be there
+     */
+    private void list(int begun) {
+        LinePlace place = place();
+        Consumer<Completions> show = found -> show(place, found, begun);
+        runner.completeVariable(area.getText(), place.line(), place.index()).ifPresentOrElse(show, () -> find(show));
+    }
+
+    /** Shows the words without hints. A word that is complete is left alone, so that Enter ends the line. */
+    private void show(LinePlace place, Completions found, int begun) {
+        String typed = place.before().substring(found.start());
+        boolean left = !area.isEditable()
+                || typed.length() < begun
+                || found.words().stream().anyMatch(typed::equalsIgnoreCase);
+        List<Completion> words = found.entries().stream()
+                .filter(entry -> !left && !entry.isHint())
+                .toList();
+        show(new Completions(found.start(), words));
+        move(1);
     }
 
     @Override
-    public List<Completion> getCompletionsAt(JTextComponent component, Point point) {
-        return List.of();
+    protected void use(Completion entry) {
+        LinePlace place = place();
+        putting = true;
+        try {
+            area.replaceRange(entry.text(), place.start() + shown().start(), area.getCaretPosition());
+        } finally {
+            putting = false;
+        }
+        edited();
     }
 
-    @Override
-    public List<ParameterizedCompletion> getParameterizedCompletions(JTextComponent component) {
-        return List.of();
+    /** Opens the list after a character is typed, and follows every change while it is open. */
+    private final class Typing implements DocumentListener {
+        @Override
+        public void insertUpdate(DocumentEvent event) {
+            if (!putting && (event.getLength() == 1 && area.isFocusOwner() || isShowing())) {
+                textChanged();
+            }
+        }
+
+        @Override
+        public void removeUpdate(DocumentEvent event) {
+            if (!putting && isShowing()) {
+                textChanged();
+            }
+        }
+
+        @Override
+        public void changedUpdate(DocumentEvent event) {}
+    }
+
+    /** Gives the open list its keys before the text has them. */
+    private final class Keys extends KeyAdapter {
+        @Override
+        public void keyPressed(KeyEvent event) {
+            boolean used = switch (event.getKeyCode()) {
+                case KeyEvent.VK_UP, KeyEvent.VK_KP_UP -> isShowing() && moved(-1);
+                case KeyEvent.VK_DOWN, KeyEvent.VK_KP_DOWN -> isShowing() && moved(1);
+                case KeyEvent.VK_ENTER, KeyEvent.VK_TAB -> event.getModifiersEx() == 0 && useChosen();
+                case KeyEvent.VK_SPACE -> event.isControlDown() && opened();
+                case KeyEvent.VK_ESCAPE -> closed();
+                default -> false;
+            };
+            if (used) {
+                event.consume();
+            }
+        }
+
+        private boolean moved(int step) {
+            move(step);
+            return true;
+        }
+
+        private boolean opened() {
+            list(0);
+            return true;
+        }
+
+        private boolean closed() {
+            close();
+            return true;
+        }
     }
 }

@@ -3,6 +3,7 @@ package majic.gui.editor;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Rectangle2D;
 import javax.swing.text.BadLocationException;
+import majic.gui.completion.LinePlace;
 import majic.script.ScriptRunner;
 import majic.script.help.Completion;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
@@ -33,7 +34,7 @@ final class WordHints implements ToolTipSupplier {
     }
 
     private String at(int offset) {
-        ScriptPlace place = ScriptPlace.at(text, offset);
+        LinePlace place = LinePlace.at(text, offset);
         return runner.explain(place.line(), place.index())
                 .map(Completion::inWords)
                 .orElse("");

@@ -50,6 +50,24 @@ class CheckedLineWindowTest {
     }
 
     @Test
+    void aLineThatIsRefusedAfterEscIsNotMarkedSoThatTheNextEscStops() throws IOException {
+        SlowActs slow = SlowActs.in(folder);
+        try (TestWindow window = TestWindow.open(slow.acts())) {
+            window.add("one");
+            window.command("1 act Slow");
+            window.press(KeyEvent.VK_ESCAPE);
+            window.await("the stop", window::isStopLatched);
+            window.team.release();
+            slow.answer();
+            window.await("the refusal", () -> window.text("hint").contains("code of its own"));
+            window.press(KeyEvent.VK_ESCAPE);
+            window.await("the stop", window::isStopLatched);
+            window.press(KeyEvent.VK_UP);
+            assertThat(window.text("commandLine")).isEqualTo("1 act Slow");
+        }
+    }
+
+    @Test
     void theLinesOfAnEarlierWindowAreRecalled() throws IOException {
         Path file = folder.resolve("history");
         try (TestWindow window = TestWindow.withHistory(file)) {

@@ -178,6 +178,29 @@ class CommandLineWindowTest {
     }
 
     @Test
+    void aLetterTypedJustBeforeEscOpensNoListAfterIt() {
+        window.focus("commandLine");
+        window.type("1 mo");
+        window.await("the completions", () -> window.isShowing("choices"));
+        window.typeAndEsc("commandLine", 'v');
+        assertThat(window.text("commandLine")).isEqualTo("1 mov");
+        assertThat(window.isShowing("choices")).isFalse();
+        assertThat(window.isStopLatched()).isFalse();
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window::isStopLatched);
+    }
+
+    @Test
+    void aLetterTypedJustBeforeEscOpensNoListAfterASearch() {
+        window.command("1 move 11");
+        window.pressWithCtrl(KeyEvent.VK_R);
+        window.typeAndEsc("commandLine", 'm');
+        assertThat(window.isShowing("choices")).isFalse();
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the latch", window::isStopLatched);
+    }
+
+    @Test
     void f12StopsWhileTheCompletionsAreShown() {
         window.focus("commandLine");
         window.type("1 mo");

@@ -119,6 +119,33 @@ class ScriptEditorWindowTest {
     }
 
     @Test
+    void aLetterTypedJustBeforeEscOpensNoListAfterIt() throws IOException {
+        ToyBot bot = window.add("one");
+        editor.open("lap.majic", "");
+        window.type("1 t");
+        editor.awaitCompletions(true);
+        window.typeAndEsc("script", 'u');
+        assertThat(window.isShowing("choicesWindow")).isFalse();
+        assertThat(bot.told).isEmpty();
+        window.press(KeyEvent.VK_ESCAPE);
+        window.await("the stop", () -> bot.told.contains("halt"));
+    }
+
+    @Test
+    void ctrlSpaceListsWordsWhereNoneIsBegun() throws IOException {
+        window.add("one");
+        RSyntaxTextArea area = editor.open("lap.majic", "");
+        window.type("1 ");
+        assertThat(window.isShowing("choicesWindow")).isFalse();
+        window.pressWithCtrl(KeyEvent.VK_SPACE);
+        editor.awaitCompletions(true);
+        window.press(KeyEvent.VK_DOWN);
+        window.press(KeyEvent.VK_TAB);
+        assertThat(area.getText()).startsWith("1 ").doesNotContain("\t");
+        editor.awaitCompletions(false);
+    }
+
+    @Test
     void theNamesOfTheScriptsArgumentsAreCompleted() throws IOException {
         RSyntaxTextArea area = editor.open("lap.majic", "argument far = 300mm", "");
         window.pressWithCtrl(KeyEvent.VK_END);

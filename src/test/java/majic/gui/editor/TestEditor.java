@@ -2,7 +2,6 @@ package majic.gui.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.awt.Window;
 import java.awt.datatransfer.DataFlavor;
 import java.awt.datatransfer.Transferable;
 import java.awt.event.WindowEvent;
@@ -10,7 +9,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.JRootPane;
@@ -86,12 +84,7 @@ final class TestEditor {
     }
 
     void awaitCompletions(boolean open) {
-        window.await(
-                "the completions",
-                () -> open
-                        == Stream.of(Window.getWindows())
-                                .anyMatch(found -> found.isShowing()
-                                        && found.getClass().getSimpleName().startsWith("AutoComplete")));
+        window.await("the completions", () -> open == window.isShowing("choicesWindow"));
     }
 
     JFrame frame() {

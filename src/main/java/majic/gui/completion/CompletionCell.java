@@ -1,4 +1,4 @@
-package majic.gui.kit;
+package majic.gui.completion;
 
 import java.awt.Color;
 import java.awt.Component;
@@ -17,6 +17,7 @@ import javax.swing.JList;
 import javax.swing.ListCellRenderer;
 import javax.swing.UIManager;
 import javax.swing.plaf.basic.BasicGraphicsUtils;
+import majic.gui.kit.Palette;
 import majic.script.help.Completion;
 import org.jspecify.annotations.Nullable;
 
@@ -24,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * Paints a completion in three columns: the word, what it takes, and its explanation. Must be used on the event
  * dispatch thread.
  */
-public final class CompletionCell extends JLabel implements ListCellRenderer<Completion> {
+final class CompletionCell extends JLabel implements ListCellRenderer<Completion> {
     private static final long serialVersionUID = 1L;
     /** Widths in characters. */
     private static final int WIDEST_VALUES = 32;

@@ -1,4 +1,4 @@
-package majic.gui.command;
+package majic.gui.completion;
 
 import java.awt.Font;
 import java.awt.event.MouseAdapter;
@@ -8,11 +8,10 @@ import java.util.function.Consumer;
 import javax.swing.DefaultListModel;
 import javax.swing.JList;
 import javax.swing.ListSelectionModel;
-import majic.gui.kit.CompletionCell;
 import majic.script.help.Completion;
 import majic.text.Texts;
 
-/** The list in the popup of the command line. Must be used on the event dispatch thread. */
+/** The list in the popup of a text. Must be used on the event dispatch thread. */
 final class ChoiceList extends JList<Completion> {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(ChoiceList.class);
