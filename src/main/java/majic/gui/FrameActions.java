@@ -71,7 +71,7 @@ final class FrameActions {
                     .openingDialog();
             guide = action("guide", Pictogram.HELP, "guide.tip", dialogs::guide);
             about = action("about", Pictogram.HELP, "about.tip", dialogs::about);
-            newScript = action("newScript", Pictogram.NEW, "newScript.tip", editor::newScript);
+            newScript = action("newScript", Pictogram.NEW, "newScript.tip", () -> editor.newScript(""));
             openScript = action("openScript", Pictogram.OPEN, "openScript.tip", editor::chooseAndOpen)
                     .withKey(KeyEvent.VK_O)
                     .openingDialog();

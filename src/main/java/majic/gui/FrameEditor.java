@@ -51,8 +51,9 @@ final class FrameEditor {
         return there;
     }
 
-    void newScript() {
-        window().newScript();
+    /** Opens a script that is not saved yet. */
+    void newScript(String text) {
+        window().newScript(text);
     }
 
     void chooseAndOpen() {

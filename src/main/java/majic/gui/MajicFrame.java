@@ -83,7 +83,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         super("MAJIC");
         this.session = session;
         this.services = services;
-        commands = new CommandPane(parser, services, session::alarm);
+        commands = new CommandPane(parser, services, session::alarm, this::openScript);
         channel = new FrameChannel(session, parser, commands.messages());
         gamepad = new GamepadControl(SdlGamepad::open, channel::showError, channel::showError);
         plots = new Plots(
@@ -176,6 +176,10 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         stopKeys.install();
         helpKey.install();
         team.start();
+    }
+
+    private void openScript(String lines) {
+        editor.newScript(lines);
     }
 
     /** Makes the STOP button of a window beside this one. */

@@ -2,13 +2,16 @@ package majic.gui.command;
 
 import java.awt.Graphics;
 import java.awt.KeyboardFocusManager;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import javax.swing.JPopupMenu;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
+import javax.swing.SwingUtilities;
 import javax.swing.UIManager;
 import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.EventThread;
@@ -34,6 +37,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
 
     private final transient MajicParser parser;
     private final transient Consumer<String> hint;
+    private final transient Consumer<String> openScript;
     private final transient History history = new History();
     private final transient @Nullable HistoryFile file;
     private final transient KeysHeldElsewhere heldKeys = new KeysHeldElsewhere(this);
@@ -41,7 +45,9 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private final transient WrongWord wrongWord = new WrongWord(this);
     private final transient LineChoices choices;
     private transient @Nullable RefusedLater refusedLater;
+    private transient @Nullable Correction correction;
     private @Nullable LineMenu menu;
+    private String shownHint = "";
     private boolean putting;
     private boolean movedOn;
     private long newLineUntilMs;
@@ -52,13 +58,16 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
      * Creates an empty line.
      *
      * @param file where earlier lines are kept; null if they are not kept
-     * @param hint shows a message, or an empty text
+     * @param hint shows a message; for an empty text, what the keys do
+     * @param openScript opens lines in the script editor
      */
-    CommandLine(MajicParser parser, @Nullable HistoryFile file, Consumer<String> hint) {
+    CommandLine(MajicParser parser, @Nullable HistoryFile file, Consumer<String> hint, Consumer<String> openScript) {
         this.parser = parser;
         this.file = file;
         this.hint = hint;
-        choices = new LineChoices(this, parser, history, hint);
+        this.openScript = openScript;
+        choices = new LineChoices(this, parser, history, this::hint);
+        choices.onChange(() -> hint(shownHint));
         setName("commandLine");
         getAccessibleContext().setAccessibleName(TEXTS.get("line"));
         putClientProperty("JTextField.placeholderText", TEXTS.get("line.example"));
@@ -70,6 +79,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         bind("TAB", this::tab);
         bind("ESCAPE", this::escape);
         bind("ctrl R", this::searchOrNext);
+        bind("ctrl U", this::empty);
         getDocument().addDocumentListener(new TextChange(this::changed));
         addCaretListener(event -> {
             if (!putting) {
@@ -121,8 +131,20 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         KeyAction.bind(this, WHEN_FOCUSED, KeyStroke.getKeyStroke(key), event -> action.run());
     }
 
+    private void hint(String text) {
+        shownHint = text;
+        hint.accept(text);
+    }
+
+    /** Returns what the keys do now: with a text in the line, Esc and Ctrl U too. */
+    String keys() {
+        return TEXTS.get(getText().isBlank() ? "keys" : choices.isShowing() ? "keys.list" : "keys.text");
+    }
+
     private void enter() {
-        if (!choices.useChosen() && !choices.isSearching()) {
+        if (choices.isSearching()) {
+            choices.take();
+        } else if (!choices.useChosen()) {
             run(getText());
         }
     }
@@ -130,15 +152,62 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private void run(String line) {
         choices.close();
         movedOn = false;
-        Optional<Refusal> refusal = line.isBlank()
-                ? Optional.empty()
-                : parser.submit(line, why -> EventThread.later(() -> refusedLater(line, why)));
+        Optional<Refusal> refusal = submit(line);
         if (refusal.isPresent()) {
             mark(refusal.get());
         } else {
-            remember(line);
             put(new CompletedLine("", 0));
         }
+    }
+
+    /** Submits a line, and remembers it if it is accepted. */
+    private Optional<Refusal> submit(String line) {
+        Optional<Refusal> refusal = line.isBlank()
+                ? Optional.empty()
+                : parser.submit(line, why -> EventThread.later(() -> refusedLater(line, why)));
+        if (refusal.isEmpty()) {
+            remember(line);
+        }
+        return refusal;
+    }
+
+    /** Inserts a text in place of the selection. Several lines are not joined: what to do with them is asked. */
+    @Override
+    public void replaceSelection(@Nullable String text) {
+        List<String> lines = text == null ? List.of() : text.lines().toList();
+        List<String> commands = lines.stream().filter(line -> !line.isBlank()).toList();
+        Window owner = SwingUtilities.getWindowAncestor(this);
+        if (commands.size() > 1 && owner != null) {
+            choices.close();
+            new PastedLines(owner, lines, () -> runAll(commands), () -> openScript.accept(String.join("\n", lines)))
+                    .setVisible(true);
+        } else {
+            super.replaceSelection(commands.size() == 1 ? commands.get(0) : text);
+        }
+    }
+
+    /** Runs lines one after the other; one that is refused comes into the line, and those behind it are not run. */
+    private void runAll(List<String> lines) {
+        history.add(getText());
+        put(new CompletedLine("", 0));
+        for (int index = 0; index < lines.size(); index++) {
+            String line = lines.get(index);
+            Optional<Refusal> refusal = submit(line);
+            if (refusal.isPresent()) {
+                int left = lines.size() - index - 1;
+                put(new CompletedLine(line, line.length()));
+                mark(refusal.get());
+                hint(left == 0 ? shownHint : TEXTS.get("line.rest", shownHint, left));
+                return;
+            }
+        }
+    }
+
+    /** Empties the line, and closes what is open. */
+    private void empty() {
+        choices.close();
+        movedOn = true;
+        put(new CompletedLine("", 0));
     }
 
     private void remember(String line) {
@@ -156,7 +225,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         if (movedOn || !getText().isEmpty()) {
             history.add(line);
             refusedLater = new RefusedLater(line, why);
-            hint.accept(TEXTS.get("line.refused", why.message()));
+            hint(TEXTS.get("line.refused", why.message()));
         } else {
             put(new CompletedLine(line, line.length()));
             mark(why);
@@ -181,12 +250,12 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     void put(CompletedLine line) {
         putting = true;
         try {
-            unmark();
             setText(line.text());
             setCaretPosition(line.caret());
         } finally {
             putting = false;
         }
+        unmark();
     }
 
     private void up() {
@@ -254,7 +323,8 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private void unmark() {
         putClientProperty("JComponent.outline", null);
         wrongWord.set(0, 0);
-        hint.accept("");
+        correction = null;
+        hint("");
     }
 
     private void mark(Refusal why) {
@@ -264,8 +334,9 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
             selectAll();
         } else {
             select(why.from(), why.to());
+            correction = Correction.of(getText(), why);
         }
-        hint.accept(why.message());
+        hint(why.message());
     }
 
     @Override
@@ -277,8 +348,19 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private void changed() {
         if (!putting) {
             movedOn = true;
+            Correction begun = correction;
             unmark();
+            correction = begun;
             choices.textChanged();
+        }
+    }
+
+    /** Removes the rest of a refused line once what is typed over its wrong word is seen to be a new line. */
+    void dropRefused() {
+        Correction begun = correction;
+        if (begun != null) {
+            begun.newLine(parser, getText(), getCaretPosition())
+                    .ifPresent(line -> put(new CompletedLine(line, line.length())));
         }
     }
 }

@@ -27,11 +27,14 @@ public final class CommandPane extends JPanel {
      *
      * @param services the settings, and the file of the lines typed earlier
      * @param alarm reports a problem with that file; called on the event dispatch thread
+     * @param openScript opens lines in the script editor
      */
-    public CommandPane(MajicParser parser, ProgramServices services, Consumer<String> alarm) {
+    public CommandPane(
+            MajicParser parser, ProgramServices services, Consumer<String> alarm, Consumer<String> openScript) {
         super(new BorderLayout(0, GAP));
         Path history = services.history();
-        line = new CommandLine(parser, history == null ? null : new HistoryFile(history, alarm), this::showHint);
+        HistoryFile file = history == null ? null : new HistoryFile(history, alarm);
+        line = new CommandLine(parser, file, this::showHint, openScript);
         messages = new MessagePane(services.settings(), line::requestFocusInWindow);
         line.leaveInView(messages.area());
         hint.setName("hint");
@@ -77,9 +80,9 @@ public final class CommandPane extends JPanel {
 
     /** Shows a hint; an empty one keeps its space, so that the layout does not change. */
     private void showHint(String text) {
-        boolean wrong = "error".equals(line == null ? null : line.getClientProperty("JComponent.outline"));
+        boolean wrong = "error".equals(line.getClientProperty("JComponent.outline"));
         hint.setForeground(wrong ? Palette.error() : Palette.text());
-        hint.setText(text.isEmpty() ? TEXTS.get("keys") : text);
+        hint.setText(text.isEmpty() ? line.keys() : text);
         hint.setToolTipText(text.isEmpty() ? null : text);
         hint.setEnabled(!text.isEmpty());
     }

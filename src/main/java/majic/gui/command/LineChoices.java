@@ -51,6 +51,11 @@ final class LineChoices extends LineCompleter {
         popup.leaveInView(messages);
     }
 
+    /** Sets what runs whenever the popup was opened or closed. */
+    void onChange(Runnable listener) {
+        popup.onChange(listener);
+    }
+
     boolean isSearching() {
         return searching;
     }
@@ -65,7 +70,10 @@ final class LineChoices extends LineCompleter {
         cycle = null;
         if (searching) {
             search.edited();
-        } else if (line.getText().isBlank()) {
+            return;
+        }
+        line.dropRefused();
+        if (line.getText().isBlank()) {
             popup.hide();
         } else {
             find(this::show);
@@ -99,6 +107,14 @@ final class LineChoices extends LineCompleter {
         if (searching) {
             searching = false;
             search.cancel();
+        }
+    }
+
+    /** Takes the line that the search has chosen; if it has found none, leaves the search with the text in the line. */
+    void take() {
+        if (!useChosen()) {
+            searching = false;
+            search.use(new Completion(line.getText(), "", ""));
         }
     }
 

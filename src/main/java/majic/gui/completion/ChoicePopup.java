@@ -44,6 +44,7 @@ public final class ChoicePopup {
     private @Nullable ChoiceList list;
     private @Nullable TextInView inView;
     private @Nullable JWindow window;
+    private Runnable changed = () -> {};
     private int index;
     private boolean chosen;
 
@@ -92,6 +93,11 @@ public final class ChoicePopup {
         inView = text;
     }
 
+    /** Sets what runs whenever the list was opened or closed. */
+    public void onChange(Runnable listener) {
+        changed = listener;
+    }
+
     /** Returns whether the list is open. */
     public boolean isShowing() {
         return window != null && window.isVisible();
@@ -115,7 +121,14 @@ public final class ChoicePopup {
         shownList.setVisibleRowCount(Math.min(rows(shownList.getFixedCellHeight()), choices.size()));
         JWindow shown = window(owner, shownList);
         place(shown);
-        shown.setVisible(true);
+        setVisible(shown, true);
+    }
+
+    private void setVisible(JWindow list, boolean visible) {
+        if (list.isVisible() != visible) {
+            list.setVisible(visible);
+            changed.run();
+        }
     }
 
     /** Moves the open list with its field. */
@@ -218,10 +231,10 @@ public final class ChoicePopup {
 
     /** Closes the list. */
     public void hide() {
-        if (window != null) {
-            window.setVisible(false);
-        }
         chosen = false;
+        if (window != null) {
+            setVisible(window, false);
+        }
     }
 
     /**

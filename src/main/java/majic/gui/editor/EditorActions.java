@@ -29,7 +29,7 @@ final class EditorActions {
     final IconAction end;
 
     EditorActions(EditorWindow window) {
-        newScript = new IconAction(TEXTS.get("new"), Pictogram.NEW, TEXTS.get("new.tip"), window::newScript)
+        newScript = new IconAction(TEXTS.get("new"), Pictogram.NEW, TEXTS.get("new.tip"), () -> window.newScript(""))
                 .withKey(KeyEvent.VK_N);
         open = new IconAction(TEXTS.get("open"), Pictogram.OPEN, TEXTS.get("open.tip"), window::chooseAndOpen)
                 .withKey(KeyEvent.VK_O);

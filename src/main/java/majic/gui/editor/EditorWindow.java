@@ -125,11 +125,11 @@ public final class EditorWindow extends JFrame {
         }
     }
 
-    /** Opens an empty script in a new tab. */
-    public void newScript() {
+    /** Opens a script that is not saved yet, perhaps an empty one, in a new tab. */
+    public void newScript(String text) {
         created++;
         String name = "script" + (created == 1 ? "" : " " + created) + ScriptFile.ENDING;
-        add(ScriptFile.fresh(Path.of(name)), false);
+        add(ScriptFile.fresh(Path.of(name)), false).replaceText(text);
     }
 
     /** Asks for a script and opens it. */
@@ -170,12 +170,13 @@ public final class EditorWindow extends JFrame {
         bringToFront();
     }
 
-    private void add(ScriptFile file, boolean exists) {
+    private EditorTab add(ScriptFile file, boolean exists) {
         EditorTab tab = new EditorTab(context, runner, file, exists, this::showTab);
         FileDrop.install(tab.area().text(), context.dropped());
         tabs.addTab(PlainTextUi.title(tab.title()), tab);
         tabs.setSelectedComponent(tab);
         bringToFront();
+        return tab;
     }
 
     private void bringToFront() {

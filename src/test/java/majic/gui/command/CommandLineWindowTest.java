@@ -9,6 +9,7 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.Toolkit;
 import java.awt.Window;
+import java.awt.datatransfer.StringSelection;
 import java.awt.event.KeyEvent;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,6 +17,7 @@ import java.util.stream.IntStream;
 import javax.swing.JList;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
+import javax.swing.text.JTextComponent;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import majic.script.help.Completion;
@@ -115,6 +117,115 @@ class CommandLineWindowTest {
         assertThat(selected()).isEqualTo("mvoe");
         window.type("move");
         assertThat(window.text("commandLine")).isEqualTo("1 move 50");
+    }
+
+    @Test
+    void aNewLineTypedOverTheWrongWordReplacesTheWholeLine() {
+        window.command("1 mvoe 50");
+        window.type("1 get cruise");
+        assertThat(window.text("commandLine")).isEqualTo("1 get cruise");
+        window.run(() -> line().setText(""));
+        window.command("7 move 50");
+        window.type("1 move 60");
+        assertThat(window.text("commandLine")).isEqualTo("1 move 60");
+        window.run(() -> line().setText(""));
+        window.command("1 set cruise 9999");
+        window.type("2 get sonar");
+        assertThat(window.text("commandLine")).isEqualTo("2 get sonar");
+    }
+
+    @Test
+    void aWrongValueIsReplacedByWhatIsTypedAlsoIfMoreFollows() {
+        window.command("1 move 50xx");
+        assertThat(window.text("hint")).isNotEmpty();
+        window.run(() -> line().select("1 move ".length(), line().getText().length()));
+        window.type("300 until x > 5");
+        assertThat(window.text("commandLine")).isEqualTo("1 move 300 until x > 5");
+    }
+
+    private JTextField line() {
+        return window.find("commandLine", JTextField.class);
+    }
+
+    @Test
+    void ctrlUEmptiesTheLineWithoutStopping() {
+        window.focus("commandLine");
+        window.type("1 mo");
+        assertThat(window.text("hint")).contains("Esc: close the list");
+        window.pressWithCtrl(KeyEvent.VK_U);
+        assertThat(window.text("commandLine")).isEmpty();
+        assertThat(window.isShowing("choices")).isFalse();
+        assertThat(window.text("hint")).doesNotContain("Esc");
+        assertThat(window.isStopLatched()).isFalse();
+    }
+
+    @Test
+    void whatEscWillDoIsShownWhileALineIsTyped() {
+        window.focus("commandLine");
+        window.type("1 mo");
+        window.press(KeyEvent.VK_ESCAPE);
+        assertThat(window.text("hint")).contains("Esc: STOP for all robots", "Ctrl U: empty the line");
+    }
+
+    @Test
+    void severalPastedLinesRunOneAfterTheOtherAfterAQuestionThatShowsThem() {
+        paste("1 move 11 # a comment\n\n1 turn 22\r\n");
+        window.awaitDialogWithKeys("Pasted Lines");
+        assertThat(window.text("pastedLines")).contains("1 move 11 # a comment", "1 turn 22");
+        assertThat(bot.told).isEmpty();
+        window.push("pasted.run");
+        window.await("the last line", () -> bot.told.contains("turn 22"));
+        assertThat(bot.told).contains("move 11");
+        assertThat(window.text("commandLine")).isEmpty();
+    }
+
+    @Test
+    void aRefusedPastedLineComesIntoTheLineAndThoseBehindItDoNotRun() {
+        paste("1 move 11\n1 trun 22\n1 move 33");
+        window.awaitDialog("Pasted Lines");
+        window.push("pasted.run");
+        window.await("the refused line", () -> window.text("commandLine").equals("1 trun 22"));
+        assertThat(selected()).isEqualTo("trun");
+        assertThat(window.text("hint")).contains("did you mean turn?").contains("not run: 1");
+        assertThat(bot.told).doesNotContain("move 33");
+    }
+
+    @Test
+    void pastedLinesAreOpenedInTheEditor() {
+        paste("1 move 11\n1 turn 22");
+        window.awaitDialog("Pasted Lines");
+        window.push("pasted.edit");
+        JTextComponent script = window.awaitShowing("script", JTextComponent.class);
+        assertThat(script.getText()).isEqualTo("1 move 11\n1 turn 22");
+        assertThat(bot.told).isEmpty();
+    }
+
+    @Test
+    void onePastedLineIsInsertedWithoutItsEnd() {
+        window.focus("commandLine");
+        window.type("1 ");
+        paste("move 11\n");
+        assertThat(window.text("commandLine")).isEqualTo("1 move 11");
+    }
+
+    private void paste(String text) {
+        window.focus("commandLine");
+        window.run(() -> {
+            Toolkit.getDefaultToolkit().getSystemClipboard().setContents(new StringSelection(text), null);
+            line().paste();
+        });
+    }
+
+    @Test
+    void enterLeavesASearchWithoutAMatch() {
+        window.command("1 move 11");
+        window.pressWithCtrl(KeyEvent.VK_R);
+        window.type("1 get cruise");
+        window.press(KeyEvent.VK_ENTER);
+        assertThat(window.isShowing("choices")).isFalse();
+        assertThat(window.text("commandLine")).isEqualTo("1 get cruise");
+        window.press(KeyEvent.VK_ENTER);
+        window.awaitMessage("1 cruise = ");
     }
 
     @Test
