@@ -47,7 +47,7 @@ final class StopAlarm extends JPanel implements TeamListener {
         setBackground(RED);
         setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
         again.setName("stopAgain");
-        again.setFocusable(false);
+        again.setRequestFocusEnabled(false);
         again.setToolTipText(TEXTS.get("stopAgain.tip"));
         again.addActionListener(event -> stopAgain());
         remedy.setToolTipText(remedy.getText());

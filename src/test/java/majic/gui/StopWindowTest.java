@@ -118,6 +118,13 @@ class StopWindowTest {
     }
 
     @Test
+    void stopAgainIsReachedByTabButAClickLeavesTheFocusWhereItIs() {
+        JButton again = window.find("stopAgain", JButton.class);
+        assertThat(again.isFocusable()).isTrue();
+        assertThat(again.isRequestFocusEnabled()).isFalse();
+    }
+
+    @Test
     void robotsWithTheSameReasonAreNamedTogether() {
         Map<Integer, String> unconfirmed =
                 new TreeMap<>(Map.of(2, "silent", 3, "stuck", 7, "silent", 9, "lost", 11, "x"));

@@ -38,6 +38,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     private final transient MajicParser parser;
     private final transient Consumer<String> hint;
     private final transient Consumer<String> openScript;
+    private transient Runnable submitted = () -> {};
     private final transient History history = new History();
     private final transient @Nullable HistoryFile file;
     private final transient KeysHeldElsewhere heldKeys = new KeysHeldElsewhere(this);
@@ -89,6 +90,11 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         if (file != null) {
             file.read(history::addOlder);
         }
+    }
+
+    /** Sets what runs when Enter has submitted a line, also one that is refused. */
+    void onSubmit(Runnable listener) {
+        submitted = listener;
     }
 
     /** Keeps the newest messages in view while the popup is open. */
@@ -168,6 +174,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         if (refusal.isEmpty()) {
             remember(line);
         }
+        submitted.run();
         return refusal;
     }
 

@@ -37,6 +37,7 @@ public final class CommandPane extends JPanel {
         line = new CommandLine(parser, file, this::showHint, openScript);
         messages = new MessagePane(services.settings(), line::requestFocusInWindow);
         line.leaveInView(messages.area());
+        line.onSubmit(messages.area()::showNewest);
         hint.setName("hint");
         JLabel prompt = new JLabel(TEXTS.get("prompt"));
         prompt.setLabelFor(line);

@@ -45,6 +45,22 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
     private transient MessageFilter filter = MessageFilter.EVERYTHING;
     private transient Runnable changed = () -> {};
     private boolean withTimes;
+    private transient Unseen unseen = Unseen.NONE;
+
+    /**
+     * The messages that have arrived below the lines in view since the area was scrolled up. Immutable.
+     *
+     * @param lines their number
+     * @param alarm whether one of them is an alarm
+     */
+    record Unseen(int lines, boolean alarm) {
+        static final Unseen NONE = new Unseen(0, false);
+
+        Unseen and(List<Message> added) {
+            boolean alarms = added.stream().anyMatch(message -> message.line().kind() == Line.Kind.ALARM);
+            return new Unseen(lines + added.size(), alarm || alarms);
+        }
+    }
 
     /**
      * Creates an empty area, without a text as long as there is no message, because making it delays the window.
@@ -56,6 +72,7 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
         setName("messageArea");
         setPreferredSize(UIScale.scale(new Dimension(600, 150)));
         setMinimumSize(UIScale.scale(new Dimension(200, 70)));
+        getVerticalScrollBar().addAdjustmentListener(event -> scrolled());
     }
 
     /** Returns the text, which is made at the first call. */
@@ -79,7 +96,11 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
         return withTimes;
     }
 
-    /** Sets what runs after messages were added or removed, on the event dispatch thread. */
+    Unseen unseen() {
+        return unseen;
+    }
+
+    /** Sets what runs after messages were added, removed or scrolled to, on the event dispatch thread. */
     void onChange(Runnable listener) {
         changed = listener;
     }
@@ -166,7 +187,9 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
             document.append(accepted(added));
             EventThread.later(this::toEnd);
         } else {
-            appendAbove(accepted(added));
+            List<Message> below = accepted(added);
+            unseen = unseen.and(below);
+            appendAbove(below);
         }
         changed.run();
     }
@@ -222,8 +245,24 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
         document = new MessageDocument(withTimes);
         document.append(accepted(kept));
         text().setDocument(document);
+        unseen = Unseen.NONE;
         EventThread.later(this::toEnd);
         changed.run();
+    }
+
+    private void scrolled() {
+        if (unseen.lines() > 0 && isAtEnd()) {
+            unseen = Unseen.NONE;
+            changed.run();
+        }
+    }
+
+    /** Scrolls to the newest message, which stays in view. */
+    void showNewest() {
+        if (made != null) {
+            validate();
+            toEnd();
+        }
     }
 
     private boolean isAtEnd() {

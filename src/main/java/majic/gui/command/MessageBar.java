@@ -17,6 +17,7 @@ import javax.swing.JPopupMenu;
 import javax.swing.JTextField;
 import javax.swing.KeyStroke;
 import majic.gui.kit.ClosesByEsc;
+import majic.gui.kit.Palette;
 import majic.gui.kit.TextChange;
 import majic.panel.KeyAction;
 import majic.text.Texts;
@@ -36,6 +37,7 @@ final class MessageBar extends JPanel implements ClosesByEsc {
     private final transient Runnable toCommandLine;
     private final JButton robots = new JButton();
     private final JButton kinds = new JButton();
+    private final JButton unseen = new JButton();
     private final JTextField find = new JTextField(14) {
         private static final long serialVersionUID = 1L;
 
@@ -68,6 +70,9 @@ final class MessageBar extends JPanel implements ClosesByEsc {
         search = new MessageSearch(area);
         prepare(robots, "messageRobots", TEXTS.get("robots.hint"));
         prepare(kinds, "messageKinds", TEXTS.get("kinds.hint"));
+        prepare(unseen, "newMessages", TEXTS.get("new.hint"));
+        unseen.setRequestFocusEnabled(false);
+        unseen.addActionListener(event -> area.showNewest());
         robots.addActionListener(event -> robotMenu().show(robots, 0, robots.getHeight()));
         kinds.addActionListener(event -> kindMenu().show(kinds, 0, kinds.getHeight()));
         prepareFind();
@@ -80,6 +85,7 @@ final class MessageBar extends JPanel implements ClosesByEsc {
     private void place() {
         List.of(robots, kinds).forEach(this::addWithGap);
         add(Box.createHorizontalGlue());
+        addWithGap(unseen);
         List.of(find, count, previous, next).forEach(this::addWithGap);
     }
 
@@ -154,8 +160,18 @@ final class MessageBar extends JPanel implements ClosesByEsc {
         robots.setText(MessageFilter.label(filter.robot()) + " \u25be");
         boolean all = filter.shown().size() == MessageFilter.Group.values().length;
         kinds.setText((all ? TEXTS.get("kinds.all") : TEXTS.get("kinds.some")) + " \u25be");
+        showUnseen();
         search.repeat();
         showCount();
+    }
+
+    /** Shows the marker, which takes free space of the bar, so that nothing else moves. */
+    private void showUnseen() {
+        MessageArea.Unseen now = area.unseen();
+        unseen.setVisible(now.lines() > 0);
+        unseen.setText(TEXTS.get(now.alarm() ? "new.alarm" : "new", now.lines()));
+        unseen.setBackground(now.alarm() ? Palette.error() : null);
+        unseen.setForeground(now.alarm() ? Palette.paper() : null);
     }
 
     private JPopupMenu robotMenu() {

@@ -7,6 +7,7 @@ import java.awt.event.KeyEvent;
 import java.awt.image.BufferedImage;
 import java.util.Optional;
 import java.util.stream.IntStream;
+import javax.swing.JButton;
 import javax.swing.JScrollBar;
 import javax.swing.JTextPane;
 import javax.swing.text.BadLocationException;
@@ -29,6 +30,41 @@ class MessagesWindowTest {
         window.run(() -> window.frame.setSize(720, 540));
         window.await("a shorter message area", () -> bar().getVisibleAmount() < 140);
         window.await("the newest line", this::isAtEnd);
+    }
+
+    @Test
+    void whileTheAreaIsScrolledUpAMarkerCountsTheNewLinesAndAClickGoesToThem() {
+        MessageArea area = scrolledUp();
+        assertThat(window.isShowing("newMessages")).isFalse();
+        area.line(new Line(Line.Kind.NOTICE, "one more"));
+        area.line(new Line(Line.Kind.NOTICE, "and another"));
+        window.await("the marker", () -> window.isShowing("newMessages"));
+        assertThat(window.text("newMessages")).contains("New lines: 2");
+        area.line(new Line(Line.Kind.ALARM, "1: connection lost"));
+        window.await("the alarm", () -> window.text("newMessages").contains("alarm: 3"));
+        JButton marker = window.find("newMessages", JButton.class);
+        assertThat(marker.getBackground()).isEqualTo(Palette.error());
+        assertThat(marker.isFocusable()).isTrue();
+        window.push("newMessages");
+        window.await("the newest line", this::isAtEnd);
+        window.await("the marker to go", () -> !window.isShowing("newMessages"));
+    }
+
+    @Test
+    void aCommandGoesToTheNewestLine() {
+        scrolledUp();
+        window.command("bots");
+        window.await("the newest line", this::isAtEnd);
+        assertThat(window.isShowing("newMessages")).isFalse();
+    }
+
+    private MessageArea scrolledUp() {
+        MessageArea area = window.find("messageArea", MessageArea.class);
+        IntStream.range(0, 60).forEach(index -> area.line(new Line(Line.Kind.NOTICE, "line " + index)));
+        window.awaitMessage("line 59");
+        window.await("the newest line", this::isAtEnd);
+        window.run(() -> bar().setValue(0));
+        return area;
     }
 
     @Test
