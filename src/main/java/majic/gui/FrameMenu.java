@@ -146,6 +146,11 @@ final class FrameMenu extends JMenuBar {
             view.add(look);
         }
         view.addSeparator();
+        JMenuItem sound = new JCheckBoxMenuItem(
+                TEXTS.get("alarmSound"), frame.alarmSound().isOn());
+        sound.addActionListener(event -> frame.alarmSound().switchOn(sound.isSelected()));
+        view.add(sound);
+        view.addSeparator();
         view.add(textSize(frame));
         view.add(language(frame));
     }

@@ -67,6 +67,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient RobotSelection selection = new RobotSelection();
     private final transient GamepadControl gamepad;
     private final transient FrameMemory memory;
+    private final transient AlarmSound alarmSound;
     private final StartPage start;
     private final TeamPane team;
     private final CommandPane commands;
@@ -106,6 +107,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         start = startPage();
         team = new TeamPane(session, selection, actions, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
+        alarmSound = new AlarmSound(services.settings(), AlarmSound::play);
         stopKeys = new StopKeys(session.team(), this::stopAll);
         helpKey = new HelpKey(dialogs::help);
         memory = place();
@@ -169,6 +171,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     private void listen(MajicParser parser) {
         session.addListener(commands.messages());
+        session.addListener(alarmSound);
         RobotSharing sharing = services.sharing();
         if (sharing != null) {
             session.addListener(new FrameLogins(this, sharing, parser, channel));
@@ -256,6 +259,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     @Override
     public void dispose() {
         session.removeListener(commands.messages());
+        session.removeListener(alarmSound);
         stopKeys.close();
         helpKey.close();
         gamepad.close();
@@ -288,6 +292,10 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     GamepadControl gamepad() {
         return gamepad;
+    }
+
+    AlarmSound alarmSound() {
+        return alarmSound;
     }
 
     FrameLab lab() {

@@ -118,6 +118,37 @@ class StopWindowTest {
     }
 
     @Test
+    void twentyFivePressesOfStopGiveOneLineWithACountForEachRobot() {
+        window.add("one");
+        window.add("two").confirmStops(false);
+        for (int press = 0; press < 25; press++) {
+            window.press(KeyEvent.VK_F12);
+        }
+        window.await("the counts", () -> window.text("messages").contains("1 stop: done (25 times)"));
+        window.await(
+                "the counts",
+                () -> lines("2 stop: failed") == 1
+                        && window.text("messages").contains("takes no more data (25 times)"));
+        assertThat(lines("1 stop: done")).isEqualTo(1);
+    }
+
+    @Test
+    void twentyFivePressesWithoutARobotGiveOneLineWithACount() {
+        for (int press = 0; press < 25; press++) {
+            window.press(KeyEvent.VK_F12);
+        }
+        window.await("the count", () -> window.text("messages").contains("(25 times)"));
+        assertThat(lines("There is no robot to stop")).isEqualTo(1);
+    }
+
+    private long lines(String part) {
+        return window.text("messages")
+                .lines()
+                .filter(line -> line.contains(part))
+                .count();
+    }
+
+    @Test
     void stopAgainIsReachedByTabButAClickLeavesTheFocusWhereItIs() {
         JButton again = window.find("stopAgain", JButton.class);
         assertThat(again.isFocusable()).isTrue();

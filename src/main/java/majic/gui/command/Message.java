@@ -8,18 +8,48 @@ import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.log.Line;
+import majic.text.Texts;
 
 /**
  * A line of the session in the message area. Immutable.
  *
- * @param time when it arrived
+ * @param time when it arrived; of a repeated line, when it arrived last
  * @param line the line
+ * @param count how often it has arrived
  */
-record Message(LocalTime time, Line line) {
+record Message(LocalTime time, Line line, int count) {
+    private static final Texts TEXTS = Texts.of(Message.class);
+    private static final Pattern STOP_ANSWER = Pattern.compile("\\d{1,4} stop: .*");
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
     private static final Pattern NUMBERS =
             Pattern.compile("(\\d{1,3}(?:-\\d{1,3})?(?:,\\d{1,3}(?:-\\d{1,3})?)*)[ :.(]");
     private static final Pattern BOT = Pattern.compile("Bot (\\d{1,3}) ");
+
+    /** Creates the message of a line that has arrived once. */
+    Message(LocalTime time, Line line) {
+        this(time, line, 1);
+    }
+
+    /** Returns whether it answers a stop, so that a further press of STOP repeats it. */
+    boolean answersStop() {
+        return line.kind() != Line.Kind.COMMAND
+                && STOP_ANSWER.matcher(line.text()).matches();
+    }
+
+    /** Returns whether it stands among the answers to presses of STOP: it reports the latch, or is an alarm. */
+    boolean accompaniesStop() {
+        return line.kind() == Line.Kind.ALARM || line.text().contains(" is latched; ");
+    }
+
+    /** Returns whether another message is the same line again. */
+    boolean isRepeatedBy(Message other) {
+        return line.kind() == other.line.kind() && line.text().equals(other.line.text());
+    }
+
+    /** Returns this message with one more that repeats it. */
+    Message and(Message repetition) {
+        return new Message(repetition.time, line, count + 1);
+    }
 
     /** Returns the numbers of the robots with which the line begins; empty if it names none there. */
     Set<Integer> robots() {
@@ -42,7 +72,8 @@ record Message(LocalTime time, Line line) {
 
     /** Returns the text as it is shown, with a sign for its kind. */
     String text(boolean withTime) {
-        return (withTime ? time.format(CLOCK) + " " : "") + sign() + line.text();
+        String times = count == 1 ? "" : " " + TEXTS.get("repeated", count);
+        return (withTime ? time.format(CLOCK) + " " : "") + sign() + line.text() + times;
     }
 
     private String sign() {

@@ -7,11 +7,10 @@ import java.awt.Point;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
 import java.time.LocalTime;
-import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.Deque;
 import java.util.List;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
@@ -37,7 +36,7 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
     private static final int MOST_KEPT = 2 * MessageDocument.MOST_LINES;
 
     private final transient List<Message> waiting = new ArrayList<>();
-    private final transient Deque<Message> kept = new ArrayDeque<>();
+    private final transient List<Message> kept = new ArrayList<>();
     private final transient Runnable update = this::showWaiting;
     private final transient Supplier<MessageText> newText;
     private @Nullable MessageText made;
@@ -173,16 +172,13 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
     }
 
     private void showWaiting() {
-        List<Message> added;
+        List<Message> arrived;
         synchronized (waiting) {
-            added = List.copyOf(waiting);
+            arrived = List.copyOf(waiting);
             waiting.clear();
         }
-        kept.addAll(added);
-        while (kept.size() > MOST_KEPT) {
-            kept.removeFirst();
-        }
         text();
+        List<Message> added = keep(arrived);
         if (isAtEnd()) {
             document.append(accepted(added));
             EventThread.later(this::toEnd);
@@ -192,6 +188,44 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
             appendAbove(below);
         }
         changed.run();
+    }
+
+    /** Keeps messages; returns those that do not repeat one of the last answers to a stop. */
+    private List<Message> keep(List<Message> arrived) {
+        int before = kept.size();
+        for (Message message : arrived) {
+            OptionalInt repeated = repeatedBy(message);
+            if (repeated.isEmpty()) {
+                kept.add(message);
+                continue;
+            }
+            Message old = kept.get(repeated.getAsInt());
+            Message counted = old.and(message);
+            kept.set(repeated.getAsInt(), counted);
+            if (repeated.getAsInt() < before) {
+                document.replace(old, counted);
+            }
+        }
+        List<Message> added = List.copyOf(kept.subList(before, kept.size()));
+        kept.subList(0, Math.max(0, kept.size() - MOST_KEPT)).clear();
+        return added;
+    }
+
+    /** Finds the message that another one repeats: among the last answers to a stop, or the last error. */
+    private OptionalInt repeatedBy(Message message) {
+        if (message.line().kind() == Line.Kind.ERROR && !kept.isEmpty()) {
+            int last = kept.size() - 1;
+            return kept.get(last).isRepeatedBy(message) ? OptionalInt.of(last) : OptionalInt.empty();
+        }
+        for (int index = kept.size() - 1; message.answersStop() && index >= 0; index--) {
+            if (kept.get(index).isRepeatedBy(message)) {
+                return OptionalInt.of(index);
+            }
+            if (!kept.get(index).answersStop() && !kept.get(index).accompaniesStop()) {
+                break;
+            }
+        }
+        return OptionalInt.empty();
     }
 
     private List<Message> accepted(Collection<Message> messages) {

@@ -4,8 +4,10 @@ import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import javax.swing.text.AttributeSet;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.DefaultStyledDocument;
+import javax.swing.text.Element;
 import javax.swing.text.SimpleAttributeSet;
 import javax.swing.text.Style;
 import javax.swing.text.StyleConstants;
@@ -67,6 +69,23 @@ final class MessageDocument extends DefaultStyledDocument {
             removeOldest();
         } catch (BadLocationException e) {
             throw new IllegalStateException("lines go to the end", e);
+        }
+    }
+
+    /** Puts a message in place of another one, if that is there. */
+    void replace(Message old, Message present) {
+        int index = messages.lastIndexOf(old);
+        if (index < 0) {
+            return;
+        }
+        Element line = getDefaultRootElement().getElement(index);
+        int start = line.getStartOffset();
+        try {
+            AttributeSet look = getCharacterElement(start).getAttributes();
+            replace(start, line.getEndOffset() - 1 - start, present.text(withTimes), look);
+            messages.set(index, present);
+        } catch (BadLocationException e) {
+            throw new IllegalStateException("the line is in the text", e);
         }
     }
 
