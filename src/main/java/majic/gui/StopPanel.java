@@ -13,6 +13,7 @@ import java.util.Optional;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.ClearOfStop;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.StyledLabel;
 import majic.team.StopOrigin;
@@ -53,6 +54,7 @@ final class StopPanel extends JPanel implements TeamListener {
         super(new BorderLayout(6, 0));
         stop.setName("stop");
         stop.setFocusable(false);
+        ClearOfStop.mark(stop);
         GridBagConstraints oneColumn = new GridBagConstraints();
         oneColumn.gridx = 0;
         stop.setLayout(new GridBagLayout());

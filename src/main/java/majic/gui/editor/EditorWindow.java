@@ -19,6 +19,7 @@ import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.Timer;
 import majic.gui.kit.ChooseFile;
+import majic.gui.kit.ClearOfStop;
 import majic.gui.kit.Confirm;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.EventThreadTeamListener;
@@ -71,6 +72,7 @@ public final class EditorWindow extends JFrame {
         setMinimumSize(new Dimension(640, 400));
         setSize(Math.min(UIScale.scale(1000), screen.width), Math.min(UIScale.scale(720), screen.height));
         setLocationRelativeTo(near);
+        ClearOfStop.place(this, near);
     }
 
     private void place() {

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
 import majic.environment.Settings;
+import majic.gui.kit.ClearOfStop;
 import majic.gui.plot.data.PlotSource;
 import majic.gui.plot.data.Quantity;
 import org.jspecify.annotations.Nullable;
@@ -104,6 +105,7 @@ public final class Plots implements AutoCloseable {
         window.setLocation(
                 Math.max(screen.x, Math.min(owner.getX() + offset, right)),
                 Math.max(screen.y, Math.min(owner.getY() + offset, bottom)));
+        ClearOfStop.place(window, owner);
     }
 
     /** Closes all windows. */

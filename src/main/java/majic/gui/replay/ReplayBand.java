@@ -8,6 +8,7 @@ import java.awt.Graphics;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import javax.swing.BorderFactory;
+import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import majic.gui.kit.LineArt;
@@ -26,8 +27,14 @@ final class ReplayBand extends JPanel {
 
     private final JLabel note = new JLabel(TEXTS.get("noRobot"));
 
-    ReplayBand(String what) {
-        super(new MigLayout("insets 7 70 7 70, fillx", "[grow, fill][]"));
+    /**
+     * Creates the band.
+     *
+     * @param what the recording
+     * @param stop stops all robots
+     */
+    ReplayBand(String what, JComponent stop) {
+        super(new MigLayout("insets 7 70 7 70, fillx", "[grow, fill][][]"));
         JLabel title = new JLabel(TEXTS.get("replayOf", what));
         title.setName("replayBand");
         title.putClientProperty("FlatLaf.styleClass", "h4");
@@ -38,6 +45,7 @@ final class ReplayBand extends JPanel {
         note.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, TEXT_RESERVE));
         add(title, "wmin pref");
         add(note, "wmin 0");
+        add(stop, "growy, wmin pref");
     }
 
     /** Shows why another part cannot be shown, in place of the note. */
@@ -51,7 +59,9 @@ final class ReplayBand extends JPanel {
         super.updateUI();
         setBackground(paper());
         for (Component part : getComponents()) {
-            part.setForeground(ink());
+            if (part instanceof JLabel) {
+                part.setForeground(ink());
+            }
         }
     }
 

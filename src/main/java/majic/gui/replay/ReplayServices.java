@@ -12,7 +12,7 @@ import majic.recorder.RecordedRobot;
  *
  * @param settings keep the folder of the last file
  * @param types the types of robots of which panels can be shown
- * @param stopButtons makes a button that stops the team, for each window of plots
+ * @param stopButtons makes a button that stops the team, for each window
  */
 public record ReplayServices(Settings settings, List<BotType> types, Supplier<? extends JComponent> stopButtons) {
     /** The type of a recorded robot; one without a panel if it is not installed. */

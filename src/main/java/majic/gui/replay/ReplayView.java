@@ -65,7 +65,7 @@ final class ReplayView extends JPanel implements AutoCloseable {
                 .map(tracks -> new ReplayRobot(services.type(tracks.robot()), tracks))
                 .toList();
         this.player = new ReplayPlayer(recording.beginS(), recording.endS(), new Screen());
-        this.band = new ReplayBand(part.title());
+        this.band = new ReplayBand(part.title(), services.stopButtons().get());
         this.lines = new ReplayLines(recording.lines(), player::jump);
         this.controls = new ReplayControls(part, player, turner);
         robots.forEach(robot -> addTab(robot, plots));

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.WindowConstants;
+import majic.gui.kit.ClearOfStop;
 import majic.gui.kit.CloseKey;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
@@ -77,6 +78,7 @@ public final class ReplayWindow extends JFrame implements PictureViewer {
             window.setIconImages(frame.getIconImages());
         }
         window.setLocationRelativeTo(owner);
+        ClearOfStop.place(window, owner);
         window.setVisible(true);
         window.view.start();
     }
