@@ -3,6 +3,8 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Container;
+import java.awt.Rectangle;
+import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,11 +16,14 @@ import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
+import javax.swing.JList;
 import javax.swing.JSlider;
 import javax.swing.JTabbedPane;
 import javax.swing.JTable;
+import javax.swing.ListModel;
 import javax.swing.SwingUtilities;
 import majic.bot.Pose;
+import majic.gui.replay.RecordingsDialog;
 import majic.gui.replay.ReplayServices;
 import majic.gui.replay.ReplayWindow;
 import majic.panel.PlotHost;
@@ -96,6 +101,32 @@ class ReplayWindowTest {
         moveTo(0);
         window.await("the first place", () -> window.text("replayTime").startsWith("0:0"));
         window.await("the first place", () -> !reading("x").equals("250 mm"));
+    }
+
+    @Test
+    void theReplayHasItsOwnStopAndLeavesTheLargeOneInView() throws Exception {
+        open(recorded());
+        Window replay = window.awaitShowing("replay", Window.class);
+        JButton large = window.find("stop", JButton.class);
+        window.run(() -> assertThat(
+                        new Rectangle(large.getLocationOnScreen(), large.getSize()).intersects(replay.getBounds()))
+                .isFalse());
+        window.click("smallStop");
+        window.await("the latch", window.team::isLatched);
+        window.await("the word", () -> window.text("smallStop").equals("STOPPED"));
+    }
+
+    @Test
+    void theRecordingsAreListedWithTheirLengthAndRobots() throws Exception {
+        Path file = recorded(2);
+        ReplayServices services = new ReplayServices(window.settings, List.of(window.type), window.frame::stopButton);
+        RecordingFolder recordings = new RecordingFolder(file.getParent());
+        window.run(() -> new RecordingsDialog(window.frame, recordings, services).setVisible(true));
+        ListModel<?> list = window.awaitShowing("recordings", JList.class).getModel();
+        window.await(
+                "the robots",
+                () -> list.getSize() == 1 && list.getElementAt(0).toString().endsWith("1 Toy, 2 Toy"));
+        assertThat(list.getElementAt(0).toString()).containsPattern("length \\d+:\\d\\d\\.\\d");
     }
 
     @Test

@@ -6,6 +6,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import javax.swing.DefaultListModel;
 import javax.swing.JButton;
 import javax.swing.JList;
 import javax.swing.JPanel;
@@ -20,6 +23,7 @@ import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
 import majic.recorder.RecordingFolder;
 import majic.recorder.RecordingHead;
+import majic.recorder.RecordingSummary;
 import majic.text.IoReason;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -31,8 +35,10 @@ public final class RecordingsDialog extends MajicDialog {
     private static final double MEGABYTE = 1e6;
 
     private final transient ReplayServices services;
-    private final JList<Entry> list = new JList<>();
+    private final DefaultListModel<Entry> entries = new DefaultListModel<>();
+    private final JList<Entry> list = new JList<>(entries);
     private final Paragraph problem = new Paragraph("recordingProblem", 2, 40);
+    private volatile boolean closed;
     private final JButton open = button(TEXTS.get("open"), this::openSelected);
 
     /** A file with the words for it. */
@@ -61,25 +67,57 @@ public final class RecordingsDialog extends MajicDialog {
         list.addMouseListener(new DoubleClick(this::openSelected));
         JPanel content = new JPanel(new MigLayout("insets 0, wrap 1", "[grow, fill]", "[][grow, fill][]"));
         content.add(label(TEXTS.get("recordings"), list));
-        content.add(new JScrollPane(list), "w 420, h 220");
+        content.add(new JScrollPane(list), "w 560, h 220");
         content.add(problem, "wmin 0");
         open.setEnabled(false);
         fill(content, open, button(TEXTS.get("otherFile"), this::chooseFile), closing(TEXTS.get("cancel")));
         EventThread.background(
                 "listing recordings",
                 () -> {
-                    List<Entry> entries = entries(folder);
-                    EventThread.later(() -> show(entries));
+                    List<Entry> found = entries(folder);
+                    EventThread.later(() -> show(found));
+                    complete(found);
                 },
                 this::showProblem);
     }
 
-    private void show(List<Entry> entries) {
-        list.setListData(entries.toArray(new Entry[0]));
+    private void show(List<Entry> found) {
+        entries.addAll(found);
         list.setSelectedIndex(0);
-        if (entries.isEmpty()) {
+        if (found.isEmpty()) {
             problem.show(TEXTS.get("noRecording"), false);
         }
+    }
+
+    /** Adds length and robots to each entry, which means to read the whole file, until the dialog is closed. */
+    private void complete(List<Entry> found) {
+        for (int index = 0; index < found.size() && !closed; index++) {
+            int row = index;
+            Entry entry = found.get(row);
+            completed(entry).ifPresent(whole -> EventThread.later(() -> entries.set(row, whole)));
+        }
+    }
+
+    private static Optional<Entry> completed(Entry entry) {
+        try {
+            RecordingSummary summary = RecordingSummary.read(entry.file());
+            String robots = summary.robots().isEmpty()
+                    ? TEXTS.get("noRobots")
+                    : summary.robots().stream()
+                            .map(robot -> robot.number() + " " + robot.label())
+                            .collect(Collectors.joining(", "));
+            String length = ReplayTimes.clock(summary.lengthS());
+            return Optional.of(new Entry(entry.file(), TEXTS.get("entry.whole", entry.words(), length, robots)));
+        } catch (IOException e) {
+            return Optional.empty();
+        }
+    }
+
+    /** Ends the reading of files, too. */
+    @Override
+    public void dispose() {
+        closed = true;
+        super.dispose();
     }
 
     private static List<Entry> entries(RecordingFolder folder) {

@@ -162,7 +162,7 @@ public final class ScriptParser {
         List<Statement> then = lines();
         List<Statement> otherwise = List.of();
         if (at.match("else")) {
-            endOfElse();
+            endOfWord();
             otherwise = body(word);
         } else {
             end(word);
@@ -201,14 +201,16 @@ public final class ScriptParser {
         return body;
     }
 
+    /** A block whose end is missing or wrong is kept, so that the lines in it are checked. */
     private void end(Token head) {
-        if (!at.match("end")) {
-            throw new ScriptException(head, head.text() + ": its \"end\" is missing");
+        if (at.match("end")) {
+            endOfWord();
+        } else {
+            mistakes.add(new ScriptException(head, head.text() + ": its \"end\" is missing").mistake());
         }
-        at.endOfLine();
     }
 
-    private void endOfElse() {
+    private void endOfWord() {
         head(
                 () -> {
                     at.endOfLine();

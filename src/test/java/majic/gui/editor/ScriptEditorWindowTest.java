@@ -56,6 +56,21 @@ class ScriptEditorWindowTest {
     }
 
     @Test
+    void mistakesAreMarkedInsideABlockWithoutAnEnd() throws IOException {
+        window.add("one");
+        RSyntaxTextArea area = editor.open("lap.majic", "repeat 2", "  1 mvoe 3", "  if 1 x > 5", "    1 trun 3");
+        editor.awaitStatus("4 mistakes");
+        assertThat(area.getParserNotices()).extracting(ParserNotice::getLine).contains(0, 1, 2, 3);
+    }
+
+    @Test
+    void mistakesAreMarkedInsideABlockWithAWrongEnd() throws IOException {
+        window.add("one");
+        editor.open("lap.majic", "repeat 2", "  1 mvoe 3", "end it");
+        editor.awaitStatus("2 mistakes");
+    }
+
+    @Test
     void mistakesAreListedInTheOrderOfTheirLines() throws IOException {
         window.add("one");
         editor.open("lap.majic", "1 mvoe 3", "nonsense", "1 trun 3");
