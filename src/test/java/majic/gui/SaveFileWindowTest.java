@@ -36,6 +36,8 @@ class SaveFileWindowTest {
         window.chooseFile(folder.resolve("missing").resolve("lap.majic"));
         window.await("the reason", () -> window.text("fileProblem").contains("cannot be written"));
         assertThat(window.isShowing("files")).isTrue();
+        assertThat(window.fileName())
+                .isEqualTo(folder.resolve("missing").resolve("lap.majic").toString());
 
         window.chooseFile(folder.resolve("lap.majic"));
         window.await("the dialog to close", () -> !window.isShowing("files"));

@@ -169,9 +169,10 @@ public final class ChooseFile extends MajicDialog {
                 "saving " + file,
                 () -> {
                     Optional<String> failure = save.apply(file);
-                    EventThread.later(() -> failure.ifPresentOrElse(this::showProblem, () -> saved(file)));
+                    EventThread.later(
+                            () -> failure.ifPresentOrElse(reason -> showProblem(file, reason), () -> saved(file)));
                 },
-                this::showProblem);
+                reason -> showProblem(file, reason));
     }
 
     private void saved(Path file) {
@@ -179,7 +180,9 @@ public final class ChooseFile extends MajicDialog {
         saved.accept(file);
     }
 
-    private void showProblem(String reason) {
+    /** Shows why a file was not saved; its whole name stays in the field, also if its folder does not exist. */
+    private void showProblem(Path file, String reason) {
+        nameField().ifPresent(field -> field.setText(file.toString()));
         problem.show(reason, true);
         problem.setVisible(true);
         pack();
