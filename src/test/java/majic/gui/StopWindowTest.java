@@ -130,6 +130,7 @@ class StopWindowTest {
                 () -> lines("2 stop: failed") == 1
                         && window.text("messages").contains("takes no more data (25 times)"));
         assertThat(lines("1 stop: done")).isEqualTo(1);
+        assertThat(lines("STOP is latched")).isEqualTo(1);
     }
 
     @Test

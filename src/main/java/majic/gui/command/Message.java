@@ -19,7 +19,7 @@ import majic.text.Texts;
  */
 record Message(LocalTime time, Line line, int count) {
     private static final Texts TEXTS = Texts.of(Message.class);
-    private static final Pattern STOP_ANSWER = Pattern.compile("\\d{1,4} stop: .*");
+    private static final Pattern OF_STOP = Pattern.compile("\\d{1,4} stop: .*|STOP.* is latched; .*");
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
     private static final Pattern NUMBERS =
             Pattern.compile("(\\d{1,3}(?:-\\d{1,3})?(?:,\\d{1,3}(?:-\\d{1,3})?)*)[ :.(]");
@@ -30,15 +30,9 @@ record Message(LocalTime time, Line line, int count) {
         this(time, line, 1);
     }
 
-    /** Returns whether it answers a stop, so that a further press of STOP repeats it. */
-    boolean answersStop() {
-        return line.kind() != Line.Kind.COMMAND
-                && STOP_ANSWER.matcher(line.text()).matches();
-    }
-
-    /** Returns whether it stands among the answers to presses of STOP: it reports the latch, or is an alarm. */
-    boolean accompaniesStop() {
-        return line.kind() == Line.Kind.ALARM || line.text().contains(" is latched; ");
+    /** Returns whether it answers a stop or reports the latch, so that a further press of STOP repeats it. */
+    boolean isOfStop() {
+        return line.kind() != Line.Kind.COMMAND && OF_STOP.matcher(line.text()).matches();
     }
 
     /** Returns whether another message is the same line again. */

@@ -190,7 +190,7 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
         changed.run();
     }
 
-    /** Keeps messages; returns those that do not repeat one of the last answers to a stop. */
+    /** Keeps messages; returns those that do not repeat one of the last lines of a STOP. */
     private List<Message> keep(List<Message> arrived) {
         int before = kept.size();
         for (Message message : arrived) {
@@ -211,17 +211,18 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
         return added;
     }
 
-    /** Finds the message that another one repeats: among the last answers to a stop, or the last error. */
+    /** Finds the message that another one repeats: among the last lines of a STOP, or the last error. */
     private OptionalInt repeatedBy(Message message) {
         if (message.line().kind() == Line.Kind.ERROR && !kept.isEmpty()) {
             int last = kept.size() - 1;
             return kept.get(last).isRepeatedBy(message) ? OptionalInt.of(last) : OptionalInt.empty();
         }
-        for (int index = kept.size() - 1; message.answersStop() && index >= 0; index--) {
-            if (kept.get(index).isRepeatedBy(message)) {
+        for (int index = kept.size() - 1; message.isOfStop() && index >= 0; index--) {
+            Message earlier = kept.get(index);
+            if (earlier.isRepeatedBy(message)) {
                 return OptionalInt.of(index);
             }
-            if (!kept.get(index).answersStop() && !kept.get(index).accompaniesStop()) {
+            if (!earlier.isOfStop() && earlier.line().kind() != Line.Kind.ALARM) {
                 break;
             }
         }
