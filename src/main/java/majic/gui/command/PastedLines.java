@@ -35,7 +35,9 @@ final class PastedLines extends MajicDialog {
         text.setEditable(false);
         text.setFont(UIManager.getFont("monospaced.font"));
         text.setCaretPosition(0);
-        JLabel question = new JLabel(TEXTS.get("pasted.question", lines.size()));
+        JLabel question = new JLabel(TEXTS.get(
+                "pasted.question",
+                lines.stream().filter(line -> !line.isBlank()).count()));
         question.setLabelFor(text);
         JPanel content = new JPanel(new MigLayout("insets 0, gap 8, wrap 1", "[grow, fill]", "[][grow, fill]"));
         content.add(question);

@@ -67,7 +67,7 @@ public final class RecordingsDialog extends MajicDialog {
         list.addMouseListener(new DoubleClick(this::openSelected));
         JPanel content = new JPanel(new MigLayout("insets 0, wrap 1", "[grow, fill]", "[][grow, fill][]"));
         content.add(label(TEXTS.get("recordings"), list));
-        content.add(new JScrollPane(list), "w 560, h 220");
+        content.add(new JScrollPane(list), "w 640, h 220");
         content.add(problem, "wmin 0");
         open.setEnabled(false);
         fill(content, open, button(TEXTS.get("otherFile"), this::chooseFile), closing(TEXTS.get("cancel")));
