@@ -4,6 +4,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.ErrorWords;
 import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
 import net.miginfocom.swing.MigLayout;
@@ -32,8 +33,8 @@ final class FileNotice extends JPanel {
 
     /** Shows a notice in place of the one before; a choice hides it. */
     void show(String notice, Choice... choices) {
-        words.setText(notice);
-        words.setToolTipText(notice);
+        words.setText(ErrorWords.of(notice));
+        words.setToolTipText(words.getText());
         buttons.removeAll();
         for (Choice choice : choices) {
             JButton button = new JButton(choice.text());

@@ -33,9 +33,9 @@ public final class Paragraph extends JTextArea {
         setFont(UIManager.getFont("Label.font"));
     }
 
-    /** Shows a text, in the error colour if it is an error. */
+    /** Shows a text; an error in the error colour, and in the language of the window as far as that is known. */
     public void show(String words, boolean wrong) {
-        show(words, wrong ? Palette::error : Palette::text);
+        show(wrong ? ErrorWords.of(words) : words, wrong ? Palette::error : Palette::text);
     }
 
     /** Shows a secondary text. */

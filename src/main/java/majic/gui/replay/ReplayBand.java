@@ -11,6 +11,7 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
+import majic.gui.kit.ErrorWords;
 import majic.gui.kit.LineArt;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -50,8 +51,8 @@ final class ReplayBand extends JPanel {
 
     /** Shows why another part cannot be shown, in place of the note. */
     void showProblem(String reason) {
-        note.setText(reason);
-        note.setToolTipText(reason);
+        note.setText(ErrorWords.of(reason));
+        note.setToolTipText(note.getText());
     }
 
     @Override
