@@ -170,6 +170,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     private void listen(MajicParser parser) {
+        session.usePlots((robots, parameters) -> EventThread.later(() -> plot(robots, parameters)));
         session.addListener(commands.messages());
         session.addListener(alarmSound);
         RobotSharing sharing = services.sharing();
@@ -183,6 +184,12 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     private void openScript(String lines) {
         editor.newScript(lines);
+    }
+
+    private void plot(List<Integer> robots, List<String> parameters) {
+        if (isDisplayable() && !plots.plotAlone(robots, parameters)) {
+            channel.showError(TEXTS.get("nothingToPlot", String.join(",", parameters)));
+        }
     }
 
     /** Makes the STOP button of a window beside this one. */

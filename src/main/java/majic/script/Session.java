@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.function.BiConsumer;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.bot.BotType;
@@ -17,6 +18,7 @@ import majic.log.SessionListener;
 import majic.log.SessionLog;
 import majic.log.SessionOutput;
 import majic.script.actions.ActionTable;
+import majic.script.actions.Plotting;
 import majic.script.actions.RobotConnector;
 import majic.script.actions.TeamScript;
 import majic.script.conditions.Selection;
@@ -46,6 +48,7 @@ public final class Session {
     private final SessionState state;
     private final ActOffers offers;
     private final RobotConnector connector;
+    private final Plotting plotting = new Plotting();
     private final ActionLookup actions;
 
     /**
@@ -69,7 +72,7 @@ public final class Session {
         ParameterLog readings = new ParameterLog();
         Sampling sampling = new Sampling(readings, team.time(), notice -> output.send(Line.Kind.NOTICE, notice));
         SessionActs runner = new SessionActs(state, acts, offers);
-        this.actions = new ActionTable(state, factory, connector, runner, readings, sampling, quit);
+        this.actions = new ActionTable(state, factory, connector, runner, readings, sampling, plotting, quit);
         log.onTrouble(this::alarm);
         team.addListener(new TeamRelay());
     }
@@ -131,6 +134,16 @@ public final class Session {
      */
     public ActOffers offers() {
         return offers;
+    }
+
+    /**
+     * Sets what the command {@code plot} does; without this call it fails, because there is no window.
+     *
+     * @param window receives the numbers of the robots and the names of the parameters, on any thread; must return at
+     *     once
+     */
+    public void usePlots(BiConsumer<List<Integer>, List<String>> window) {
+        plotting.use(window);
     }
 
     /** Sends a line if STOP is latched, with its origin, for listeners that were added after it. */

@@ -62,7 +62,7 @@ final class ChartPainter {
             int columns = Math.max(1, (int) (job.width() * job.scale() / PIXELS_A_COLUMN));
             points.put(
                     curve,
-                    curve.samples()
+                    curve.points()
                             .around(job.time())
                             .thinned(job.time(), columns)
                             .withoutRepeats());

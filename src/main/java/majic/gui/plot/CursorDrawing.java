@@ -36,7 +36,7 @@ final class CursorDrawing {
     }
 
     private static void paintDot(Graphics2D pen, PaintedChart chart, Curve curve, double time) {
-        double value = curve.samples().at(time);
+        double value = curve.points().at(time);
         double y = chart.yOf(curve, value);
         if (!Double.isNaN(y) && y >= chart.plot().getY() && y <= chart.plot().getMaxY()) {
             pen.setColor(curve.style().color());
@@ -51,7 +51,7 @@ final class CursorDrawing {
         for (Curve curve : chart.job().curves()) {
             Quantity quantity = curve.quantity();
             lines.add(quantity.robot() + " " + quantity.name() + "   "
-                    + Curve.text(quantity, curve.samples().at(time)));
+                    + Curve.text(quantity, curve.points().at(time)));
         }
         double near = NEAR_PX / chart.plot().getWidth() * chart.job().time().length();
         chart.job().marks().stream()

@@ -1,26 +1,25 @@
 package majic.gui.plot;
 
 import majic.bot.Value;
+import majic.gui.plot.data.CurvePoints;
 import majic.gui.plot.data.PlotSource;
 import majic.gui.plot.data.Quantity;
-import majic.gui.plot.data.Samples;
 import majic.panel.ReadingText;
 import majic.panel.ReadingsPanel;
 
 /**
- * A curve of a plot. Immutable except for its samples.
+ * A curve of a plot. Immutable except for its points.
  *
  * @param quantity what it shows
  * @param robotName the name that the robot had when the curve was added; empty for none
  * @param style how it is drawn
- * @param samples its readings
- * @param feed adds readings to the samples until it is closed
+ * @param points its points
+ * @param feed adds readings until it is closed
  */
-record Curve(Quantity quantity, String robotName, CurveStyle style, Samples samples, PlotSource.Feed feed) {
+record Curve(Quantity quantity, String robotName, CurveStyle style, CurvePoints points, PlotSource.Feed feed) {
     /** Returns robot and parameter, for instance {@code 1 Rex sonar[3]}. */
     String name() {
-        String robot = robotName.isEmpty() ? "" : robotName + " ";
-        return quantity.robot() + " " + robot + quantity.name();
+        return robotName.isEmpty() ? quantity.title() : quantity.robot() + " " + robotName + " " + quantity.name();
     }
 
     /** Returns robot, parameter and unit, for instance {@code 1 Rex sonar[3] (mm)}. */

@@ -31,7 +31,7 @@ final class CurveList extends ScrolledPanel {
     /** The label that shows the newest value of a curve. */
     private record Row(Curve curve, JLabel value) {
         void update(double seconds) {
-            String text = Curve.text(curve.quantity(), curve.samples().at(seconds));
+            String text = Curve.text(curve.quantity(), curve.points().at(seconds));
             if (!text.equals(value.getText())) {
                 value.setText(text);
             }

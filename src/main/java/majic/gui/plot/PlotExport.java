@@ -41,7 +41,7 @@ final class PlotExport {
     }
 
     private static void write(Curve curve, Span time, BufferedWriter out) throws IOException {
-        Points points = curve.samples().within(time);
+        Points points = curve.points().within(time);
         Quantity quantity = curve.quantity();
         for (int index = 0; index < points.size(); index++) {
             double value = points.values()[index];

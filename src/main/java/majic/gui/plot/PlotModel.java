@@ -3,6 +3,9 @@ package majic.gui.plot;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import majic.gui.plot.data.Computation;
+import majic.gui.plot.data.CurvePoints;
 import majic.gui.plot.data.PlotSource;
 import majic.gui.plot.data.Quantity;
 import majic.gui.plot.data.Samples;
@@ -11,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The state of one plot: its curves and the part of them that is shown. Must be used on the event dispatch thread,
- * except for the samples of the curves.
+ * except for the points of the curves.
  */
 final class PlotModel {
     static final int MOST_CURVES = 24;
@@ -21,6 +24,7 @@ final class PlotModel {
 
     private final PlotSource source;
     private final List<Curve> curves = new ArrayList<>();
+    private final List<Curve> removed = new ArrayList<>();
     private final List<Runnable> listeners = new ArrayList<>();
     private TimeLength length = TimeLength.MINUTE;
     private @Nullable Double pausedAt;
@@ -71,6 +75,14 @@ final class PlotModel {
         changed();
     }
 
+    /** Returns whether its curves are those of some quantities, up to the maximum number. */
+    boolean shows(List<Quantity> quantities) {
+        return curves.stream()
+                .map(Curve::quantity)
+                .toList()
+                .equals(quantities.stream().distinct().limit(MOST_CURVES).toList());
+    }
+
     boolean hasCurve(Quantity quantity) {
         return curves.stream().anyMatch(curve -> curve.quantity().equals(quantity));
     }
@@ -84,16 +96,41 @@ final class PlotModel {
                 .orElseThrow();
     }
 
+    /** Adds a curve that is computed from others, unless there is one. */
+    void add(Computation computation) {
+        if (curves.size() < MOST_CURVES && !hasCurve(computation.quantity())) {
+            curves.add(new Curve(computation.quantity(), "", freeStyle(), computation, () -> {}));
+        }
+        changed();
+    }
+
+    /** Removes a curve; one from which others are computed still gets readings until those are removed. */
     void remove(Curve curve) {
         if (curves.remove(curve)) {
-            curve.feed().close();
+            removed.add(curve);
+            removed.removeIf(this::closeUnlessNeeded);
             changed();
         }
     }
 
+    private boolean closeUnlessNeeded(Curve curve) {
+        boolean needed = curves.stream().anyMatch(other -> isComputedFrom(other.points(), curve.points()));
+        if (!needed) {
+            curve.feed().close();
+        }
+        return !needed;
+    }
+
+    private static boolean isComputedFrom(CurvePoints points, CurvePoints operand) {
+        return points instanceof Computation computation
+                && computation.operands().stream()
+                        .anyMatch(direct -> direct == operand || isComputedFrom(direct, operand));
+    }
+
     /** Ends the feeds of all curves. */
     void close() {
-        curves.forEach(curve -> curve.feed().close());
+        Stream.concat(curves.stream(), removed.stream())
+                .forEach(curve -> curve.feed().close());
     }
 
     TimeLength length() {
@@ -148,7 +185,7 @@ final class PlotModel {
     /** Returns the time of the first reading, at least one second before the end. */
     private double start(double end) {
         return curves.stream()
-                .mapToDouble(curve -> curve.samples().start())
+                .mapToDouble(curve -> curve.points().start())
                 .filter(start -> !Double.isNaN(start))
                 .reduce(end - 1, Math::min);
     }

@@ -45,6 +45,7 @@ final class PlotWindow extends JFrame {
     private final CurveList curves;
     private final Timer values;
     private final JToggleButton pause = new JToggleButton(TEXTS.get("pause"));
+    private final JButton compute = button("compute", TEXTS.get("compute.button"), TEXTS.get("compute.hint"));
     private final JButton reset = button("showNewest", TEXTS.get("newest"), TEXTS.get("newest.hint"));
 
     /**
@@ -130,11 +131,18 @@ final class PlotWindow extends JFrame {
                 curves, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
         scroll.setBorder(BorderFactory.createEmptyBorder());
         scroll.setPreferredSize(new Dimension(UIScale.scale(290), 200));
-        return scroll;
+        compute.addActionListener(event -> new ComputeCurveDialog(this, model).setVisible(true));
+        JPanel below = new JPanel(new MigLayout("insets 4 10 8 8"));
+        below.add(compute);
+        JPanel side = new JPanel(new BorderLayout());
+        side.add(scroll, BorderLayout.CENTER);
+        side.add(below, BorderLayout.SOUTH);
+        return side;
     }
 
     private void modelChanged() {
         reset.setEnabled(model.isZoomed());
+        compute.setEnabled(ComputeCurveDialog.operands(model).findAny().isPresent());
         pause.setSelected(model.isPaused());
         setTitle(title(model.curves()));
     }
@@ -142,7 +150,7 @@ final class PlotWindow extends JFrame {
     private String title(List<Curve> curves) {
         String names = curves.stream()
                 .limit(MOST_IN_TITLE)
-                .map(curve -> curve.quantity().robot() + " " + curve.quantity().name())
+                .map(curve -> curve.quantity().title())
                 .collect(Collectors.joining(", "));
         String shown = curves.size() > MOST_IN_TITLE ? names + ", …" : names;
         if (model.source().isReplay()) {

@@ -20,6 +20,7 @@ import org.jspecify.annotations.Nullable;
 public final class Plots implements AutoCloseable {
     private static final int OFFSET_PX = 28;
     private static final int MOST_OFFSETS = 8;
+    private static final int MOST_WINDOWS = 20;
 
     private final Window owner;
     private final Settings settings;
@@ -61,6 +62,31 @@ public final class Plots implements AutoCloseable {
         }
     }
 
+    /**
+     * Shows curves of parameters of robots in a window of their own, which does not take the focus; a window that shows
+     * just these comes to the front. If very many windows are open, the one that was used last gets the curves.
+     *
+     * @param robots their numbers
+     * @param parameters their names; those that a robot does not have are left out
+     * @return false if there is nothing to show yet
+     */
+    public boolean plotAlone(List<Integer> robots, List<String> parameters) {
+        List<Quantity> quantities = robots.stream()
+                .flatMap(robot -> readings(robot, parameters).quantities().stream())
+                .toList();
+        if (quantities.isEmpty()) {
+            return false;
+        }
+        windows.removeIf(window -> !window.isDisplayable());
+        PlotWindow window = windows.stream()
+                .filter(open -> open.model().shows(quantities))
+                .findFirst()
+                .orElseGet(() -> windows.size() < MOST_WINDOWS ? open(false) : windows.get(windows.size() - 1));
+        window.model().add(quantities);
+        window.toFront();
+        return true;
+    }
+
     /** Returns parameters of a robot for dragging them onto one of these plots, which come to the front. */
     public Transferable dragged(int robot, List<String> parameters) {
         windows.forEach(Window::toFront);
@@ -86,12 +112,17 @@ public final class Plots implements AutoCloseable {
     }
 
     private PlotWindow open() {
+        return open(true);
+    }
+
+    private PlotWindow open(boolean takesFocus) {
         windows.removeIf(window -> !window.isDisplayable());
         PlotWindow window = new PlotWindow(new PlotModel(source()), settings, stopButtons.get());
         window.setIconImages(owner.getIconImages());
         place(window);
         windows.add(window);
         window.addWindowListener(new LastUsed(window));
+        window.setAutoRequestFocus(takesFocus);
         window.setVisible(true);
         return window;
     }

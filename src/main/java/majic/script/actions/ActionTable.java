@@ -21,6 +21,7 @@ import majic.team.BotFactory;
  * @param acts runs behaviours
  * @param parameterLog the readings logged so far
  * @param sampling takes readings for the log
+ * @param plotting shows plots
  * @param quit ends MAJIC; returns at once
  */
 public record ActionTable(
@@ -30,6 +31,7 @@ public record ActionTable(
         ActRunner acts,
         ParameterLog parameterLog,
         Sampling sampling,
+        Plotting plotting,
         Runnable quit)
         implements ActionLookup, Command.Visitor<RobotAction>, SessionCommand.Visitor<SessionAction> {
     @Override
@@ -80,6 +82,11 @@ public record ActionTable(
     @Override
     public RobotAction logOff(Command.LogOff logOff) {
         return new ParameterActions.LogOffAction(logOff, sampling);
+    }
+
+    @Override
+    public RobotAction plot(Command.Plot plot) {
+        return new ParameterActions.PlotAction(plot, plotting);
     }
 
     @Override

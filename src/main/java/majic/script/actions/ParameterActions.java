@@ -240,6 +240,43 @@ final class ParameterActions {
         }
     }
 
+    /** Opens one plot for all robots of the command. Moves nothing, so it does not wait for a motion if it is typed. */
+    static final class PlotAction extends RobotAction {
+        private final Command.Plot plot;
+        private final Plotting plotting;
+
+        PlotAction(Command.Plot plot, Plotting plotting) {
+            super(plot, Scheduling.AT_ONCE);
+            this.plot = plot;
+            this.plotting = plotting;
+        }
+
+        @Override
+        public void check(Check check) {
+            for (Token name : plot.parameters()) {
+                check.readable(name);
+                Parameter.Kind kind = check.bot().parameter(name.text()).kind();
+                if (kind == Parameter.Kind.TEXT || kind == Parameter.Kind.CHOICE) {
+                    throw new ScriptException(
+                            name, name.text() + ": it is a word; only numbers and switches can be plotted");
+                }
+            }
+        }
+
+        @Override
+        public void run(Execution execution, List<Member> robots) {
+            int first = robots.get(0).number();
+            execution.readBeside(
+                    robots,
+                    member -> new QueuedCommand(text(), false, robot -> {
+                        if (member.number() == first) {
+                            plotting.show(robots, names(plot.parameters(), member.bot()));
+                        }
+                        return List.of(text() + ": done");
+                    }));
+        }
+    }
+
     /** A command that only some type of robot has. */
     static final class OwnAction extends RobotAction {
         private final Token word;

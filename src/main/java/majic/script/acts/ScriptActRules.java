@@ -56,6 +56,11 @@ final class ScriptActRules implements Command.Visitor<Optional<String>>, Session
     }
 
     @Override
+    public Optional<String> plot(Command.Plot plot) {
+        return ALLOWED;
+    }
+
+    @Override
     public Optional<String> name(Command.Name name) {
         return ALLOWED;
     }

@@ -210,7 +210,7 @@ public final class Completer {
         Token last = tokens.get(tokens.size() - 1);
         boolean names = values.isEmpty() || last.kind() == Token.Kind.COMMA || last.is("now");
         return switch (tokens.get(command).text().toLowerCase(Locale.ROOT)) {
-            case "get", "help" -> names ? parameters(members, false) : List.of();
+            case "get", "help", "plot" -> names ? parameters(members, false) : List.of();
             case "log" ->
                 names
                         ? joined(parameters(members, false), List.of(OFF))

@@ -42,6 +42,7 @@ public final class Help {
             entry("get", "1 get P[,P...]: reads parameters; \"get now P\" does not wait for its turn"),
             entry("set", "1 set P VALUE...: sets a parameter"),
             entry("log", "1 log P[,P...] every TIME: to the parameter log; \"1 log off\" ends it"),
+            entry("plot", "1 plot P[,P...]: shows readings as curves in a window"),
             entry(
                     "name",
                     "1 name NAME: NAME may be used for 1 from then on; \"1 name\" shows it, \"1 name off\" removes it"),

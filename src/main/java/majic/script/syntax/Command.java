@@ -46,6 +46,8 @@ public sealed interface Command {
 
         R logOff(LogOff logOff);
 
+        R plot(Plot plot);
+
         R name(Name name);
 
         R place(Place place);
@@ -149,6 +151,19 @@ public sealed interface Command {
         @Override
         public String text() {
             return "set " + parameter.text() + valueTexts(values);
+        }
+    }
+
+    /** Shows parameters as curves. */
+    record Plot(Token at, List<Token> parameters) implements Command {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.plot(this);
+        }
+
+        @Override
+        public String text() {
+            return "plot " + names(parameters);
         }
     }
 

@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
 public final class LineParser {
     /** The words of the commands that every robot has. */
     public static final List<String> COMMAND_WORDS =
-            List.of("act", "drive", "get", "help", "log", "move", "name", "set", "stop", "turn", "wait");
+            List.of("act", "drive", "get", "help", "log", "move", "name", "plot", "set", "stop", "turn", "wait");
 
     /** The maximum length of a line, in characters. */
     public static final int LONGEST_LINE = 4000;
@@ -169,7 +169,7 @@ public final class LineParser {
         return command;
     }
 
-    /** {@code command = move | turn | drive | stop | get | set | log | name | act | wait | help | own ;} */
+    /** {@code command = move | turn | drive | stop | get | set | log | plot | name | act | wait | help | own ;} */
     private Command command() {
         return arguments(at.consume(Kind.WORD, "a command"));
     }
@@ -183,6 +183,7 @@ public final class LineParser {
             case "get" -> get(word);
             case "set" -> set(word);
             case "log" -> log(word);
+            case "plot" -> new Command.Plot(word, parameters());
             case "name" -> name(word);
             case "act" -> act(word);
             case "wait" -> new Command.Await(word);

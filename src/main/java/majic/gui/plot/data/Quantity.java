@@ -9,8 +9,8 @@ import majic.bot.Value;
 /**
  * What one curve shows: a parameter of a robot, or one value of a parameter that is a list. Immutable.
  *
- * @param robot the robot's number
- * @param parameter the parameter's name
+ * @param robot the robot's number; {@link #NO_ROBOT} for a computed curve
+ * @param parameter the parameter's name, or the formula
  * @param index position in the list, from 0; {@link #WHOLE} for a parameter with a single value
  * @param unit the unit of the values
  * @param switched whether the value is a switch, plotted as 1 and 0 in steps
@@ -18,6 +18,14 @@ import majic.bot.Value;
 public record Quantity(int robot, String parameter, int index, Unit unit, boolean switched) {
     /** The index of a parameter with a single value. */
     public static final int WHOLE = -1;
+
+    /** The number that stands for a curve of no single robot. */
+    public static final int NO_ROBOT = 0;
+
+    /** Returns what a computed curve shows. */
+    static Quantity computed(String formula, Unit unit) {
+        return new Quantity(NO_ROBOT, formula, WHOLE, unit, false);
+    }
 
     /** Returns whether the values of a parameter are numbers or switches, or lists of them. */
     public static boolean isPlottable(Parameter parameter) {
@@ -71,9 +79,14 @@ public record Quantity(int robot, String parameter, int index, Unit unit, boolea
         return index == WHOLE ? parameter : parameter + "[" + index + "]";
     }
 
+    /** Returns robot and name, for instance {@code 1 sonar[3]}; of a computed curve the formula. */
+    public String title() {
+        return robot == NO_ROBOT ? name() : robot + " " + name();
+    }
+
     /** Returns robot, name and unit, for instance {@code 1 sonar[3] (mm)}. */
     public String label() {
-        return robot + " " + name() + unitText();
+        return title() + unitText();
     }
 
     /** Returns the unit in brackets behind a blank; empty if there is none. */

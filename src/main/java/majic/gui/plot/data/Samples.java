@@ -3,7 +3,7 @@ package majic.gui.plot.data;
 import java.util.Arrays;
 
 /** Holds the readings of one curve, the newest {@value #MOST}: almost two hours of ten a second. Thread-safe. */
-public final class Samples {
+public final class Samples implements CurvePoints {
     static final int MOST = 1 << 16;
     private static final int FIRST_ROOM = 256;
 
@@ -79,25 +79,25 @@ public final class Samples {
         return count == 0 ? Double.NaN : values[place(count - 1)];
     }
 
-    /** Returns the last reading at a time or before it; NaN if there is none. */
+    @Override
     public synchronized double at(double seconds) {
         int after = firstAfter(seconds);
         return after == 0 ? Double.NaN : values[place(after - 1)];
     }
 
-    /** Returns the time of the oldest reading; NaN if there is none. */
+    @Override
     public synchronized double start() {
         return count == 0 ? Double.NaN : times[first];
     }
 
-    /** Returns the readings within a span of time, and the ones next to it, so that a curve reaches the edges. */
+    @Override
     public synchronized Points around(Span span) {
         int from = Math.max(0, firstAfter(span.from()) - 1);
         int to = Math.min(count, firstAfter(span.to()) + 1);
         return copy(from, Math.max(from, to));
     }
 
-    /** Returns the readings within a span of time, both ends included. */
+    @Override
     public synchronized Points within(Span span) {
         int from = firstAfter(Math.nextDown(span.from()));
         return copy(from, Math.max(from, firstAfter(span.to())));
