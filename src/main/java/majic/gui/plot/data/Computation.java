@@ -170,10 +170,13 @@ public record Computation(
         return count;
     }
 
-    /** Returns the slope up to each point, over a time that is long beside the jitter of reports. */
+    /**
+     * Returns the slope up to each point, over a time that is long beside the jitter of reports. Between points that
+     * are far from each other the slope is constant.
+     */
     private static Points derivative(Points of) {
-        double[] times = new double[of.size()];
-        double[] values = new double[of.size()];
+        double[] times = new double[2 * of.size()];
+        double[] values = new double[2 * of.size()];
         int count = 0;
         int from = -1;
         for (int index = 1; index < of.size(); index++) {
@@ -182,8 +185,14 @@ public record Computation(
                 from++;
             }
             if (from >= 0) {
+                double slope = (of.values()[index] - of.values()[from]) / (end - of.times()[from]);
+                double begin = of.times()[index - 1] + LEAST_SLOPE_S;
+                if (begin < end - LEAST_SLOPE_S) {
+                    times[count] = begin;
+                    values[count++] = slope;
+                }
                 times[count] = end;
-                values[count++] = (of.values()[index] - of.values()[from]) / (end - of.times()[from]);
+                values[count++] = slope;
             }
         }
         return new Points(Arrays.copyOf(times, count), Arrays.copyOf(values, count));

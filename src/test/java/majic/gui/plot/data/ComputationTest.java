@@ -48,10 +48,19 @@ class ComputationTest {
     @Test
     void aDerivativeIsTheChangeOfASecondInItsUnit() {
         Computation derivative = unary(Operation.DERIVATIVE, Unit.MM, a, 0);
-        assertThat(derivative.within(ALL).values()).containsExactly(10, 20, 40);
-        assertThat(derivative.at(2.5)).isEqualTo(20);
+        assertThat(derivative.within(ALL).times()).containsExactly(0.3, 1, 1.3, 2, 2.3, 3);
+        assertThat(derivative.within(ALL).values()).containsExactly(10, 10, 20, 20, 40, 40);
+        assertThat(derivative.at(2.1)).isEqualTo(20);
         assertThat(derivative.quantity().unit()).isEqualTo(Unit.MM_PER_S);
-        assertThat(derivative.around(new Span(1.5, 1.7)).values()).containsExactly(10, 20);
+        assertThat(derivative.around(new Span(1.1, 1.2)).values()).containsExactly(10, 20);
+    }
+
+    @Test
+    void reportsThatFollowEachOtherAtOnceGiveNoPeak() {
+        Samples jitter = samples(0, 0, 0.2, 20, 0.201, 30, 0.4, 40, 0.6, 60);
+        double[] slopes =
+                unary(Operation.DERIVATIVE, Unit.MM, jitter, 0).within(ALL).values();
+        assertThat(Arrays.stream(slopes)).allMatch(slope -> slope > 50 && slope < 150);
     }
 
     @Test
