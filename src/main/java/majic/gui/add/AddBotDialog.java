@@ -47,7 +47,7 @@ public final class AddBotDialog extends MajicDialog {
     private final CardLayout cards = new CardLayout();
     private final JPanel deck = new JPanel(cards);
     private final JProgressBar progress = new JProgressBar();
-    private final Paragraph message = new Paragraph("outcome", 4, 42);
+    private final Paragraph message = new Paragraph("outcome", 5, 42);
     private final JButton ok = button(TEXTS.get("ok"), this::connect);
     private final Timer giveUp;
     private transient @Nullable ConnectAttempt attempt;
