@@ -16,6 +16,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -35,6 +37,8 @@ public final class SerialPorts {
 
     /** Shorter words at the end of a link are part of the model. */
     private static final int SHORTEST_SERIAL_NUMBER = 4;
+
+    private static final Pattern NUMBERED = Pattern.compile("(?:.*/)?(tty(?:USB|ACM))\\d+");
 
     private static volatile SerialPorts system = new SerialPorts(Path.of("/dev"), SerialPorts::found);
 
@@ -153,16 +157,9 @@ public final class SerialPorts {
     public List<Port> list() throws IOException {
         Map<String, Path> byId = links("by-id");
         Map<String, Path> byPath = links("by-path");
-        List<Found> found = new ArrayList<>(source.list());
-        Stream.concat(byId.keySet().stream(), byPath.keySet().stream())
-                .distinct()
-                .filter(device ->
-                        found.stream().noneMatch(port -> real(port.device()).equals(device)))
-                .forEach(device -> found.add(new Found(device, "", "", serialNumberIn(nameOf(byId.get(device))), "")));
-        List<Port> ports = found.stream()
-                .map(port -> port(port, found, byId, byPath))
-                .sorted(Comparator.comparing(Port::device))
-                .toList();
+        List<Found> found = devices(byId, byPath);
+        List<Port> ports =
+                found.stream().map(port -> port(port, found, byId, byPath)).toList();
         ports.stream()
                 .collect(Collectors.groupingBy(Port::kind, Collectors.summingInt(port -> 1)))
                 .forEach((kind, number) -> mostOfKind.merge(kind, number, Math::max));
@@ -170,16 +167,45 @@ public final class SerialPorts {
         return ports;
     }
 
+    /** The ports of the system, and those to which only a link leads. A device that is listed twice is one port. */
+    private List<Found> devices(Map<String, Path> byId, Map<String, Path> byPath) throws IOException {
+        Map<String, Found> all = new TreeMap<>();
+        for (Found port : source.list()) {
+            String device = real(port.device());
+            all.merge(
+                    device,
+                    completed(port, device, nameOf(byId.get(device))),
+                    (one, other) -> one.kind().isEmpty() ? other : one);
+        }
+        Stream.concat(byId.keySet().stream(), byPath.keySet().stream())
+                .forEach(device -> all.computeIfAbsent(
+                        device,
+                        missing -> completed(new Found(device, "", "", "", ""), device, nameOf(byId.get(device)))));
+        return List.copyOf(all.values());
+    }
+
+    /**
+     * Takes what the system does not give from the names. A kind of adapter whose ports are numbered in the order of
+     * their appearance is recognised by them.
+     */
+    private static Found completed(Found port, String device, String idLink) {
+        if (!port.kind().isEmpty()) {
+            return new Found(device, port.description(), port.kind(), port.serialNumber(), port.socket());
+        }
+        Matcher numbered = NUMBERED.matcher(port.device());
+        return new Found(
+                device, port.description(), numbered.matches() ? numbered.group(1) : "", serialNumberIn(idLink), "");
+    }
+
     private Port port(Found found, List<Found> all, Map<String, Path> byId, Map<String, Path> byPath) {
-        Path idLink = byId.get(real(found.device()));
-        Path pathLink = byPath.get(real(found.device()));
+        Path idLink = byId.get(found.device());
+        Path pathLink = byPath.get(found.device());
         List<Found> sameNumber = all.stream()
                 .filter(other -> other.serialNumber().equals(found.serialNumber())
                         && other.kind().equals(found.kind()))
                 .toList();
         boolean identified = !found.serialNumber().isEmpty()
-                && (sameNumber.size() == 1
-                        || sameNumber.stream().allMatch(other -> byId.containsKey(real(other.device()))));
+                && (sameNumber.size() == 1 || sameNumber.stream().allMatch(other -> byId.containsKey(other.device())));
         String name = found.device();
         String adapter = found.socket().isEmpty() ? "" : found.kind() + " at " + found.socket();
         if (identified) {
@@ -271,7 +297,7 @@ public final class SerialPorts {
         }
         String device = real(name);
         Optional<Port> listed =
-                all.stream().filter(port -> real(port.device()).equals(device)).findFirst();
+                all.stream().filter(port -> port.device().equals(device)).findFirst();
         return listed.isPresent() || !new File(device).exists()
                 ? listed
                 : Optional.of(new Port(device, device, "", "", false, ""));

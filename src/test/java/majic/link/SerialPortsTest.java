@@ -157,6 +157,28 @@ class SerialPortsTest {
         assertThat(address.find().device()).isEqualTo(ports.device("ttyUSB1"));
     }
 
+    @Test
+    void aLinkThatTheSystemListsIsThePortToWhichItLeads() throws IOException {
+        ports.plugUnknown("/dev/null", "ttyROBOT", LEFTY);
+
+        Port port = ports.all().list().get(0);
+
+        assertThat(ports.all().list()).hasSize(1);
+        assertThat(port.name()).isEqualTo(ports.byId(LEFTY));
+        assertThat(port.device()).isEqualTo("/dev/null");
+    }
+
+    @Test
+    void numberedPortsOfUnknownAdaptersMayBeEachOthers() throws IOException {
+        ports.plugUnknown("/dev/null", "ttyUSB0", null);
+        ports.plugUnknown("/dev/zero", "ttyUSB1", null);
+        SerialAddress address = opened("ttyUSB0");
+        ports.unplugAll();
+        ports.plugUnknown("/dev/zero", "ttyUSB0", null);
+
+        assertThatThrownBy(address::find).hasMessageStartingWith("ttyUSB0 may be another adapter now");
+    }
+
     private SerialAddress opened(String name) throws IOException {
         SerialAddress address = new SerialAddress(name, ports.all());
         address.opened(address.find());

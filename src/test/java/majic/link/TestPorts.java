@@ -58,6 +58,17 @@ public final class TestPorts implements AutoCloseable {
         add(terminal, serialNumber, "usb-FTDI_FT232R_USB_UART_" + serialNumber + "-if00-port0", null);
     }
 
+    /**
+     * Plugs an adapter in about which the system gives nothing.
+     *
+     * @param target the device to which the name that is listed is a link
+     */
+    void plugUnknown(String target, String device, @Nullable String id) throws IOException {
+        Files.createSymbolicLink(folder.resolve(device), Path.of(target));
+        link("by-id", id, target);
+        found.add(new SerialPorts.Found(device(device), "PTY Device", "", "", ""));
+    }
+
     private void add(String device, String serialNumber, @Nullable String id, @Nullable String socket)
             throws IOException {
         link("by-id", id, device);
