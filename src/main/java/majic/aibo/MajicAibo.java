@@ -224,7 +224,7 @@ public final class MajicAibo extends BotDriver {
 
     /** Makes the poller of pictures and LEDs, which does not poll yet. */
     PanelPoller poller(PanelPoller.PictureReceiver receiver) {
-        return new PanelPoller(waiting(), this::openSensors, () -> state().moving(), receiver);
+        return new PanelPoller(waiting(), this::openSensors, this::isBusy, receiver);
     }
 
     private @Nullable UrbiConnection openSensors() {

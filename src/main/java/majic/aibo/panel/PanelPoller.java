@@ -50,7 +50,7 @@ public final class PanelPoller {
      * Makes a poller that does not poll yet.
      *
      * @param connection the one for sensors and settings that is open now; null while none is
-     * @param moving whether the dog moves
+     * @param moving whether a motion or a drive is under way
      */
     public PanelPoller(
             RobotWait waiting,
