@@ -96,7 +96,16 @@ public record RosOptions(
      */
     public RosOptions stamped() {
         return new RosOptions(
-                version, true, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera, serverNamespace);
+                version,
+                true,
+                timeoutS,
+                blocksConnection,
+                hasNavigation,
+                secret,
+                namespace,
+                robots,
+                hasCamera,
+                serverNamespace);
     }
 
     /**
@@ -108,7 +117,16 @@ public record RosOptions(
      */
     public RosOptions withTimeout(double seconds) {
         return new RosOptions(
-                version, isStamped, seconds, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera, serverNamespace);
+                version,
+                isStamped,
+                seconds,
+                blocksConnection,
+                hasNavigation,
+                secret,
+                namespace,
+                robots,
+                hasCamera,
+                serverNamespace);
     }
 
     /**
@@ -117,7 +135,17 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions unblocked() {
-        return new RosOptions(version, isStamped, timeoutS, false, hasNavigation, secret, namespace, robots, hasCamera, serverNamespace);
+        return new RosOptions(
+                version,
+                isStamped,
+                timeoutS,
+                false,
+                hasNavigation,
+                secret,
+                namespace,
+                robots,
+                hasCamera,
+                serverNamespace);
     }
 
     /**
@@ -127,7 +155,16 @@ public record RosOptions(
      */
     public RosOptions withoutNavigation() {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, false, secret, namespace, robots, hasCamera, serverNamespace);
+                version,
+                isStamped,
+                timeoutS,
+                blocksConnection,
+                false,
+                secret,
+                namespace,
+                robots,
+                hasCamera,
+                serverNamespace);
     }
 
     /**
@@ -139,7 +176,16 @@ public record RosOptions(
      */
     public RosOptions withSecret(String newSecret) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, newSecret, namespace, robots, hasCamera, serverNamespace);
+                version,
+                isStamped,
+                timeoutS,
+                blocksConnection,
+                hasNavigation,
+                newSecret,
+                namespace,
+                robots,
+                hasCamera,
+                serverNamespace);
     }
 
     /**
@@ -151,7 +197,16 @@ public record RosOptions(
      */
     public RosOptions withNamespace(String word) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, "/" + word, robots, hasCamera, serverNamespace);
+                version,
+                isStamped,
+                timeoutS,
+                blocksConnection,
+                hasNavigation,
+                secret,
+                "/" + word,
+                robots,
+                hasCamera,
+                serverNamespace);
     }
 
     /**
@@ -163,7 +218,16 @@ public record RosOptions(
      */
     public RosOptions withRobots(int count) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, count, hasCamera, serverNamespace);
+                version,
+                isStamped,
+                timeoutS,
+                blocksConnection,
+                hasNavigation,
+                secret,
+                namespace,
+                count,
+                hasCamera,
+                serverNamespace);
     }
 
     /**
@@ -173,7 +237,16 @@ public record RosOptions(
      */
     public RosOptions withCamera() {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, true, serverNamespace);
+                version,
+                isStamped,
+                timeoutS,
+                blocksConnection,
+                hasNavigation,
+                secret,
+                namespace,
+                robots,
+                true,
+                serverNamespace);
     }
 
     /**
@@ -185,7 +258,16 @@ public record RosOptions(
      */
     public RosOptions withServerNamespace(String word) {
         return new RosOptions(
-                version, isStamped, timeoutS, blocksConnection, hasNavigation, secret, namespace, robots, hasCamera, "/" + word);
+                version,
+                isStamped,
+                timeoutS,
+                blocksConnection,
+                hasNavigation,
+                secret,
+                namespace,
+                robots,
+                hasCamera,
+                "/" + word);
     }
 
     /**

@@ -30,7 +30,8 @@ final class MessageDetails {
 
     /** Answers about the request or the response of the service type of a request. */
     ObjectNode ofService(ObjectNode request, String part) {
-        String plain = request.path("type").asText("").replaceFirst("/srv/", "/").replaceFirst("^rosapi_msgs/", "rosapi/");
+        String plain =
+                request.path("type").asText("").replaceFirst("/srv/", "/").replaceFirst("^rosapi_msgs/", "rosapi/");
         return details(types.find(plain + part));
     }
 

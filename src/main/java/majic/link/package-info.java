@@ -1,6 +1,4 @@
-/**
- * Bytes to and from a robot, over TCP or a serial port. Independent of robots and protocols.
- */
+/** Bytes to and from a robot, over TCP or a serial port. Independent of robots and protocols. */
 @NullMarked
 package majic.link;
 

@@ -213,11 +213,16 @@ class BridgeTest {
 
     @Test
     void namesWithoutASlashInFrontAreThoseOfTheOutermostNamespace() throws IOException {
-        assertThat(client.call("rosapi/topics", "{}").path("values").path("topics").toString())
+        assertThat(client.call("rosapi/topics", "{}")
+                        .path("values")
+                        .path("topics")
+                        .toString())
                 .contains("/odom");
         assertThat(client.call("rosapi/topics", "{}").path("service").asText()).isEqualTo("rosapi/topics");
 
-        client.sendAll("{'op':'subscribe','topic':'odom'}", "{'op':'subscribe','topic':'scan','type':'sensor_msgs/LaserScan'}");
+        client.sendAll(
+                "{'op':'subscribe','topic':'odom'}",
+                "{'op':'subscribe','topic':'scan','type':'sensor_msgs/LaserScan'}");
         assertThat(client.message("odom").path("child_frame_id").asText()).isEqualTo("base_footprint");
         assertThat(client.message("scan").path("ranges")).isNotEmpty();
 
@@ -236,17 +241,22 @@ class BridgeTest {
         client.call("/rosapi/set_param", "{'name':'/speed','value':'0.5'}");
         assertThat(value("/rosapi/get_param", "{'name':'/speed'}", "value")).isEqualTo("0.5");
         assertThat(value("/rosapi/has_param", "{'name':'/speed'}", "exists")).isEqualTo("true");
-        assertThat(value("/rosapi/search_param", "{'name':'speed'}", "global_name")).isEqualTo("/speed");
+        assertThat(value("/rosapi/search_param", "{'name':'speed'}", "global_name"))
+                .isEqualTo("/speed");
         client.call("/rosapi/delete_param", "{'name':'/speed'}");
         assertThat(value("/rosapi/has_param", "{'name':'/speed'}", "exists")).isEqualTo("false");
-        assertThat(value("/rosapi/search_param", "{'name':'speed'}", "global_name")).isEmpty();
+        assertThat(value("/rosapi/search_param", "{'name':'speed'}", "global_name"))
+                .isEmpty();
     }
 
     @Test
     void servicesAreDescribed() throws IOException {
-        assertThat(value("/rosapi/service_node", "{'service':'/rosapi/topics'}", "node")).isEqualTo("/rosapi");
-        assertThat(value("/rosapi/service_node", "{'service':'/nothing'}", "node")).isEmpty();
-        assertThat(value("/rosapi/service_host", "{'service':'/rosapi/topics'}", "host")).isNotEmpty();
+        assertThat(value("/rosapi/service_node", "{'service':'/rosapi/topics'}", "node"))
+                .isEqualTo("/rosapi");
+        assertThat(value("/rosapi/service_node", "{'service':'/nothing'}", "node"))
+                .isEmpty();
+        assertThat(value("/rosapi/service_host", "{'service':'/rosapi/topics'}", "host"))
+                .isNotEmpty();
         assertThat(client.call("/rosapi/service_providers", "{'service':'rosapi/Topics'}")
                         .path("values"))
                 .isEqualTo(RosStand.json("{\"providers\":[\"/rosapi\"]}"));

@@ -209,12 +209,17 @@ class DialectTest {
         try (RosStand inside = new RosStand("2+namespace=tb3+server=tb3");
                 RawWebSocket socket = RawWebSocket.open(inside.address())) {
             socket.sendText("{\"op\":\"call_service\",\"service\":\"/tb3/rosapi/topics\"}");
-            assertThat(RosStand.json(socket.read().text()).path("values").path("topics").toString())
+            assertThat(RosStand.json(socket.read().text())
+                            .path("values")
+                            .path("topics")
+                            .toString())
                     .contains("/tb3/odom");
             socket.sendText("{\"op\":\"call_service\",\"service\":\"rosapi/get_ros_version\"}");
-            assertThat(RosStand.json(socket.read().text()).path("result").asBoolean()).isTrue();
+            assertThat(RosStand.json(socket.read().text()).path("result").asBoolean())
+                    .isTrue();
             socket.sendText("{\"op\":\"call_service\",\"service\":\"/rosapi/topics\"}");
-            assertThat(RosStand.json(socket.read().text()).path("result").asBoolean()).isFalse();
+            assertThat(RosStand.json(socket.read().text()).path("result").asBoolean())
+                    .isFalse();
         }
     }
 
