@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.stream.Stream;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.bot.BotException;
@@ -19,7 +18,6 @@ import majic.environment.Settings;
 import majic.log.SessionLog;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;
-import majic.script.MajicParser;
 import majic.script.Session;
 import majic.server.LineServer;
 import majic.server.ListenKey;
@@ -40,9 +38,6 @@ import org.jspecify.annotations.Nullable;
 public final class Program implements AutoCloseable {
     private static final System.Logger LOG = LateLogger.of(Program.class);
     private static final int CLOSE_BOUND_MS = 3000;
-
-    /** How many robots of a large lab connect at the same time. */
-    private static final int CONNECTING_AT_ONCE = 16;
 
     private final UserFolder folder;
     private final BotFactory factory;
@@ -222,32 +217,17 @@ public final class Program implements AutoCloseable {
 
     /**
      * Adds the robots that were requested at the start, and then accepts the clients' lines. Blocks until every robot
-     * is added or refused: first the robots of the lab, several at a time if they are more than a usual team has.
+     * is added or refused.
      *
      * @param robots the robots
      * @return whether every one was added
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
     public boolean addFirst(FirstRobots robots) throws InterruptedException {
-        boolean large = robots.ofLab().size() > Team.MAX_BOTS;
-        boolean ofLab = add(robots.ofLab(), large ? CONNECTING_AT_ONCE : 1);
-        boolean succeeded = add(robots.requested(), 1) && ofLab;
+        boolean succeeded = robots.addTo(session);
         LineServer listening = server;
         if (listening != null) {
             listening.ready();
-        }
-        return succeeded;
-    }
-
-    private boolean add(List<String> lines, int atOnce) throws InterruptedException {
-        List<MajicParser> parsers =
-                Stream.generate(() -> MajicParser.pipe(session)).limit(atOnce).toList();
-        for (int index = 0; index < lines.size(); index++) {
-            parsers.get(index % atOnce).parseText(lines.get(index));
-        }
-        boolean succeeded = true;
-        for (MajicParser parser : parsers) {
-            succeeded &= parser.awaitAll();
         }
         return succeeded;
     }
