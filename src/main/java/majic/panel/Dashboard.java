@@ -13,13 +13,14 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Places a view of a robot with its side panes and readings beside or below it, whichever leaves the larger view. In
- * small panels the readings are left out first. A banner can be placed above all.
+ * small panels the readings are left out first, then the view, which is never smaller than it can be read. A banner can
+ * be placed above all.
  */
 public final class Dashboard implements LayoutManager {
     /** Minimum size of a view in pixels; a smaller one is unreadable. */
     private static final int LEAST_VIEW = 110;
 
-    /** The same beside readings that stand two in a row, which are more important than the view. */
+    /** The same beside what is more important than the view, such as readings that stand two in a row. */
     private static final int LEAST_VIEW_BESIDE_PAIRS = 96;
 
     /** Factor by which the view must get larger to justify a less readable arrangement of the rest. */
@@ -70,6 +71,7 @@ public final class Dashboard implements LayoutManager {
         room.height = Math.max(0, room.height - used);
         int width = columnWidth(room);
         if (isBetterAbove(room, width)) {
+            view.setVisible(true);
             view.setBounds(room.x, room.y, room.width, row.place(room));
         } else {
             placeBeside(room, width);
@@ -148,9 +150,15 @@ public final class Dashboard implements LayoutManager {
     private void placeBeside(Rectangle room, int least) {
         int unused = room.width - Math.min(room.width, room.height) - gap();
         int width = Math.max(least, share < 1 ? (int) (share * room.width) : unused);
-        int left = Math.max(0, room.width - width - gap());
-        view.setBounds(room.x, room.y, left, room.height);
-        column.place(new Rectangle(room.x + room.width - width, room.y, width, room.height));
+        int left = room.width - width - gap();
+        boolean readable = Math.min(left, room.height) >= UIScale.scale(LEAST_VIEW_BESIDE_PAIRS);
+        view.setVisible(readable);
+        if (readable) {
+            view.setBounds(room.x, room.y, left, room.height);
+            column.place(new Rectangle(room.x + room.width - width, room.y, width, room.height));
+        } else {
+            column.place(room);
+        }
     }
 
     @Override

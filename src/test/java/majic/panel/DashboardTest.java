@@ -183,6 +183,23 @@ class DashboardTest {
     }
 
     @Test
+    void aViewIsLargeEnoughToBeReadOrGone() {
+        for (Runnable kind : List.<Runnable>of(this::camera, this::square, this::wide)) {
+            kind.run();
+            for (int width = 150; width <= 600; width += 25) {
+                for (int height = 100; height <= 500; height += 25) {
+                    layOut(width, height);
+                    assertThat(!view.isVisible() || Math.min(view.getWidth(), view.getHeight()) >= 96)
+                            .as(width + " × " + height)
+                            .isTrue();
+                }
+            }
+            layOut(900, 560);
+            assertThat(view.isVisible()).isTrue();
+        }
+    }
+
+    @Test
     void theBannerTakesSpaceOnlyWhileItShowsAMessage() {
         square();
         layOut(900, 560);
