@@ -1,7 +1,6 @@
 package majic.gui;
 
 import java.awt.event.KeyEvent;
-import java.util.List;
 import javax.swing.KeyStroke;
 import majic.gui.kit.IconAction;
 import majic.gui.kit.Pictogram;
@@ -42,11 +41,6 @@ final class FrameActions {
 
     private static IconAction action(String name, Pictogram icon, String tip, Runnable action) {
         return new IconAction(TEXTS.get(name), icon, TEXTS.get(tip), action);
-    }
-
-    /** Returns the actions of the buttons, in the order of the buttons. */
-    List<IconAction> buttons() {
-        return List.of(addBot, killBot, loadAct, help, saveSession, saveLog, killMajic);
     }
 
     /** Holds the actions that are in the menus alone. Made with the entries of the menus, after the first painting. */

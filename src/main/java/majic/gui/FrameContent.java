@@ -3,14 +3,14 @@ package majic.gui;
 import java.awt.BorderLayout;
 import java.util.List;
 import javax.swing.BorderFactory;
+import javax.swing.JButton;
 import javax.swing.JPanel;
 import javax.swing.JSplitPane;
 import majic.gui.command.CommandPane;
 import majic.gui.kit.EventThreadTeamListener;
-import majic.gui.kit.IconAction;
 import majic.team.Team;
 
-/** Places the parts of the window: buttons and STOP, unconfirmed stops, the team, messages and command line. */
+/** Places the parts of the window: buttons and STOP, the team, messages with unconfirmed stops, command line. */
 final class FrameContent extends JPanel {
     private static final long serialVersionUID = 1L;
 
@@ -20,10 +20,10 @@ final class FrameContent extends JPanel {
     /**
      * Creates the content.
      *
-     * @param buttons the actions of the buttons, in their order
+     * @param buttons made by {@link FrameToolbar#button}, in their order
      * @param stopAll stops all robots
      */
-    FrameContent(Team team, List<IconAction> buttons, Runnable stopAll, TeamPane teamPane, CommandPane commands) {
+    FrameContent(Team team, List<JButton> buttons, Runnable stopAll, TeamPane teamPane, CommandPane commands) {
         super(new BorderLayout());
         this.teamPane = teamPane;
         StopPanel stop = new StopPanel(team, stopAll);

@@ -17,6 +17,7 @@ import javax.swing.JFrame;
 import javax.swing.JSplitPane;
 import javax.swing.Timer;
 import majic.environment.Settings;
+import majic.gui.bots.RobotTabs;
 import majic.gui.kit.BackgroundSettings;
 
 /**
@@ -29,6 +30,7 @@ final class FrameMemory {
 
     private final JFrame frame;
     private final List<JSplitPane> splits;
+    private final RobotTabs tabs;
     private final Settings settings;
     private final Timer later = new Timer(QUIET_MS, event -> keep());
     private Rectangle bounds = new Rectangle();
@@ -38,10 +40,12 @@ final class FrameMemory {
      * Places the window as it was kept and keeps each change from now on.
      *
      * @param splits the split panes, always in the same order; not laid out yet
+     * @param tabs the tabs whose width is kept too
      */
-    FrameMemory(JFrame frame, List<JSplitPane> splits, Settings settings) {
+    FrameMemory(JFrame frame, List<JSplitPane> splits, RobotTabs tabs, Settings settings) {
         this.frame = frame;
         this.splits = List.copyOf(splits);
+        this.tabs = tabs;
         this.settings = settings;
         later.setRepeats(false);
         WindowPlace.parse(settings.get(KEY).orElse("")).ifPresent(this::restore);
@@ -60,6 +64,7 @@ final class FrameMemory {
         frame.addWindowStateListener(event -> later.restart());
         splits.forEach(split ->
                 split.addPropertyChangeListener(JSplitPane.DIVIDER_LOCATION_PROPERTY, event -> later.restart()));
+        tabs.addPropertyChangeListener(RobotTabs.CHOSEN_WIDTH, event -> later.restart());
     }
 
     private void restore(WindowPlace place) {
@@ -67,6 +72,7 @@ final class FrameMemory {
         screens().filter(screen -> isUsable(screen, wanted)).findFirst().ifPresent(screen -> {
             frame.setBounds(fitted(wanted, screen));
             restoreDividers(place);
+            place.divider(splits.size()).ifPresent(tabs::chooseWidth);
             keepDividersWhileOpening(place);
         });
         if (place.maximised()) {
@@ -145,11 +151,14 @@ final class FrameMemory {
         if (!maximised) {
             bounds = frame.getBounds();
         }
+        Stream<Integer> dividers = splits.stream().map(FrameMemory::divider);
         return new WindowPlace(
-                bounds, maximised, splits.stream().map(FrameMemory::divider).toList());
+                bounds,
+                maximised,
+                Stream.concat(dividers, Stream.of(tabs.chosenWidth())).toList());
     }
 
-    /** While panels are compared, the divider is elsewhere than at the next start. */
+    /** While panes are compared, the divider is elsewhere than at the next start. */
     private static int divider(JSplitPane split) {
         return split instanceof TeamPane team ? team.usualDividerLocation() : split.getDividerLocation();
     }

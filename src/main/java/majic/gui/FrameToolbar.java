@@ -3,7 +3,6 @@ package majic.gui;
 import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Dimension;
-import java.util.ArrayList;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.Box;
@@ -26,16 +25,19 @@ final class FrameToolbar extends JPanel {
     private static final int GAP = 8;
 
     private final Box row = Box.createHorizontalBox();
-    private final transient List<JButton> buttons = new ArrayList<>();
+    private final transient List<JButton> buttons;
     private final StopPanel stop;
     private int wordsWidth;
 
-    FrameToolbar(List<IconAction> actions, StopPanel stop) {
+    /**
+     * Places the buttons.
+     *
+     * @param buttons made by {@link #button}, in their order
+     */
+    FrameToolbar(List<JButton> buttons, StopPanel stop) {
         super(new BorderLayout(GAP, 0));
         this.stop = stop;
-        for (IconAction action : actions) {
-            buttons.add(button(action));
-        }
+        this.buttons = List.copyOf(buttons);
         setBorder(BorderFactory.createEmptyBorder(6, GAP, 6, GAP));
         buttons.forEach(row::add);
         add(row, BorderLayout.CENTER);
@@ -52,7 +54,8 @@ final class FrameToolbar extends JPanel {
         super.doLayout();
     }
 
-    private static JButton button(IconAction action) {
+    /** Makes the button of an action. */
+    static JButton button(IconAction action) {
         JButton button = new ToolbarButton(action);
         button.setName((String) action.getValue(IconAction.NAME));
         button.setVerticalTextPosition(SwingConstants.BOTTOM);

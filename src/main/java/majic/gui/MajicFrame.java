@@ -11,6 +11,7 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.awt.image.VolatileImage;
 import java.util.List;
+import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.LayoutFocusTraversalPolicy;
 import javax.swing.RootPaneContainer;
@@ -19,7 +20,10 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.environment.Settings;
 import majic.gui.bots.RobotActions;
+import majic.gui.bots.TeamTabs;
+import majic.gui.command.CommandLine;
 import majic.gui.command.CommandPane;
+import majic.gui.command.MessageArea;
 import majic.gui.drive.GamepadControl;
 import majic.gui.drive.SdlGamepad;
 import majic.gui.kit.EventThread;
@@ -41,9 +45,9 @@ import majic.team.Member;
 import majic.text.Texts;
 
 /**
- * The main window: buttons and STOP above; cards of the robots, team map and panels of the selected robots side by
- * side; messages and command line below. Places its parts, and passes commands on to the team and the parser. Must be
- * used on the event dispatch thread.
+ * The main window: buttons and STOP above; team map and the tabbed panes of the robots side by side; messages and
+ * command line below. Places its parts, and passes commands on to the team and the parser. Must be used on the event
+ * dispatch thread.
  */
 public final class MajicFrame extends JFrame implements PictureViewer {
     private static final long serialVersionUID = 1L;
@@ -69,8 +73,15 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private final transient FrameMemory memory;
     private final transient AlarmSound alarmSound;
     private final StartPage start;
+    private final TeamTabs mainPane;
     private final TeamPane team;
     private final CommandPane commands;
+    private final MessageArea msgArea;
+    private final CommandLine commandLine;
+    private final JButton addButton;
+    private final JButton removeButton;
+    private final JButton actionButton;
+    private final JButton killButton;
     private boolean quitting;
 
     /**
@@ -85,7 +96,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         this.session = session;
         this.services = services;
         commands = new CommandPane(parser, services, session::alarm, this::openScript);
-        channel = new FrameChannel(session, parser, commands.messages());
+        msgArea = commands.messages();
+        commandLine = commands.line();
+        channel = new FrameChannel(session, parser, msgArea);
         gamepad = new GamepadControl(SdlGamepad::open, channel::showError, channel::showError);
         plots = new Plots(
                 this, services.settings(), () -> new LiveSource(session.team(), services.recorded()), this::stopButton);
@@ -95,7 +108,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         lab = new FrameLab(session, services, channel);
         teams = new FrameTeams(this, session, services, channel);
         editor = new FrameEditor(this, session, services, this::stopAll, dialogs, teams);
-        RobotActions actions = new RobotActions(
+        RobotActions ofRobots = new RobotActions(
                 session.team(),
                 channel,
                 plots,
@@ -105,12 +118,18 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                 session::address);
         selection.addListener(() -> gamepad.choose(selection.members()));
         start = startPage();
-        team = new TeamPane(session, selection, actions, start);
+        mainPane = new TeamTabs(session.team(), selection, ofRobots);
+        team = new TeamPane(session, selection, mainPane, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
         alarmSound = new AlarmSound(services.settings(), AlarmSound::play);
         stopKeys = new StopKeys(session.team(), this::stopAll);
         helpKey = new HelpKey(dialogs::help);
-        memory = place();
+        FrameActions actions = new FrameActions(this, dialogs, editor);
+        addButton = FrameToolbar.button(actions.addBot);
+        removeButton = FrameToolbar.button(actions.killBot);
+        actionButton = FrameToolbar.button(actions.loadAct);
+        killButton = FrameToolbar.button(actions.killMajic);
+        memory = place(actions);
         listen(parser);
     }
 
@@ -130,9 +149,16 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         return new StartPage(starting, teams.last());
     }
 
-    private FrameMemory place() {
-        FrameActions actions = new FrameActions(this, dialogs, editor);
-        FrameContent content = new FrameContent(session.team(), actions.buttons(), this::stopAll, team, commands);
+    private FrameMemory place(FrameActions actions) {
+        List<JButton> buttons = List.of(
+                addButton,
+                removeButton,
+                actionButton,
+                FrameToolbar.button(actions.help),
+                FrameToolbar.button(actions.saveSession),
+                FrameToolbar.button(actions.saveLog),
+                killButton);
+        FrameContent content = new FrameContent(session.team(), buttons, this::stopAll, team, commands);
         setContentPane(content);
         FrameMenu menu = new FrameMenu();
         setJMenuBar(menu);
@@ -151,12 +177,17 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         });
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         setFocusTraversalPolicy(new CommandsFirst());
-        setMinimumSize(new Dimension(UIScale.scale(700), UIScale.scale(520)));
         Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        setMinimumSize(leastSize(screen));
         setSize(Math.min(UIScale.scale(1280), screen.width), Math.min(UIScale.scale(800), screen.height));
         setLocationRelativeTo(null);
         FileDrop.postponeInside(getRootPane());
-        return new FrameMemory(this, content.splits(), services.settings());
+        return new FrameMemory(this, content.splits(), mainPane, services.settings());
+    }
+
+    /** Returns the least size of the window, which is never larger than the screen. */
+    static Dimension leastSize(Rectangle screen) {
+        return new Dimension(Math.min(UIScale.scale(700), screen.width), Math.min(UIScale.scale(520), screen.height));
     }
 
     /** Adds what would have delayed the window. */
@@ -171,7 +202,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
     private void listen(MajicParser parser) {
         session.usePlots((robots, parameters) -> EventThread.later(() -> plot(robots, parameters)));
-        session.addListener(commands.messages());
+        session.addListener(msgArea);
         session.addListener(alarmSound);
         RobotSharing sharing = services.sharing();
         if (sharing != null) {
@@ -265,7 +296,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     /** Removes the listeners and releases the window; does not affect the robots. */
     @Override
     public void dispose() {
-        session.removeListener(commands.messages());
+        session.removeListener(msgArea);
         session.removeListener(alarmSound);
         stopKeys.close();
         helpKey.close();
@@ -318,7 +349,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     private void attemptsChanged(Member member) {
-        team.changed(member);
+        mainPane.ownerChanged(member);
     }
 
     /** Lets the arrow keys drive the selected robots; shows a message if there is no robot. */
@@ -326,7 +357,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         if (session.team().members().isEmpty()) {
             channel.showError(TEXTS.get("noRobot"));
         } else {
-            team.focusPad();
+            mainPane.focusPad();
         }
     }
 
@@ -356,7 +387,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
 
         @Override
         public Component getDefaultComponent(Container window) {
-            return window == MajicFrame.this ? commands.line() : super.getDefaultComponent(window);
+            return window == MajicFrame.this ? commandLine : super.getDefaultComponent(window);
         }
     }
 }

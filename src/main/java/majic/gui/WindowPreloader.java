@@ -11,7 +11,7 @@ import java.lang.System.Logger.Level;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import majic.environment.Settings;
-import majic.gui.bots.RobotPanels;
+import majic.gui.bots.TeamTabs;
 import majic.gui.command.CommandPane;
 import majic.gui.kit.EventThread;
 import majic.gui.map.TeamMap;
@@ -74,7 +74,7 @@ public final class WindowPreloader {
      * Loads the texts that the window shows at first, by one class of each package, in the order in which it is built.
      */
     private static void loadTexts() {
-        Stream.of(CommandPane.class, WindowPreloader.class, StartPage.class, RobotPanels.class, TeamMap.class)
+        Stream.of(CommandPane.class, WindowPreloader.class, StartPage.class, TeamTabs.class, TeamMap.class)
                 .forEach(Texts::load);
     }
 

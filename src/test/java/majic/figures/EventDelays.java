@@ -18,6 +18,7 @@ import javax.swing.JFrame;
 import javax.swing.JList;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.SwingUtilities;
 import majic.panel.PlotHost;
@@ -57,15 +58,15 @@ final class EventDelays extends EventQueue {
         return lines;
     }
 
-    /** Waits for the cards of a large team, then measures while its robots report and move. */
+    /** Waits for the tabs of a large team, then measures while its robots report and move. */
     static List<String> measureLarge(JFrame frame, int robots) throws Exception {
         long began = System.nanoTime();
-        while (((Container) find(frame, "teamStrip")).getComponentCount() < robots) {
+        while (((JTabbedPane) find(frame, "mainPane")).getTabCount() < robots) {
             Thread.sleep(PROBE_MS);
         }
         double seconds = (System.nanoTime() - began) / 1e9;
         List<String> lines = new ArrayList<>();
-        lines.add(String.format(Locale.ROOT, "%d cards %.1f s after the window", robots, seconds));
+        lines.add(String.format(Locale.ROOT, "%d tabs %.1f s after the window", robots, seconds));
         Thread.sleep(SETTLING_S * 1000);
         lines.addAll(installed().reports(frame, robots));
         return lines;
@@ -136,7 +137,7 @@ final class EventDelays extends EventQueue {
 
     private static void openPlots(JFrame frame) {
         for (int robot = 1; robot <= PLOTS; robot++) {
-            ((PlotHost) find(frame, "card" + (robot + 1))).plot(CURVES, false);
+            ((PlotHost) find(frame, "tab" + (robot + 1))).plot(CURVES, false);
         }
     }
 

@@ -22,14 +22,14 @@ class AddBotWindowTest {
     @Test
     void theMenuStartsTheLabAndAddsItsRobots() {
         window.run(window.frame.lab()::start);
-        window.await("the lab's robot", () -> window.cards().contains("1"));
+        window.await("the lab's robot", () -> window.tabs().contains("1"));
     }
 
     @Test
     void aRobotThatAnswersJoinsTheTeam() {
         window.click("Add Bot");
         connectTo("here");
-        window.await("its card", () -> window.cards().contains("1"));
+        window.await("its tab", () -> window.tabs().contains("1"));
         window.await("the dialog to close", () -> !window.isShowing("Add Bot dialog"));
         assertThat(window.frame.getBot(1).isConnected()).isTrue();
     }
@@ -79,7 +79,7 @@ class AddBotWindowTest {
         window.push("startLab");
         window.awaitShowing("labRobot", JComboBox.class);
         window.push("OK");
-        window.await("its card", () -> window.cards().contains("1"));
+        window.await("its tab", () -> window.tabs().contains("1"));
     }
 
     @Test

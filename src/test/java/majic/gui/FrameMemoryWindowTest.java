@@ -8,6 +8,7 @@ import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import majic.environment.Settings;
+import majic.gui.bots.RobotTabs;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
@@ -37,7 +38,7 @@ class FrameMemoryWindowTest {
         SwingUtilities.invokeAndWait(() -> {
             JFrame frame = new JFrame();
             frame.setBounds(NEW);
-            new FrameMemory(frame, List.of(), settings);
+            new FrameMemory(frame, List.of(), new RobotTabs("tabs"), settings);
             opened[0] = frame.getBounds();
             frame.dispose();
         });

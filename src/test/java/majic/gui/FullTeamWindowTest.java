@@ -3,11 +3,10 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Rectangle;
 import java.util.List;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
+import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Tag;
@@ -28,38 +27,44 @@ class FullTeamWindowTest {
     }
 
     @Test
-    void allCardsAreWholeWithTheirStopButtonsAlsoBelowAnAlarm() {
-        assertCardsAreWhole();
+    void allTabsAreWholeWithTheirStopButtonsWhichNoAlarmMoves() {
+        assertTabsAreWhole();
+        List<Rectangle> before = window.tabPlaces();
         window.type.made.get(4).confirmStops(false);
-        window.click("cardStop5");
+        window.click("tabStop5");
         window.await("the alarm", () -> window.isShowing("stopAlarm"));
         window.run(window.frame::validate);
-        assertCardsAreWhole();
+        assertTabsAreWhole();
+        assertThat(window.tabPlaces()).isEqualTo(before);
+        window.run(() -> window.find("mainPane", JTabbedPane.class).setSelectedIndex(15));
+        window.run(window.frame::validate);
+        assertThat(window.tabPlaces()).as("columns never swap places").isEqualTo(before);
     }
 
     /** So much of it shows "Hemisson" in full in the usual font. */
     @Test
-    void theNameHasAlmostTwoThirdsOfANarrowCard() {
-        Component line = window.find("cardLine3", Component.class);
-        Component stop = window.find("cardStop3", Component.class);
-        assertThat(stop.getX() - line.getX())
-                .isGreaterThan((int) (0.65 * line.getParent().getWidth()));
+    void theNameHasHalfOfANarrowTabBesideTheSignsOfConnectionAndBattery() {
+        Component name = window.find("tabName3", Component.class);
+        assertThat(name.getWidth()).isGreaterThan(name.getParent().getWidth() / 2);
+        assertThat(window.isShowing("tabLine3")).isTrue();
     }
 
-    private void assertCardsAreWhole() {
-        Container strip = window.find("teamStrip", Container.class);
-        List<Component> cards = Stream.of(strip.getComponents()).toList();
-        assertThat(cards).hasSize(ROBOTS);
+    private void assertTabsAreWhole() {
+        JTabbedPane strip = window.find("mainPane", JTabbedPane.class);
+        List<Component> tabs = IntStream.range(0, strip.getTabCount())
+                .mapToObj(strip::getTabComponentAt)
+                .toList();
+        assertThat(tabs).hasSize(ROBOTS);
         Rectangle inside = new Rectangle(strip.getSize());
-        for (Component card : cards) {
-            Component stop = window.find("cardStop" + card.getName().substring("card".length()), Component.class);
-            assertThat(inside.contains(card.getBounds())).as(card.getName()).isTrue();
-            assertThat(new Rectangle(card.getSize()).contains(stop.getBounds()))
+        for (Component tab : tabs) {
+            Component stop = window.find("tabStop" + tab.getName().substring("tab".length()), Component.class);
+            assertThat(inside.contains(tab.getBounds())).as(tab.getName()).isTrue();
+            assertThat(new Rectangle(tab.getSize()).contains(stop.getBounds()))
                     .as(stop.getName())
                     .isTrue();
-            assertThat(stop.getHeight()).as(stop.getName()).isGreaterThanOrEqualTo(18);
-            assertThat(cards.stream().filter(other -> other.getBounds().intersects(card.getBounds())))
-                    .containsExactly(card);
+            assertThat(stop.getHeight()).as(stop.getName()).isGreaterThanOrEqualTo(16);
+            assertThat(tabs.stream().filter(other -> other.getBounds().intersects(tab.getBounds())))
+                    .containsExactly(tab);
         }
     }
 }

@@ -3,10 +3,9 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
-import java.util.stream.Stream;
+import java.util.List;
 import javax.swing.JComponent;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -26,30 +25,25 @@ class LargeTeamWindowTest {
     }
 
     @Test
-    void theCardsAreInRowsWithoutCoveringEachOtherAndScroll() {
-        Container strip = window.find("teamStrip", Container.class);
-        Component[] cards = strip.getComponents();
-        assertThat(cards).hasSize(ROBOTS);
-        for (Component card : cards) {
-            assertThat(new Rectangle(strip.getSize()).contains(card.getBounds()))
-                    .as(card.getName())
-                    .isTrue();
-            assertThat(card.getHeight()).as(card.getName()).isGreaterThanOrEqualTo(18);
-            assertThat(Stream.of(cards).filter(other -> other.getBounds().intersects(card.getBounds())))
-                    .containsExactly(card);
+    void theTabsAreInRowsWithoutCoveringEachOtherAndScroll() {
+        List<Rectangle> tabs = window.tabPlaces();
+        assertThat(tabs).hasSize(ROBOTS);
+        for (Rectangle tab : tabs) {
+            assertThat(tab.height).isGreaterThanOrEqualTo(18);
+            assertThat(tabs.stream().filter(tab::intersects)).containsExactly(tab);
         }
-        assertThat(isVisible("card1")).isTrue();
-        assertThat(isVisible("card200")).isFalse();
+        assertThat(isVisible("tab1")).isTrue();
+        assertThat(isVisible("tab200")).isFalse();
     }
 
     @Test
-    void altAndThreeDigitsSelectARobotAndScrollToItsCard() {
+    void altAndThreeDigitsSelectARobotAndScrollToItsTab() {
         window.pressWithAltAsOf(10_000, KeyEvent.VK_1);
         window.pressWithAltAsOf(10_900, KeyEvent.VK_7);
         window.pressWithAltAsOf(11_800, KeyEvent.VK_3);
 
         window.await("robot 173 to be selected", () -> window.isShowing("bot173"));
-        window.await("its card to show", () -> isVisible("card173"));
+        window.await("its tab to show", () -> isVisible("tab173"));
         assertThat(window.isShowing("bot1")).isFalse();
     }
 
@@ -62,12 +56,9 @@ class LargeTeamWindowTest {
     }
 
     @Test
-    void theDownKeyGoesToTheCardBelow() {
-        Container strip = window.find("teamStrip", Container.class);
-        long columns = Stream.of(strip.getComponents())
-                .filter(card -> card.getY() == 0)
-                .count();
-        window.focus("card1");
+    void theDownKeyGoesToTheTabBelow() {
+        long columns = window.tabPlaces().stream().filter(tab -> tab.y == 0).count();
+        window.focus("tab1");
 
         window.press(KeyEvent.VK_DOWN);
 
@@ -76,7 +67,7 @@ class LargeTeamWindowTest {
 
     @Test
     void aSelectionOfAllIsNamedByARange() {
-        window.focus("card1");
+        window.focus("tab1");
 
         window.pressWithCtrl(KeyEvent.VK_A);
 
@@ -84,22 +75,20 @@ class LargeTeamWindowTest {
     }
 
     @Test
-    void aRobotThatLosesItsConnectionIsMarkedOnItsCard() {
-        String before = description("card150");
+    void aRobotThatLosesItsConnectionIsMarkedOnItsTab() {
+        String before = description("tab150");
 
         window.type.made.get(149).loseLink();
 
-        window.await("the mark", () -> !description("card150").equals(before));
-        assertThat(description("card150")).contains("lost");
+        window.await("the mark", () -> !description("tab150").equals(before));
+        assertThat(description("tab150")).contains("lost");
     }
 
-    private String description(String card) {
-        return window.find(card, Component.class).getAccessibleContext().getAccessibleName();
+    private String description(String tab) {
+        return window.find(tab, Component.class).getAccessibleContext().getAccessibleName();
     }
 
-    private boolean isVisible(String card) {
-        JComponent strip = window.find("teamStrip", JComponent.class);
-        Rectangle bounds = window.find(card, Component.class).getBounds();
-        return strip.getVisibleRect().intersects(bounds);
+    private boolean isVisible(String tab) {
+        return !window.find(tab, JComponent.class).getVisibleRect().isEmpty();
     }
 }

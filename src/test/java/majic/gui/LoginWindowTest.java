@@ -32,7 +32,7 @@ class LoginWindowTest {
     }
 
     private void awaitCards(String... numbers) {
-        window.await("the cards", () -> window.cards().equals(List.of(numbers)));
+        window.await("the tabs", () -> window.tabs().equals(List.of(numbers)));
     }
 
     @Test

@@ -47,11 +47,11 @@ class NarrowWindowTest {
     }
 
     @Test
-    void theCardsHaveTheSpaceOfAMapThatWouldBeTooNarrow() {
+    void theTabsHaveTheSpaceOfAMapThatWouldBeTooNarrow() {
         window.add("one");
         Component map = window.find("teamMap", Component.class);
         window.await("no map", () -> !map.isVisible());
-        assertThat(window.find("teamStripScroll", Component.class).getWidth())
+        assertThat(window.find("mainPane", Component.class).getWidth())
                 .isEqualTo(map.getParent().getWidth());
 
         window.run(() -> window.frame.setSize(1280, 800));

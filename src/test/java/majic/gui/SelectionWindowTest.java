@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Component;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import javax.accessibility.AccessibleState;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -26,36 +27,36 @@ class SelectionWindowTest {
 
     @Test
     void theFirstRobotOfATeamIsSelected() {
-        assertThat(selected()).containsExactly("card1");
+        assertThat(selected()).containsExactly("tab1");
         assertThat(window.isShowing("bot1")).isTrue();
         assertThat(window.isShowing("bot2")).isFalse();
     }
 
     @Test
-    void aClickOnACardSelectsItsRobotAlone() {
-        window.click("card2");
-        assertThat(selected()).containsExactly("card2");
+    void aClickOnATabSelectsItsRobotAlone() {
+        window.click("tab2");
+        assertThat(selected()).containsExactly("tab2");
         assertThat(window.isShowing("bot1")).isFalse();
         assertThat(window.isShowing("bot2")).isTrue();
     }
 
     @Test
     void aClickWithCtrlShowsTwoPanelsSideBySide() {
-        window.clickWithCtrl("card3");
-        assertThat(selected()).containsExactly("card1", "card3");
+        window.clickWithCtrl("tab3");
+        assertThat(selected()).containsExactly("tab1", "tab3");
         assertThat(window.isShowing("bot1") && window.isShowing("bot3")).isTrue();
-        window.clickWithCtrl("card1");
-        assertThat(selected()).containsExactly("card3");
+        window.clickWithCtrl("tab1");
+        assertThat(selected()).containsExactly("tab3");
     }
 
     @Test
     void twoPanelsTakeWidthFromTheMapWhichHasItAgainAfterwards() {
         window.run(() -> window.frame.setSize(1280, 800));
         int before = width("teamMap");
-        window.clickWithCtrl("card3");
-        window.await("room for two", () -> width("robotPanels") > 700);
+        window.clickWithCtrl("tab3");
+        window.await("room for two", () -> width("mainPane") > 900);
         assertThat(width("teamMap")).isLessThan(before);
-        window.click("card3");
+        window.click("tabName3");
         window.await("the map as before", () -> width("teamMap") == before);
     }
 
@@ -65,8 +66,8 @@ class SelectionWindowTest {
 
     @Test
     void withThreeSelectedTheFirstIsShownWithAHint() {
-        window.clickWithCtrl("card2");
-        window.clickWithCtrl("card3");
+        window.clickWithCtrl("tab2");
+        window.clickWithCtrl("tab3");
         assertThat(window.isShowing("bot1")).isTrue();
         assertThat(window.isShowing("bot2")).isFalse();
         assertThat(window.text("panelNotice")).startsWith("Selected: 1, 2, 3.");
@@ -74,7 +75,7 @@ class SelectionWindowTest {
 
     @Test
     void aLineWithoutRobotsIsForTheSelectedOnesAndIsShownWithTheirNumbers() {
-        window.clickWithCtrl("card2");
+        window.clickWithCtrl("tab2");
         window.command("move 50");
         window.awaitMessage("1,2 move 50");
         window.await("both to move", () -> one.told.contains("move 50") && two.told.contains("move 50"));
@@ -84,36 +85,36 @@ class SelectionWindowTest {
     void altAndADigitSelectsTheRobotOfThatNumber() {
         window.focus("commandLine");
         window.pressWithAlt(KeyEvent.VK_2);
-        assertThat(selected()).containsExactly("card2");
+        assertThat(selected()).containsExactly("tab2");
         assertThat(window.text("commandLine")).isEmpty();
     }
 
     @Test
-    void tabGoesToTheCardOfTheRobotThatAltAndADigitSelected() {
+    void tabGoesToTheTabOfTheRobotThatAltAndADigitSelected() {
         window.focus("commandLine");
         window.pressWithAlt(KeyEvent.VK_2);
-        assertThat(window.cards())
+        assertThat(window.tabs())
                 .filteredOn(
-                        number -> window.find("card" + number, Component.class).isFocusable())
+                        number -> window.find("tab" + number, Component.class).isFocusable())
                 .containsExactly("2");
     }
 
     @Test
-    void onACardTheArrowKeysSelectTheNeighbourAndSpaceAddsOrRemovesARobot() {
-        window.focus("card1");
+    void onATabTheArrowKeysSelectTheNeighbourAndSpaceAddsOrRemovesARobot() {
+        window.focus("tab1");
         window.press(KeyEvent.VK_DOWN);
-        assertThat(selected()).containsExactly("card2");
+        assertThat(selected()).containsExactly("tab2");
         window.pressWithCtrl(KeyEvent.VK_DOWN);
         window.press(KeyEvent.VK_SPACE);
-        assertThat(selected()).containsExactly("card2", "card3");
+        assertThat(selected()).containsExactly("tab2", "tab3");
         window.press(KeyEvent.VK_SPACE);
-        assertThat(selected()).containsExactly("card2");
+        assertThat(selected()).containsExactly("tab2");
     }
 
     @Test
     void afterTheSelectedRobotIsRemovedNoOtherOneIsSelected() {
         window.team.remove(1);
-        window.await("the card to go", () -> window.cards().equals(List.of("2", "3")));
+        window.await("the tab to go", () -> window.tabs().equals(List.of("2", "3")));
         assertThat(selected()).isEmpty();
         assertThat(window.text("panelNotice")).startsWith("No robot is selected");
         window.command("move 50");
@@ -122,7 +123,7 @@ class SelectionWindowTest {
 
     @Test
     void thePadDrivesAllSelectedRobots() {
-        window.clickWithCtrl("card2");
+        window.clickWithCtrl("tab2");
         window.holdMouse("drive AHEAD");
         window.await("both", () -> one.told.contains("drive 200 0") && two.told.contains("drive 200 0"));
         window.letGoMouse();
@@ -132,7 +133,7 @@ class SelectionWindowTest {
     @Test
     void thePadDrivesTheSelectedRobotsThatCanBeDriven() {
         two.loseLink();
-        window.clickWithCtrl("card2");
+        window.clickWithCtrl("tab2");
         window.await("the hint", () -> window.text("driveHint").startsWith("Click here to drive 1 "));
         window.holdMouse("drive AHEAD");
         window.await("the first", () -> one.told.contains("drive 200 0"));
@@ -156,28 +157,28 @@ class SelectionWindowTest {
     }
 
     @Test
-    void aCardStopsItsRobotAlone() {
-        window.click("cardStop2");
+    void aTabStopsItsRobotAlone() {
+        window.click("tabStop2");
         window.await("the stop", () -> two.told.contains("halt"));
         assertThat(one.told).isEmpty();
         assertThat(window.team.isLatched()).isFalse();
     }
 
     @Test
-    void aCardReconnectsItsRobot() {
+    void aTabReconnectsItsRobot() {
         two.loseLink();
-        window.await("the button", () -> window.isShowing("cardReconnect2"));
-        assertThat(window.text("cardLine2")).isEqualTo("connection lost");
-        window.click("cardReconnect2");
+        window.await("the button", () -> window.isShowing("tabReconnect2"));
+        assertThat(window.text("tabLine2")).isEqualTo("connection lost");
+        window.click("tabReconnect2");
         window.await("the connection", two::isConnected);
-        window.await("the button to go", () -> !window.isShowing("cardReconnect2"));
+        window.await("the button to go", () -> !window.isShowing("tabReconnect2"));
     }
 
     @Test
-    void aRobotThatDoesNotConfirmItsStopIsMarkedOnItsCard() {
+    void aRobotThatDoesNotConfirmItsStopIsMarkedOnItsTab() {
         two.confirmStops(false);
-        window.click("cardStop2");
-        window.await("the mark", () -> window.text("cardLine2").equals("stop not confirmed"));
+        window.click("tabStop2");
+        window.await("the mark", () -> window.text("tabLine2").equals("stop not confirmed"));
     }
 
     private static boolean isHalted(ToyBot bot) {
@@ -185,12 +186,12 @@ class SelectionWindowTest {
     }
 
     private List<String> selected() {
-        return window.cards().stream()
-                .map(number -> "card" + number)
-                .filter(card -> window.find(card, Component.class)
+        return window.tabs().stream()
+                .map(number -> "tab" + number)
+                .filter(tab -> window.find(tab, Component.class)
                         .getAccessibleContext()
-                        .getAccessibleName()
-                        .endsWith(", selected"))
+                        .getAccessibleStateSet()
+                        .contains(AccessibleState.SELECTED))
                 .toList();
     }
 }

@@ -65,7 +65,7 @@ class StartPageWindowTest {
     void startsTheLabWithItsRobots() {
         try (TestWindow window = TestWindow.open()) {
             window.push("Start the simulated lab");
-            window.await("the lab's robot", () -> window.cards().contains("1"));
+            window.await("the lab's robot", () -> window.tabs().contains("1"));
             window.command("remove 1");
             window.await("the page", () -> window.isShowing("startPage"));
             assertThat(window.isEnabled("Start the simulated lab")).isFalse();
@@ -98,7 +98,7 @@ class StartPageWindowTest {
             window.await("the team", () -> window.isEnabled("Yesterday's team"));
             assertThat(window.text("Yesterday's team detail")).isEqualTo("2 Toy, 3 Toy, 4 Toy");
             window.push("Yesterday's team");
-            window.await("the robots", () -> window.cards().size() == 2);
+            window.await("the robots", () -> window.tabs().size() == 2);
             window.await(
                     "its place", () -> window.frame.getBot(2).state().pose().equals(new Pose(100, 200, 90)));
             window.awaitMessage("nothing answers at //absent");
@@ -124,7 +124,7 @@ class StartPageWindowTest {
         try (TestWindow window = TestWindow.openWith("team.last", "add sim:toy as 1\n")) {
             window.await("the team", () -> window.isEnabled("Yesterday's team"));
             window.push("Yesterday's team");
-            window.await("the robot", () -> window.cards().contains("1"));
+            window.await("the robot", () -> window.tabs().contains("1"));
         }
     }
 
@@ -144,7 +144,7 @@ class StartPageWindowTest {
         try (TestWindow window = TestWindow.open()) {
             window.run(window.frame::openTeam);
             window.chooseFile(file);
-            window.await("the robot", () -> window.cards().contains("7"));
+            window.await("the robot", () -> window.tabs().contains("7"));
         }
     }
 

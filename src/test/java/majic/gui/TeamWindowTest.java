@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.Component;
 import java.awt.Container;
 import majic.bot.ConnectFailed;
+import javax.swing.JTabbedPane;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
 import majic.team.Member;
@@ -18,20 +19,22 @@ class TeamWindowTest {
     private final TestWindow window = TestWindow.open();
 
     @Test
-    void killBotClosesTheRobotAndItsCardAndReportsIt() {
+    void killBotClosesTheRobotAndItsTabAndReportsIt() {
         ToyBot bot = window.add("one");
         window.click("Kill Bot");
         window.click("OK");
         window.awaitMessage("Bot 1 is dead");
-        window.await("the card to go", () -> window.cards().isEmpty());
+        window.await("the tab to go", () -> window.tabs().isEmpty());
         assertThat(bot.told).contains("shut");
     }
 
     @Test
-    void aRobotsCardShowsItsNumberAndItsType() {
+    void aRobotsTabShowsItsNumberAndItsType() {
         window.add("one");
-        assertThat(window.cards()).containsExactly("1");
-        assertThat(window.text("cardName1")).isEqualTo("Toy");
+        assertThat(window.tabs()).containsExactly("1");
+        assertThat(window.text("tabName1")).isEqualTo("Toy");
+        assertThat(window.find("mainPane", JTabbedPane.class).getToolTipTextAt(0))
+                .startsWith("Playthings Toy: robot 1 ");
         assertThat(window.frame.totalBots()).isEqualTo(1);
         assertThat(window.frame.getBot(1)).isSameAs(window.type.made.get(0));
     }

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.AWTException;
 import java.awt.Component;
-import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
@@ -26,6 +26,7 @@ import javax.swing.JLabel;
 import javax.swing.JList;
 import javax.swing.JMenuBar;
 import javax.swing.JMenuItem;
+import javax.swing.JTabbedPane;
 import javax.swing.JTextField;
 import javax.swing.ListModel;
 import javax.swing.RootPaneContainer;
@@ -190,19 +191,19 @@ public final class TestWindow implements AutoCloseable {
         return frame;
     }
 
-    /** Adds a connected toy and waits for its card. */
+    /** Adds a connected toy and waits for its tab. */
     public ToyBot add(String address) {
         return connect("toy:" + address);
     }
 
-    /** Adds this many connected toys, and waits for their cards. */
+    /** Adds this many connected toys, and waits for their tabs. */
     public void addAll(int robots) {
         for (int number = 1; number <= robots; number++) {
             ToyBot bot = (ToyBot) factory.create("toy:number " + number);
             bot.connect();
             team.add(bot, OptionalInt.of(number));
         }
-        await("the cards", () -> cards().size() == robots);
+        await("the tabs", () -> tabs().size() == robots);
         settle();
     }
 
@@ -216,16 +217,24 @@ public final class TestWindow implements AutoCloseable {
         ToyBot bot = (ToyBot) factory.create(address);
         bot.connect();
         int number = team.add(bot, OptionalInt.empty()).number();
-        await("a card for robot " + number, () -> cards().contains("" + number));
+        await("a tab for robot " + number, () -> tabs().contains("" + number));
         settle();
         return bot;
     }
 
-    /** Returns the numbers of the robots on the cards, in the order of the cards. */
-    public List<String> cards() {
-        Container strip = find("teamStrip", Container.class);
-        return GuiActionRunner.execute(() -> Stream.of(strip.getComponents())
-                .map(card -> card.getName().substring("card".length()))
+    /** Returns the numbers of the robots on the tabs, in the order of the tabs. */
+    public List<String> tabs() {
+        JTabbedPane pane = find("mainPane", JTabbedPane.class);
+        return GuiActionRunner.execute(() -> IntStream.range(0, pane.getTabCount())
+                .mapToObj(pane::getTitleAt)
+                .toList());
+    }
+
+    /** Returns the places of the tabs in their pane. */
+    public List<Rectangle> tabPlaces() {
+        JTabbedPane pane = find("mainPane", JTabbedPane.class);
+        return GuiActionRunner.execute(() -> IntStream.range(0, pane.getTabCount())
+                .mapToObj(pane::getBoundsAt)
                 .toList());
     }
 

@@ -94,20 +94,20 @@ public final class PictureWindow {
         SwingUtilities.invokeAndWait(() -> ((AbstractButton) find(parent, button)).doClick());
     }
 
-    /** Selects a robot by a click on its card. */
+    /** Selects a robot by a click on its tab. */
     public static void select(Container frame, int robot) throws Exception {
-        click(find(frame, "card" + robot), 0);
+        click(find(frame, "tab" + robot), 0);
     }
 
     /** Adds a robot to the selection by a click with Ctrl. */
     public static void addToSelection(Container frame, int robot) throws Exception {
-        click(find(frame, "card" + robot), InputEvent.CTRL_DOWN_MASK);
+        click(find(frame, "tab" + robot), InputEvent.CTRL_DOWN_MASK);
     }
 
-    private static void click(Component card, int modifiers) throws Exception {
+    private static void click(Component tab, int modifiers) throws Exception {
         int mask = InputEvent.BUTTON1_DOWN_MASK | modifiers;
-        SwingUtilities.invokeAndWait(() -> card.dispatchEvent(new MouseEvent(
-                card, MouseEvent.MOUSE_PRESSED, System.currentTimeMillis(), mask, 5, 5, 1, false, MouseEvent.BUTTON1)));
+        SwingUtilities.invokeAndWait(() -> tab.dispatchEvent(new MouseEvent(
+                tab, MouseEvent.MOUSE_PRESSED, System.currentTimeMillis(), mask, 5, 5, 1, false, MouseEvent.BUTTON1)));
     }
 
     /** Waits for a dialog of the window. */

@@ -164,7 +164,7 @@ class StatePictures {
             String site = "mqtt://127.0.0.1:" + broker.port() + "/lab";
             desk.sharing().start(new Place(site, "desk2", "Bert"));
             parser.parseText("add " + site + "/desk2/1 as " + SHARED);
-            awaitWindow(() -> PictureWindow.isShowing(frame, "card" + SHARED));
+            awaitWindow(() -> PictureWindow.isShowing(frame, "tab" + SHARED));
             select(frame, SHARED);
             paint(frame, SHARED + "-shared");
             parser.parseText(SHARED + " drive 100 20 for 60s");

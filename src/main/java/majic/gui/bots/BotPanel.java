@@ -74,6 +74,12 @@ final class BotPanel extends PlottedPanel {
         super.setVisible(visible);
     }
 
+    /** Where the panel is decides on its size: what it shows lays out nothing else. */
+    @Override
+    public boolean isValidateRoot() {
+        return true;
+    }
+
     /** Removes the listener. */
     void close() {
         refresh.close();

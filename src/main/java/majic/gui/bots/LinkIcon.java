@@ -3,20 +3,25 @@ package majic.gui.bots;
 import java.awt.Component;
 import java.awt.Graphics2D;
 import java.awt.geom.Rectangle2D;
+import java.util.OptionalInt;
 import majic.panel.DrawingColors;
 import majic.panel.ScaledIcon;
 
 /**
  * The quality of a connection as bars of growing height; missing bars are outlined.
  *
- * @param bars how many are filled, 0 to {@link LinkMeter#MOST_BARS}
+ * @param quality how many are filled, 0 to {@link LinkMeter#MOST_BARS}; nothing is drawn if it is empty
  */
-record LinkIcon(int bars) implements ScaledIcon {
+record LinkIcon(OptionalInt quality) implements ScaledIcon {
     private static final int STEP = 5;
     private static final int HEIGHT = 12;
 
     @Override
     public void paint(Component on, Graphics2D g) {
+        quality.ifPresent(bars -> paint(g, bars));
+    }
+
+    private static void paint(Graphics2D g, int bars) {
         DrawingColors colors = DrawingColors.current();
         g.setStroke(DrawingColors.stroke(1));
         for (int bar = 0; bar < LinkMeter.MOST_BARS; bar++) {

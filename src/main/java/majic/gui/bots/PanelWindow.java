@@ -2,6 +2,8 @@ package majic.gui.bots;
 
 import java.awt.BorderLayout;
 import java.awt.Dimension;
+import java.awt.Point;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -32,9 +34,10 @@ final class PanelWindow extends JFrame implements PictureViewer {
      * Creates the window around a panel; takes the panel from where it is.
      *
      * @param main the main window; null without one
+     * @param place where the panel was, on the screen
      * @param closed runs when the user closes the window
      */
-    PanelWindow(BotPanel panel, RobotActions actions, @Nullable Window main, Runnable closed) {
+    PanelWindow(BotPanel panel, RobotActions actions, @Nullable Window main, Point place, Runnable closed) {
         HelpTopic.set(getRootPane(), "selecting-robots");
         CloseKey.install(this);
         this.main = main;
@@ -54,7 +57,10 @@ final class PanelWindow extends JFrame implements PictureViewer {
         }
         pack();
         setSize(Math.max(getWidth(), size.width), Math.max(getHeight(), size.height + PAD_HEIGHT));
-        setLocationRelativeTo(main);
+        Rectangle screen = getGraphicsConfiguration().getBounds();
+        setLocation(
+                Math.max(screen.x, Math.min(place.x, screen.x + screen.width - getWidth())),
+                Math.max(screen.y, Math.min(place.y, screen.y + screen.height - getHeight())));
         update();
         addWindowListener(new WindowAdapter() {
             @Override

@@ -44,7 +44,7 @@ final class ReconnectCountdown extends JPanel {
         status.ifPresent(now -> text.setText(text(now)));
     }
 
-    /** Puts the state of the attempts into a few words, for a card. */
+    /** Puts the state of the attempts into a few words, for a tab. */
     static String shortText(AutoReconnect.Status status) {
         return status.connecting()
                 ? TEXTS.get("retry.connecting.short")

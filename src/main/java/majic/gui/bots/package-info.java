@@ -1,4 +1,4 @@
-/** The team strip with a card for each robot, and the panels of the selected robots. */
+/** The tabbed panes of the robots. */
 @NullMarked
 package majic.gui.bots;
 

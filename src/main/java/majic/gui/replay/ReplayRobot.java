@@ -5,9 +5,14 @@ import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.OptionalInt;
 import majic.bot.BotType;
 import majic.bot.BotType.ReplayDisplay;
 import majic.bot.Pose;
+import majic.bot.Value;
+import majic.gui.bots.BatteryLevel;
+import majic.gui.bots.RobotSummary;
+import majic.gui.kit.StateIcon;
 import majic.gui.map.MapScene;
 import majic.panel.map.Trail;
 import majic.recorder.RecordedRobot;
@@ -125,6 +130,53 @@ final class ReplayRobot implements AutoCloseable {
                 !tracks.status("stop", atS).isEmpty());
     }
 
+    /** What the tab of the robot shows. */
+    RobotSummary summary(double atS) {
+        boolean unconfirmed = !tracks.status("stop", atS).isEmpty();
+        boolean lost = tracks.status("connection", atS).equals("lost");
+        return new RobotSummary(
+                icon(atS, unconfirmed, lost),
+                robot().make(),
+                List.of(robot().label()),
+                condition(atS),
+                RobotSummary.problem(unconfirmed, lost, "", false).orElse(List.of()),
+                tracks.status("owner", atS),
+                "",
+                bot.isConnected() ? BatteryLevel.of(name -> value(name, atS)) : BatteryLevel.UNKNOWN,
+                OptionalInt.empty(),
+                lost,
+                unconfirmed);
+    }
+
+    private StateIcon icon(double atS, boolean unconfirmed, boolean lost) {
+        if (unconfirmed) {
+            return StateIcon.UNCONFIRMED;
+        }
+        if (bot.isConnected()) {
+            return isMoving(atS) ? StateIcon.MOVING : StateIcon.STATIONARY;
+        }
+        return lost ? StateIcon.LOST : StateIcon.WAITING;
+    }
+
+    private String condition(double atS) {
+        if (!isPresent(atS)) {
+            return TEXTS.get("notInTeam");
+        }
+        return bot.isConnected() ? RobotSummary.motion(isMoving(atS)) : connection(tracks.status("connection", atS));
+    }
+
+    private boolean isMoving(double atS) {
+        return tracks.number("moving", atS).orElse(0.0) > 0;
+    }
+
+    private Value value(String parameter, double atS) {
+        return tracks.parameters().stream()
+                .filter(known -> known.name().equals(parameter))
+                .findFirst()
+                .map(known -> tracks.value(known, atS))
+                .orElseGet(() -> new Value.Unknown(""));
+    }
+
     /** One line about the robot. */
     String status(double atS) {
         if (!isPresent(atS)) {
@@ -143,7 +195,7 @@ final class ReplayRobot implements AutoCloseable {
         List<String> conditions = new ArrayList<>();
         conditions.add(connection(tracks.status("connection", atS)));
         if (bot.isConnected()) {
-            conditions.add(TEXTS.get(tracks.number("moving", atS).orElse(0.0) > 0 ? "moving" : "stationary"));
+            conditions.add(TEXTS.get(isMoving(atS) ? "moving" : "stationary"));
         }
         String owner = tracks.status("owner", atS);
         if (!owner.isEmpty()) {

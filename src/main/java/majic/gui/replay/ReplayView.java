@@ -1,10 +1,8 @@
 package majic.gui.replay;
 
-import com.formdev.flatlaf.util.UIScale;
 import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Container;
-import java.awt.Dimension;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -16,11 +14,11 @@ import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import javax.swing.JSplitPane;
-import javax.swing.JTabbedPane;
 import majic.bot.Pose;
+import majic.gui.bots.RobotSummary;
+import majic.gui.bots.RobotTab;
+import majic.gui.bots.RobotTabs;
 import majic.gui.kit.EventThread;
-import majic.gui.kit.NumberBadge;
-import majic.gui.kit.PlainTextUi;
 import majic.gui.map.MapScene;
 import majic.gui.map.TeamMap;
 import majic.gui.plot.Plots;
@@ -29,13 +27,11 @@ import majic.panel.map.ZoomableMap;
 import majic.recorder.Recording;
 
 /**
- * Shows one part of a recording: the map of the team, the panels of its robots, the lines of the session, and the time
- * slider. Must be used on the event dispatch thread.
+ * Shows one part of a recording: the map of the team, the tabbed panes of its robots, the lines of the session, and the
+ * time slider. Must be used on the event dispatch thread.
  */
 final class ReplayView extends JPanel implements AutoCloseable {
     private static final long serialVersionUID = 1L;
-    private static final int BADGE_PX = 18;
-
     private final transient ReplayPart part;
     private final transient Recording recording;
     private final transient List<ReplayRobot> robots;
@@ -43,7 +39,8 @@ final class ReplayView extends JPanel implements AutoCloseable {
     private final transient ReplayControls.PartTurner turner;
     private final TeamMap map = new TeamMap();
     private final transient Map<ReplayRobot, JLabel> status = new LinkedHashMap<>();
-    private final JTabbedPane panels = new JTabbedPane(JTabbedPane.TOP, JTabbedPane.SCROLL_TAB_LAYOUT);
+    private final transient Map<ReplayRobot, RobotTab> tabOf = new LinkedHashMap<>();
+    private final RobotTabs tabs = new RobotTabs("replayRobots");
     private final JSplitPane middle = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT);
     private final JSplitPane all = new JSplitPane(JSplitPane.VERTICAL_SPLIT);
     private final ReplayBand band;
@@ -73,11 +70,8 @@ final class ReplayView extends JPanel implements AutoCloseable {
     }
 
     private void place() {
-        panels.setName("replayRobots");
-        panels.setPreferredSize(UIScale.scale(new Dimension(540, 400)));
-        panels.setMinimumSize(UIScale.scale(new Dimension(360, 200)));
         middle.setLeftComponent(map);
-        middle.setRightComponent(panels);
+        middle.setRightComponent(tabs);
         middle.setResizeWeight(0.55);
         all.setTopComponent(middle);
         all.setBottomComponent(new JScrollPane(lines));
@@ -92,13 +86,13 @@ final class ReplayView extends JPanel implements AutoCloseable {
         words.setName("replayStatus" + robot.robot().number());
         words.setBorder(BorderFactory.createEmptyBorder(6, 8, 0, 8));
         status.put(robot, words);
-        JPanel tab = new PlottedPanel(new BorderLayout(), plots, robot.robot().number(), robot.tracks()::parameters);
-        tab.add(words, BorderLayout.NORTH);
-        tab.add(robot.display().component(), BorderLayout.CENTER);
-        panels.addTab(
-                PlainTextUi.title(robot.robot().label()),
-                new NumberBadge(robot.robot().number(), BADGE_PX),
-                tab);
+        int number = robot.robot().number();
+        JPanel pane = new PlottedPanel(new BorderLayout(), plots, number, robot.tracks()::parameters);
+        pane.add(words, BorderLayout.NORTH);
+        pane.add(robot.display().component(), BorderLayout.CENTER);
+        RobotTab tab = new RobotTab(number, plots, robot.tracks()::parameters);
+        tabOf.put(robot, tab);
+        tabs.insert(tab, pane);
     }
 
     /** Shows the time at which the first robot was added, and starts the thread of the player. */
@@ -119,17 +113,17 @@ final class ReplayView extends JPanel implements AutoCloseable {
     }
 
     private OptionalInt shownRobot() {
-        int tab = panels.getSelectedIndex();
+        int tab = tabs.getSelectedIndex();
         return tab < 0
                 ? OptionalInt.empty()
-                : OptionalInt.of(robots.get(tab).robot().number());
+                : OptionalInt.of(tabs.tabs().get(tab).number());
     }
 
     private void showRobot(int number) {
         IntStream.range(0, robots.size())
-                .filter(tab -> robots.get(tab).robot().number() == number)
+                .filter(tab -> tabs.tabs().get(tab).number() == number)
                 .reduce((earlier, later) -> later)
-                .ifPresent(panels::setSelectedIndex);
+                .ifPresent(tabs::setSelectedIndex);
     }
 
     /** Returns the position, seconds of the recording; on any thread. */
@@ -185,7 +179,7 @@ final class ReplayView extends JPanel implements AutoCloseable {
         @Override
         public void jump(double toS) {
             robots.forEach(robot -> robot.jump(toS));
-            EventThread.later(() -> clearMaps(panels));
+            EventThread.later(() -> clearMaps(tabs));
         }
 
         @Override
@@ -198,11 +192,14 @@ final class ReplayView extends JPanel implements AutoCloseable {
             MapScene scene = scene(positionS);
             List<String> words =
                     robots.stream().map(robot -> robot.status(positionS)).toList();
+            List<RobotSummary> now =
+                    robots.stream().map(robot -> robot.summary(positionS)).toList();
             EventThread.later(() -> {
                 map.show(scene);
                 int index = 0;
-                for (JLabel label : status.values()) {
-                    label.setText(words.get(index++));
+                for (ReplayRobot robot : robots) {
+                    status.get(robot).setText(words.get(index));
+                    tabOf.get(robot).show(now.get(index++));
                 }
                 lines.follow(positionS);
                 controls.show(positionS, playing);

@@ -27,8 +27,8 @@ public final class Tour extends MajicDialog {
     private static final Texts TEXTS = Texts.of(Tour.class);
     private static final int LOOK_MS = 200;
 
-    /** The share of the window's width to the left of the panel, which has the pad. */
-    private static final double MAP_SHARE = 0.57;
+    /** The share of the width of the window to the left of the tabs. */
+    private static final double MAP_SHARE = 0.36;
 
     private static final int COMMAND_LINE_PX = 90;
 
@@ -112,7 +112,10 @@ public final class Tour extends MajicDialog {
         skip.setEnabled(!done);
     }
 
-    /** Places the tour beside the window where the screen has room, otherwise where it hides neither cards nor pad. */
+    /**
+     * Places the tour beside the window where the screen has room, otherwise over the map, where it hides neither tabs
+     * nor pad.
+     */
     private void placeBeside(Window owner) {
         GraphicsConfiguration screen = owner.getGraphicsConfiguration();
         if (screen == null) {

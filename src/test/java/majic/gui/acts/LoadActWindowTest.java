@@ -129,7 +129,7 @@ class LoadActWindowTest {
     void anActIsLoadedOntoEachOfTheSelectedRobotsAndTheKeyEndsAllOfThem() {
         ToyBot one = window.add("one");
         ToyBot two = window.add("two");
-        window.clickWithCtrl("card2");
+        window.clickWithCtrl("tab2");
         load("Ahead");
         window.await("both motions", () -> one.told.contains("move 100") && two.told.contains("move 100"));
         awaitRunning(1, "Ahead");

@@ -104,7 +104,7 @@ class RolesWindowTest {
         window.parser.parseText("2 act Relay with 1");
         window.await("it to run", () -> window.team.member(1).owner() != null);
         window.add("three");
-        window.click("card3");
+        window.click("tab3");
         choose("Relay");
         assertThat(window.text("why robot2")).contains("Robot 1 is running Relay.", "Robot 2 is running Relay.");
         assertThat(window.isEnabled("loadChosen")).isFalse();

@@ -22,13 +22,13 @@ class BatteryLevelTest {
 
     @Test
     void theChargeIsShownInPercent() {
-        assertThat(CardReadings.of(reporting("battery", 80.4, Unit.PERCENT)).battery())
+        assertThat(SummaryReadings.of(reporting("battery", 80.4, Unit.PERCENT)).battery())
                 .isEqualTo(new BatteryLevel("battery", OptionalInt.of(80), "80 %"));
     }
 
     @Test
     void theVoltageIsShownAndPlottedIfTheChargeIsNotReported() {
-        assertThat(CardReadings.of(reporting("voltage", 12.34, Unit.V)).battery())
+        assertThat(SummaryReadings.of(reporting("voltage", 12.34, Unit.V)).battery())
                 .isEqualTo(new BatteryLevel("voltage", OptionalInt.empty(), "12.3 V"));
     }
 }

@@ -9,6 +9,7 @@ import java.awt.event.HierarchyEvent;
 import java.awt.event.KeyEvent;
 import java.awt.event.WindowEvent;
 import java.util.concurrent.atomic.AtomicInteger;
+import javax.swing.JTabbedPane;
 import javax.swing.SwingUtilities;
 import majic.gui.Contrast;
 import majic.gui.TestWindow;
@@ -36,7 +37,7 @@ class PanelWindowTest {
     @Test
     void thePanelIsInItsOwnWindowAndTheMainWindowStatesIt() {
         assertThat(windowOfPanel().getName()).isEqualTo("robotWindow1");
-        assertThat(window.text("panelNotice")).isEqualTo("In a window of its own: 1");
+        assertThat(window.text("elsewhere1")).isEqualTo("In a window of its own");
     }
 
     @Test
@@ -60,7 +61,8 @@ class PanelWindowTest {
         window.await("the window to go", () -> !window.isShowing("robotWindow1"));
 
         assertThat(moves).hasValue(0);
-        assertThat(other.getParent().getComponents()).containsExactly(window.find("bot1", Component.class), other);
+        assertThat(window.find("mainPane", JTabbedPane.class).indexOfComponent(other))
+                .isEqualTo(1);
     }
 
     @Test
@@ -95,7 +97,7 @@ class PanelWindowTest {
 
     @Test
     void thePadOfTheWindowDrivesItsRobotWhateverIsSelected() {
-        window.click("card2");
+        window.click("tab2");
         window.focus("drivePad-window1");
         window.hold(KeyEvent.VK_UP);
         window.await("the drive", () -> one.told.contains("drive 200 0"));
@@ -106,8 +108,8 @@ class PanelWindowTest {
     }
 
     @Test
-    void theMenuOfACardOpensTheWindowToo() {
-        window.menuOf("card2");
+    void theMenuOfATabOpensTheWindowToo() {
+        window.menuOf("tab2");
         window.click("openWindow");
         window.await("the window", () -> window.isShowing("robotWindow2"));
     }

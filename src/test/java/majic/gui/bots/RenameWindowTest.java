@@ -37,28 +37,28 @@ class RenameWindowTest {
 
     @Test
     void f2OnACardRenamesItsRobotInAllPlaces() {
-        window.focus("card1");
+        window.focus("tab1");
         window.press(KeyEvent.VK_F2);
         enter("Rex");
         awaitClosed();
         window.awaitMessage("1 name Rex: done");
-        window.await("the card", () -> window.text("cardName1").equals("Rex (Toy)"));
+        window.await("the tab", () -> window.text("tabName1").equals("Rex (Toy)"));
         window.await("the title", () -> window.text("title1").startsWith("Rex ("));
-        window.click("card2");
+        window.click("tab2");
         window.command("rex turn 10");
         window.awaitMessage("1 turn 10: done");
     }
 
     @Test
-    void aCardShowsALongNameAndAProblemThoughTheBatteryIsFull() {
+    void aTabShowsALongNameAndAProblemThoughTheBatteryIsFull() {
         window.run(() -> window.frame.setSize(1280, 800));
         window.add("charged");
         window.team.rename(window.team.member(3), "PioneerAtDesk2");
-        window.await("the name", () -> window.text("cardName3").equals("PioneerAtDesk2 (Toy)"));
-        window.await("the charge", () -> window.isShowing("cardBattery3"));
-        window.await("the problem", () -> window.text("cardLine3").startsWith("no report for"));
+        window.await("the name", () -> window.text("tabName3").equals("PioneerAtDesk2 (Toy)"));
+        window.await("the charge", () -> window.isShowing("tabBattery3"));
+        window.await("the problem", () -> window.text("tabLine3").startsWith("no report for"));
 
-        window.await("the whole name and problem", () -> isWhole("cardName3") && isWhole("cardLine3"));
+        window.await("the whole name and problem", () -> isWhole("tabName3") && isWhole("tabLine3"));
     }
 
     private boolean isWhole(String label) {
@@ -69,7 +69,7 @@ class RenameWindowTest {
     @Test
     void theMenuOfACardOpensTheDialogAndAnEmptyNameRemovesTheName() {
         window.team.rename(window.team.member(2), "Max");
-        window.menuOf("card2");
+        window.menuOf("tab2");
         window.click("rename");
         window.await(
                 "the focus", () -> window.find("robotName", JTextField.class).isFocusOwner());
@@ -83,7 +83,7 @@ class RenameWindowTest {
     @Test
     void aRefusedNameKeepsTheDialogOpenAndStopsNothing() {
         window.team.rename(window.team.member(2), "Max");
-        window.focus("card1");
+        window.focus("tab1");
         window.press(KeyEvent.VK_F2);
         enter("stop");
         window.await("the reason", () -> window.text("renameAdvice").startsWith("stop: a word of MAJIC Script"));
@@ -97,7 +97,7 @@ class RenameWindowTest {
 
     @Test
     void theWindowOfARobotHasItsName() {
-        window.menuOf("card1");
+        window.menuOf("tab1");
         window.click("openWindow");
         Frame own = window.awaitShowing("robotWindow1", Frame.class);
         window.team.rename(window.team.member(1), "Rex");
@@ -117,7 +117,7 @@ class RenameWindowTest {
 
     @Test
     void thePartsOfTheDialogHaveNamesAndReadableTexts() {
-        window.focus("card1");
+        window.focus("tab1");
         window.press(KeyEvent.VK_F2);
         Container dialog = window.awaitShowing("rename", Container.class);
         window.run(() -> {

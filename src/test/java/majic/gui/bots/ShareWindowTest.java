@@ -88,7 +88,7 @@ class ShareWindowTest {
     void cardAndStatusLineShowTheRemoteHolder() {
         window.add("a").holdBy("Carl at desk3");
 
-        window.await("the card", () -> window.text("cardActivity1").equals("held by Carl at desk3"));
+        window.await("the tab", () -> window.text("tabActivity1").equals("held by Carl at desk3"));
         window.await("the status line", () -> window.text("condition1").endsWith(", held by Carl at desk3"));
     }
 }

@@ -197,7 +197,7 @@ class PlotWindowTest {
         window.add("one");
         window.add("two");
         plotPose();
-        assertThat(drop(((PlotHost) window.find("card2", JPanel.class)).dragged(List.of("x"))))
+        assertThat(drop(((PlotHost) window.find("tab2", JPanel.class)).dragged(List.of("x"))))
                 .isTrue();
         assertThat(curves()).containsExactly("1 x (mm)", "1 y (mm)", "1 heading (°)", "2 x (mm)");
     }

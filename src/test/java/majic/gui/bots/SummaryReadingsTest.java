@@ -10,14 +10,14 @@ import majic.bot.Parameter;
 import majic.bot.Value;
 import org.junit.jupiter.api.Test;
 
-class CardReadingsTest {
+class SummaryReadingsTest {
     @Test
     void theStopButtonOnTheRobotIsRead() {
         MajicBot bot = mock();
         when(bot.parameters()).thenReturn(List.of(Parameter.yesNo("stopButton", "whether it is pressed")));
         when(bot.get("stopButton")).thenReturn(Value.yesNo(true));
 
-        assertThat(CardReadings.of(bot).stopPressed()).isTrue();
+        assertThat(SummaryReadings.of(bot).stopPressed()).isTrue();
     }
 
     @Test
@@ -25,14 +25,15 @@ class CardReadingsTest {
         MajicBot bot = mock();
         when(bot.parameters()).thenReturn(List.of());
 
-        assertThat(CardReadings.of(bot)).isEqualTo(CardReadings.NONE);
+        assertThat(SummaryReadings.of(bot)).isEqualTo(SummaryReadings.NONE);
     }
 
     @Test
     void aPressedButtonIsAProblemAsLongAsThereIsNoGraverOne() {
-        assertThat(RobotSummary.problem(false, false, "", true)).contains("STOP pressed");
-        assertThat(RobotSummary.problem(true, false, "", true)).contains("stop not confirmed");
-        assertThat(RobotSummary.problem(false, true, "", true)).contains("connection lost");
+        assertThat(RobotSummary.problem(false, false, "", true)).contains(List.of("STOP pressed", "pressed", "!"));
+        assertThat(RobotSummary.problem(true, false, "", true))
+                .contains(List.of("stop not confirmed", "unconfirmed", ""));
+        assertThat(RobotSummary.problem(false, true, "", true)).contains(List.of("connection lost", "lost", ""));
         assertThat(RobotSummary.problem(false, false, "", false)).isEmpty();
     }
 }

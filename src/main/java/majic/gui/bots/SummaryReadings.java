@@ -5,20 +5,20 @@ import majic.bot.MajicBot;
 import majic.bot.Value;
 
 /**
- * What a card shows of the parameters of its robot. Immutable.
+ * What a tab shows of the parameters of its robot. Immutable.
  *
  * @param battery the charge
  * @param stopPressed whether the STOP button on the robot is pressed; false for a robot without one
  */
-record CardReadings(BatteryLevel battery, boolean stopPressed) {
-    static final CardReadings NONE = new CardReadings(BatteryLevel.UNKNOWN, false);
+record SummaryReadings(BatteryLevel battery, boolean stopPressed) {
+    static final SummaryReadings NONE = new SummaryReadings(BatteryLevel.UNKNOWN, false);
 
     private static final String STOP_BUTTON = "stopButton";
 
     /** Reads the parameters; may wait for the robot. */
-    static CardReadings of(MajicBot bot) {
+    static SummaryReadings of(MajicBot bot) {
         boolean pressed = read(bot, STOP_BUTTON) instanceof Value.Flag button && button.yes();
-        return new CardReadings(BatteryLevel.of(parameter -> read(bot, parameter)), pressed);
+        return new SummaryReadings(BatteryLevel.of(parameter -> read(bot, parameter)), pressed);
     }
 
     /** Reads a parameter; a robot that does not have it gives an unknown value. */

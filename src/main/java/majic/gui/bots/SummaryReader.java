@@ -13,23 +13,23 @@ import majic.text.LateLogger;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads what the cards show of the robots' parameters, on a thread of its own, because a robot may have to be waited
+ * Reads what the tabs show of the robots' parameters, on a thread of its own, because a robot may have to be waited
  * for.
  */
-final class CardReader implements AutoCloseable {
-    private static final Logger LOG = LateLogger.of(CardReader.class);
+final class SummaryReader implements AutoCloseable {
+    private static final Logger LOG = LateLogger.of(SummaryReader.class);
     private static final int PERIOD_S = 1;
 
     private final Team team;
-    private final Map<Member, CardReadings> readings = new ConcurrentHashMap<>();
+    private final Map<Member, SummaryReadings> readings = new ConcurrentHashMap<>();
     private @Nullable ScheduledExecutorService clock;
 
-    CardReader(Team team) {
+    SummaryReader(Team team) {
         this.team = team;
     }
 
     private static Thread thread(Runnable body) {
-        Thread thread = new Thread(body, "card readings");
+        Thread thread = new Thread(body, "robot readings");
         thread.setDaemon(true);
         return thread;
     }
@@ -37,13 +37,13 @@ final class CardReader implements AutoCloseable {
     /** Begins to read; can be started again after {@link #close()}. */
     void start() {
         close();
-        clock = Executors.newSingleThreadScheduledExecutor(CardReader::thread);
+        clock = Executors.newSingleThreadScheduledExecutor(SummaryReader::thread);
         clock.scheduleWithFixedDelay(this::readAll, 1, PERIOD_S, TimeUnit.SECONDS);
     }
 
     /** Returns what was read last. */
-    CardReadings readings(Member member) {
-        return readings.getOrDefault(member, CardReadings.NONE);
+    SummaryReadings readings(Member member) {
+        return readings.getOrDefault(member, SummaryReadings.NONE);
     }
 
     private void readAll() {
@@ -53,7 +53,7 @@ final class CardReader implements AutoCloseable {
 
     private void read(Member member) {
         try {
-            readings.put(member, CardReadings.of(member.bot()));
+            readings.put(member, SummaryReadings.of(member.bot()));
         } catch (RuntimeException | Error e) {
             LOG.log(Level.DEBUG, "the parameters of robot " + member.number() + " could not be read", e);
         }
