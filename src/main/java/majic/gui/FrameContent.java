@@ -28,13 +28,12 @@ final class FrameContent extends JPanel {
         this.teamPane = teamPane;
         StopPanel stop = new StopPanel(team, stopAll);
         team.addListener(new EventThreadTeamListener(stop));
-        StopAlarm alarm = new StopAlarm(team);
+        StopAlarm alarm = new StopAlarm(team, commands.messages());
         team.addListener(new EventThreadTeamListener(alarm));
         all = new JSplitPane(JSplitPane.VERTICAL_SPLIT, teamPane, commands);
         all.setResizeWeight(0.75);
         JPanel belowButtons = new JPanel(new BorderLayout(0, 6));
         belowButtons.setBorder(BorderFactory.createEmptyBorder(0, 8, 8, 8));
-        belowButtons.add(alarm, BorderLayout.NORTH);
         belowButtons.add(all, BorderLayout.CENTER);
         add(new FrameToolbar(buttons, stop), BorderLayout.NORTH);
         add(belowButtons, BorderLayout.CENTER);

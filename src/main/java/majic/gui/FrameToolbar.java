@@ -13,7 +13,8 @@ import majic.gui.kit.IconAction;
 
 /**
  * Places the row of buttons at the top, with STOP at its end. STOP is never clipped, however narrow the window is.
- * Where there is too little room for all texts, the buttons show their icons alone.
+ * Where there is too little room for all texts beside Release, the buttons show their icons alone, whether STOP is
+ * latched or not, so that no button moves when it is.
  */
 final class FrameToolbar extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -49,7 +50,7 @@ final class FrameToolbar extends JPanel {
         if (!buttons.get(0).getHideActionText()) {
             wordsWidth = row.getPreferredSize().width;
         }
-        boolean fits = wordsWidth <= getWidth() - 3 * GAP - stop.getPreferredSize().width;
+        boolean fits = wordsWidth <= getWidth() - 3 * GAP - stop.widestWidth();
         buttons.forEach(button -> button.setHideActionText(!fits));
         super.doLayout();
     }

@@ -2,8 +2,11 @@ package majic.gui;
 
 import java.awt.BorderLayout;
 import java.awt.Color;
+import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.GridBagLayout;
+import java.awt.event.ComponentAdapter;
+import java.awt.event.ComponentEvent;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,11 +14,12 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
-import javax.swing.Box;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.gui.kit.NamedLabel;
+import javax.swing.JScrollPane;
+import majic.gui.kit.Paragraph;
+import majic.gui.kit.ScrolledPanel;
 import majic.gui.kit.StyledLabel;
 import majic.team.StopStatus;
 import majic.team.Team;
@@ -24,48 +28,79 @@ import majic.text.NumberList;
 import majic.text.Texts;
 
 /**
- * The strip below the buttons that names the robots whose stop was not confirmed, with the reasons and with what to do,
- * and why STOP has not reached other desks. Hidden while there is neither.
+ * The strip above the messages that names the robots whose stop was not confirmed, each with its reason, and what to
+ * do, and why STOP has not reached other desks. Hidden while there is neither. It takes its room from the messages alone, so that nothing that can be clicked moves
+ * when it appears or goes.
  */
 final class StopAlarm extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(StopAlarm.class);
     private static final Color RED = new Color(0xB3261E);
-
-    /** How many reasons are shown; the reasons of further robots are on their cards. */
-    private static final int MOST_REASONS = 4;
+    private static final int GAP = 12;
 
     private final transient Team team;
-    private final JLabel title = white(new StyledLabel("stopAlarm", "", Font.BOLD, 2));
-    private final JLabel reasons = white(new NamedLabel("stopReasons", ""));
-    private final JLabel remedy = white(new NamedLabel("stopRemedy", TEXTS.get("remedy")));
+    private final JScrollPane messages;
+    private final JLabel title = new StyledLabel("stopAlarm", "", Font.BOLD, 2);
+    private final Paragraph reasons = new Paragraph("stopReasons", 0, 0);
+    private final Paragraph remedy = new Paragraph("stopRemedy", 0, 0);
     private final JButton again = new JButton(TEXTS.get("stopAgain"));
 
-    StopAlarm(Team team) {
-        super(new BorderLayout(8, 0));
+    /**
+     * Places the strip.
+     *
+     * @param messages the area of the messages, above which it is shown
+     */
+    StopAlarm(Team team, JScrollPane messages) {
+        super(new BorderLayout(GAP, 0));
         this.team = team;
+        this.messages = messages;
         setBackground(RED);
-        setBorder(BorderFactory.createEmptyBorder(6, 12, 6, 12));
+        setBorder(BorderFactory.createEmptyBorder(4, GAP, 4, GAP));
         again.setName("stopAgain");
         again.setRequestFocusEnabled(false);
         again.setToolTipText(TEXTS.get("stopAgain.tip"));
         again.addActionListener(event -> stopAgain());
-        remedy.setToolTipText(remedy.getText());
-        Box texts = Box.createVerticalBox();
-        texts.add(title);
-        texts.add(reasons);
-        texts.add(remedy);
+        remedy.setText(TEXTS.get("remedy"));
+        JPanel wrapped = new ScrolledPanel(new BorderLayout());
+        wrapped.setOpaque(false);
+        wrapped.add(reasons, BorderLayout.NORTH);
+        wrapped.add(remedy, BorderLayout.CENTER);
+        JScrollPane rest = new JScrollPane(
+                wrapped, JScrollPane.VERTICAL_SCROLLBAR_AS_NEEDED, JScrollPane.HORIZONTAL_SCROLLBAR_NEVER);
+        rest.setBorder(BorderFactory.createEmptyBorder());
+        rest.setOpaque(false);
+        rest.getViewport().setOpaque(false);
+        JPanel texts = new JPanel(new BorderLayout());
+        texts.setOpaque(false);
+        texts.add(title, BorderLayout.NORTH);
+        texts.add(rest, BorderLayout.CENTER);
         JPanel button = new JPanel(new GridBagLayout());
         button.setOpaque(false);
         button.add(again);
         add(texts, BorderLayout.CENTER);
         add(button, BorderLayout.EAST);
+        messages.setColumnHeaderView(this);
+        messages.addComponentListener(new ComponentAdapter() {
+            @Override
+            public void componentResized(ComponentEvent event) {
+                wrap();
+            }
+        });
+        whiten();
         showRobots();
     }
 
-    private static JLabel white(JLabel label) {
-        label.setForeground(Color.WHITE);
-        return label;
+    /** Keeps the texts readable in any look and feel. */
+    @Override
+    public void updateUI() {
+        super.updateUI();
+        if (again != null) {
+            whiten();
+        }
+    }
+
+    private void whiten() {
+        Stream.of(title, reasons, remedy).forEach(text -> text.setForeground(Color.WHITE));
     }
 
     @Override
@@ -85,11 +120,24 @@ final class StopAlarm extends JPanel implements TeamListener {
                         ? TEXTS.get("notElsewhere")
                         : TEXTS.get(
                                 "unconfirmed", unconfirmed.size(), NumberList.of(List.copyOf(unconfirmed.keySet()))));
-        String why = Stream.of(reasons(unconfirmed), elsewhere)
+        reasons.setText(Stream.of(reasons(unconfirmed), elsewhere)
                 .filter(text -> !text.isEmpty())
-                .collect(Collectors.joining("   "));
-        reasons.setText(why);
-        reasons.setToolTipText(why);
+                .collect(Collectors.joining("   ")));
+        wrap();
+    }
+
+    /** Gives the texts the height that they have at the present width. */
+    private void wrap() {
+        int width = messages.getWidth() - again.getPreferredSize().width - 5 * GAP;
+        Stream.of(reasons, remedy).forEach(text -> text.setSize(Math.max(width, 1), Short.MAX_VALUE));
+        revalidate();
+    }
+
+    /** No higher than the area of the messages; the reasons scroll then. */
+    @Override
+    public Dimension getPreferredSize() {
+        int height = Math.min(super.getPreferredSize().height, messages.getHeight());
+        return new Dimension(0, isVisible() ? height : 0);
     }
 
     private void stopAgain() {
@@ -108,10 +156,6 @@ final class StopAlarm extends JPanel implements TeamListener {
                 robots.computeIfAbsent(reason, key -> new ArrayList<>()).add(robot));
         List<String> texts = new ArrayList<>();
         robots.forEach((reason, which) -> texts.add(NumberList.of(which) + ": " + reason));
-        if (texts.size() <= MOST_REASONS) {
-            return String.join("   ", texts);
-        }
-        int others = texts.size() - MOST_REASONS + 1;
-        return TEXTS.get("reasons.more", String.join("   ", texts.subList(0, MOST_REASONS - 1)), others);
+        return String.join("   ", texts);
     }
 }

@@ -28,6 +28,7 @@ final class StopPanel extends JPanel implements TeamListener {
     private static final Texts TEXTS = Texts.of(StopPanel.class);
     private static final Color RED = new Color(0xC62828);
     private static final int STOP_WIDTH = 170;
+    private static final int HGAP = 6;
     private static final String FOCUSED = "focusedWindow";
     private static final Color DARK_RED = new Color(0x7F1D1D);
 
@@ -51,7 +52,7 @@ final class StopPanel extends JPanel implements TeamListener {
      * @param stopAll stops all robots
      */
     StopPanel(Team team, Runnable stopAll) {
-        super(new BorderLayout(6, 0));
+        super(new BorderLayout(HGAP, 0));
         stop.setName("stop");
         stop.setFocusable(false);
         ClearOfStop.mark(stop);
@@ -72,6 +73,12 @@ final class StopPanel extends JPanel implements TeamListener {
         add(stop, BorderLayout.EAST);
         this.team = team;
         showLatch();
+    }
+
+    /** Returns the preferred width with the button that permits motion again, in pixels. */
+    int widestWidth() {
+        int beside = release.isVisible() ? 0 : release.getPreferredSize().width + HGAP;
+        return getPreferredSize().width + beside;
     }
 
     /** Begins to show whether the keys reach this program. */

@@ -3,6 +3,7 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.Dimension;
 import java.awt.Rectangle;
 import javax.swing.JButton;
 import javax.swing.SwingUtilities;
@@ -27,7 +28,10 @@ class NarrowWindowTest {
     }
 
     @Test
-    void everyButtonHasItsTextAndStopIsFullyVisible() {
+    void everyButtonHasItsTextIfThereIsRoomBesideReleaseAndStopIsFullyVisible() {
+        assertThat(isWhole("stop")).isTrue();
+        window.run(() -> window.frame.setSize(860, 540));
+        window.await("words", () -> button("Save Session").getText() != null);
         assertThat(window.text("Save Session")).isEqualTo("Save Session");
         assertThat(button("Save Session").getWidth())
                 .isGreaterThanOrEqualTo(button("Save Session").getPreferredSize().width);
@@ -35,15 +39,21 @@ class NarrowWindowTest {
     }
 
     @Test
-    void releaseIsWorthMoreThanTheWordsOnButtons() {
+    void stopMovesNoButtonHoweverNarrowTheWindowIs() {
         window.add("one");
-        window.click("stop");
-        window.await("pictures alone", () -> button("Save Session").getText() == null);
-        assertThat(isWhole("stop")).isTrue();
-        assertThat(isWhole("release")).isTrue();
-
-        window.click("release");
-        window.await("words", () -> "Save Session".equals(button("Save Session").getText()));
+        for (int width = 700; width <= 1000; width += 20) {
+            int wanted = width;
+            window.run(() -> window.frame.setSize(wanted, 540));
+            window.run(window.frame::validate);
+            Rectangle before = button("Kill Majic").getBounds();
+            window.push("stop");
+            window.await("release", () -> window.isShowing("release"));
+            window.run(window.frame::validate);
+            assertThat(button("Kill Majic").getBounds()).as(width + " px").isEqualTo(before);
+            assertThat(isWhole("stop") && isWhole("release")).as(width + " px").isTrue();
+            window.push("release");
+            window.await("the button to go", () -> !window.isShowing("release"));
+        }
     }
 
     @Test
@@ -56,6 +66,31 @@ class NarrowWindowTest {
 
         window.run(() -> window.frame.setSize(1280, 800));
         window.await("the map", map::isVisible);
+    }
+
+    @Test
+    void theLeastSizeOfTheWindowIsNeverLargerThanTheScreen() {
+        assertThat(MajicFrame.leastSize(new Rectangle(640, 400))).isEqualTo(new Dimension(640, 400));
+        assertThat(MajicFrame.leastSize(new Rectangle(1920, 1080))).isEqualTo(new Dimension(700, 520));
+    }
+
+    @Test
+    void onTheSmallestScreenStopAndReleaseAreWholeAndTheTabsOfTwentyRobotsAreReached() {
+        window.addAll(20);
+        window.run(() -> {
+            window.frame.setMinimumSize(null);
+            window.frame.setSize(640, 400);
+        });
+        window.await("a small window", () -> window.frame.getRootPane().getWidth() <= 640);
+        window.click("stop");
+        window.await("release", () -> window.isShowing("release"));
+        window.run(window.frame::validate);
+        assertThat(isWhole("stop") && isWhole("release")).isTrue();
+        Rectangle pane = new Rectangle(window.find("mainPane", Component.class).getSize());
+        assertThat(window.tabPlaces().stream().allMatch(pane::contains) || window.isShowing("tabScroll"))
+                .isTrue();
+        assertThat(window.isShowing("tabStop20")).isTrue();
+        assertThat(window.isShowing("commandLine")).isTrue();
     }
 
     private JButton button(String name) {
@@ -73,6 +108,8 @@ class NarrowWindowTest {
     @ParameterizedTest
     @ValueSource(strings = {"Add Bot", "Kill Bot", "Load Act", "Save Session", "Save Log"})
     void theEntryOfAnActionThatAsksFirstEndsWithAnEllipsisAndItsButtonDoesNot(String name) {
+        window.run(() -> window.frame.setSize(900, 540));
+        window.await("words", () -> button(name).getText() != null);
         assertThat(window.entry(name + "…").getText()).isEqualTo(name + "…");
         assertThat(window.text(name)).isEqualTo(name);
     }

@@ -3,14 +3,23 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.mockito.Mockito.mock;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.Dialog;
 import java.awt.Frame;
+import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CountDownLatch;
+import java.util.stream.Stream;
+import javax.swing.AbstractButton;
 import javax.swing.JButton;
+import javax.swing.JTextField;
 import javax.swing.MenuSelectionManager;
+import majic.gui.bots.RobotTab;
+import majic.gui.map.TeamMap;
 import majic.team.StopOrigin;
 import majic.team.TeamListener;
 import org.junit.jupiter.api.AutoClose;
@@ -157,12 +166,63 @@ class StopWindowTest {
     }
 
     @Test
+    void nothingThatCanBeClickedMovesWhenTheAlarmAppearsOrGoes() {
+        window.run(() -> window.frame.setSize(900, 600));
+        window.add("one");
+        ToyBot two = window.add("two");
+        two.confirmStops(false);
+        Map<Component, Rectangle> before = places();
+        window.team.stop(window.team.members(), null);
+        window.await("the alarm", () -> window.isShowing("stopAlarm"));
+        window.run(window.frame::validate);
+        assertThat(places()).containsAllEntriesOf(before);
+        two.confirmStops(true);
+        window.team.stop(window.team.members(), null);
+        window.await("the alarm to go", () -> !window.isShowing("stopAlarm"));
+        window.run(window.frame::validate);
+        assertThat(places()).isEqualTo(before);
+    }
+
+    /** Returns where everything is on the screen that can be clicked. */
+    private Map<Component, Rectangle> places() {
+        Map<Component, Rectangle> places = new HashMap<>();
+        window.run(() -> addPlaces(window.frame, places));
+        return places;
+    }
+
+    private static void addPlaces(Component part, Map<Component, Rectangle> places) {
+        boolean clickable = part instanceof AbstractButton
+                || part instanceof JTextField
+                || part instanceof TeamMap
+                || part instanceof RobotTab;
+        if (clickable && part.isShowing()) {
+            places.put(part, new Rectangle(part.getLocationOnScreen(), part.getSize()));
+        }
+        if (part instanceof Container container) {
+            Stream.of(container.getComponents()).forEach(child -> addPlaces(child, places));
+        }
+    }
+
+    @Test
+    void theAlarmNamesEveryRobotWithItsReasonInAsManyLinesAsNeeded() {
+        window.run(() -> window.frame.setSize(700, 540));
+        window.addAll(6);
+        for (ToyBot toy : window.type.made) {
+            toy.confirmStops(false);
+        }
+        window.team.stop(window.team.members(), null);
+        window.await("the alarm", () -> window.text("stopReasons").startsWith("1–6: takes no more data"));
+        Component reasons = window.find("stopReasons", Component.class);
+        window.await("the whole text", () -> reasons.getHeight() >= reasons.getPreferredSize().height);
+    }
+
+    @Test
     void robotsWithTheSameReasonAreNamedTogether() {
         Map<Integer, String> unconfirmed =
                 new TreeMap<>(Map.of(2, "silent", 3, "stuck", 7, "silent", 9, "lost", 11, "x"));
         assertThat(StopAlarm.reasons(unconfirmed)).isEqualTo("2, 7: silent   3: stuck   9: lost   11: x");
         unconfirmed.put(12, "y");
-        assertThat(StopAlarm.reasons(unconfirmed)).endsWith("9: lost   and 2 other reasons, on the cards");
+        assertThat(StopAlarm.reasons(unconfirmed)).endsWith("9: lost   11: x   12: y");
     }
 
     @Test
