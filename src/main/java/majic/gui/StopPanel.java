@@ -21,6 +21,7 @@ import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
 import majic.text.Texts;
+import majic.time.WaitPolicy;
 
 /** Shows the large red STOP for all robots, and beside it the button that permits motion again. */
 final class StopPanel extends JPanel implements TeamListener {
@@ -68,7 +69,7 @@ final class StopPanel extends JPanel implements TeamListener {
         stop.addActionListener(event -> stopAll.run());
         release.setName("release");
         release.setToolTipText(TEXTS.get("release.tip"));
-        release.addActionListener(event -> EventThread.background("releasing STOP", team::release));
+        release.addActionListener(event -> WaitPolicy.without(team::release));
         add(release, BorderLayout.WEST);
         add(stop, BorderLayout.EAST);
         this.team = team;

@@ -14,6 +14,7 @@ import majic.bot.MajicBot;
 import majic.driver.BotDriver;
 import majic.time.Signal;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -320,8 +321,9 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Allows motion again after STOP. Nothing resumes by itself. If STOP is shared with other programs, it is released
-     * for all of them or not at all; this method waits {@value #CALLBACK_BOUND_MS} ms at most until that is decided.
+     * Allows motion again after STOP. Nothing resumes by itself, and a STOP that follows this call stays in force. If STOP
+     * is shared with other programs, it is released for all of them or not at all; on a thread that may wait, this method
+     * waits {@value #CALLBACK_BOUND_MS} ms at most until that is decided.
      */
     public void release() {
         SharedStop shared = sharedStop;
@@ -334,6 +336,9 @@ public final class Team implements AutoCloseable {
             decided.set(true);
             changes.raise();
         });
+        if (!WaitPolicy.isAllowed()) {
+            return;
+        }
         try {
             changes.await(decided::get, CALLBACK_BOUND_MS / 1000.0);
         } catch (InterruptedException e) {

@@ -121,13 +121,13 @@ class TeamWindowTest {
     @Test
     void anotherAdapterIsConnectedAfterAQuestionOnly() {
         window.command("add toy:one");
-        window.await("the card", () -> window.cards().contains("1"));
+        window.await("the tab", () -> window.tabs().contains("1"));
         ToyBot bot = (ToyBot) window.team.member(1).bot();
         bot.refuseConnections(
                 new ConnectFailed(ConnectFailed.Reason.OTHER_ADAPTER, "ttyUSB0 is another adapter now; add it"));
         bot.loseLink();
-        window.await("the button", () -> window.isShowing("cardReconnect1"));
-        window.click("cardReconnect1");
+        window.await("the button", () -> window.isShowing("tabReconnect1"));
+        window.click("tabReconnect1");
         window.await("the question", () -> window.isShowing("Connect"));
         assertThat(window.team.members()).extracting(Member::bot).containsExactly(bot);
 
