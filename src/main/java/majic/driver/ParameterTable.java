@@ -23,6 +23,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ParameterTable {
     private final Map<String, Entry> entries = Collections.synchronizedMap(new LinkedHashMap<>());
+    private volatile @Nullable LongSupplier usualTime;
     private volatile Map<String, Entry> renewed = Map.of();
     private volatile @Nullable Merged merged;
     private volatile List<Parameter> listed = List.of();
@@ -154,6 +155,16 @@ public final class ParameterTable {
     }
 
     /**
+     * Gives the time of measurement to the entries that are added from now on and give none themselves. For drivers
+     * whose readers leave out old values by a rule of their own, it is the present time.
+     *
+     * @param nanos as for {@link Entry#measured}
+     */
+    public void measured(LongSupplier nanos) {
+        usualTime = nanos;
+    }
+
+    /**
      * Adds a parameter that can be read, or replaces the one of the same name.
      *
      * @param parameter its description
@@ -192,6 +203,7 @@ public final class ParameterTable {
      */
     public void renew(Consumer<ParameterTable> description) {
         ParameterTable fresh = new ParameterTable();
+        fresh.usualTime = usualTime;
         description.accept(fresh);
         synchronized (entries) {
             renewed = Collections.unmodifiableMap(new LinkedHashMap<>(fresh.entries));
@@ -200,6 +212,7 @@ public final class ParameterTable {
     }
 
     private Entry put(Entry entry) {
+        entry.measuredAt = usualTime;
         synchronized (entries) {
             entries.put(key(entry.parameter().name()), entry);
             merged = null;

@@ -50,6 +50,7 @@ public final class MajicRos extends BotDriver {
     private final RosSensing sensing;
     private final RosScenes scenes = new RosScenes(time());
     private final AtomicInteger cameraViews = new AtomicInteger();
+    private volatile boolean hasOdometry;
     private volatile @Nullable RosMotion motions;
     private volatile LastOdometry last = LastOdometry.NONE;
     private volatile boolean mayMove;
@@ -75,6 +76,8 @@ public final class MajicRos extends BotDriver {
         super(new RosType(), RosProfiles.profile(KnownRobots.UNKNOWN, false), environment);
         this.address = RosAddress.parse(address);
         JsonLibrary.require();
+        // Readers of topics leave out old messages, by the pace of each topic.
+        table().measured(time()::nanos);
         this.sensing = new RosSensing(table(), waiting(), () -> profile().bodyMm(), this::state, new SensorEvents());
         describe();
         every("ros subscriptions", RENEWAL_S, this::renew);
@@ -109,8 +112,14 @@ public final class MajicRos extends BotDriver {
         adviseAbout(opening);
     }
 
+    /** A base without odometry reports nothing that could be old: its pose follows from the commands. */
+    @Override
+    protected double longestAgeS() {
+        return hasOdometry ? LONGEST_AGE_S : Double.POSITIVE_INFINITY;
+    }
+
     private void begin(RosSession opening) {
-        boolean hasOdometry = opening.base().odometry() != null;
+        hasOdometry = opening.base().odometry() != null;
         profile(RosProfiles.profile(opening.robot(), !hasOdometry));
         RosMotion next = new RosMotion(
                 owner,

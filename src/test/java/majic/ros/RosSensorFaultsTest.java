@@ -93,6 +93,21 @@ class RosSensorFaultsTest {
     }
 
     @Test
+    void anOdometryThatFallsSilentMakesThePoseUnknownWhileOtherTopicsAreRead() {
+        try (LabRobot robot = connected("1", X_MM)) {
+            robot.besideRos(ros -> ros.silence("/odom", true));
+            pass(robot, 2);
+
+            assertThat(robot.bot().get("x")).isEqualTo(Value.unknown("no recent report"));
+            assertThat(robot.bot().get("distanceFront").number()).isCloseTo(frontMm(robot), within(20.0));
+
+            robot.besideRos(ros -> ros.silence("/odom", false));
+            pass(robot, 1);
+            assertThat(robot.bot().get("x")).isNotInstanceOf(Value.Unknown.class);
+        }
+    }
+
+    @Test
     void aScannerThatFallsSilentMakesDistancesUnknownAndEndsAGuardedMotion() {
         try (LabRobot robot = connected("1", X_MM)) {
             robot.at(1000, 0, 0);
