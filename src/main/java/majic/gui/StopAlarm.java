@@ -29,8 +29,8 @@ import majic.text.Texts;
 
 /**
  * The strip above the messages that names the robots whose stop was not confirmed, each with its reason, and what to
- * do, and why STOP has not reached other desks. Hidden while there is neither. It takes its room from the messages alone, so that nothing that can be clicked moves
- * when it appears or goes.
+ * do, and why STOP has not reached other desks. Hidden while there is neither. It takes its room from the messages
+ * alone, so that nothing that can be clicked moves when it appears or goes.
  */
 final class StopAlarm extends JPanel implements TeamListener {
     private static final long serialVersionUID = 1L;

@@ -321,9 +321,9 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Allows motion again after STOP. Nothing resumes by itself, and a STOP that follows this call stays in force. If STOP
-     * is shared with other programs, it is released for all of them or not at all; on a thread that may wait, this method
-     * waits {@value #CALLBACK_BOUND_MS} ms at most until that is decided.
+     * Allows motion again after STOP. Nothing resumes by itself, and a STOP that follows this call stays in force. If
+     * STOP is shared with other programs, it is released for all of them or not at all; on a thread that may wait, this
+     * method waits {@value #CALLBACK_BOUND_MS} ms at most until that is decided.
      */
     public void release() {
         SharedStop shared = sharedStop;

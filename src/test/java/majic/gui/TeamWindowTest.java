@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
 import java.awt.Container;
-import majic.bot.ConnectFailed;
 import javax.swing.JTabbedPane;
+import majic.bot.ConnectFailed;
 import majic.bot.Pose;
 import majic.gui.map.TeamMap;
 import majic.team.Member;
