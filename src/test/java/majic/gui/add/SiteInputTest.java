@@ -22,6 +22,8 @@ import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.broker.FakeBroker;
 import majic.shared.broker.Quality;
+import majic.shared.message.Presence;
+import majic.shared.message.Sender;
 import majic.team.BotFactory;
 import majic.time.TimeSource;
 import majic.time.WaitLimit;
@@ -99,6 +101,9 @@ class SiteInputTest {
                                 + "\"cruiseTurnDegPerSec\":1,\"nearMm\":1}}",
                         Quality.AT_LEAST_ONCE)
                 .retain();
+        Presence presence = new Presence(Presence.State.ONLINE, new Sender("desk2", "Bert", "s"), "MAJIC", List.of(1));
+        broker.publish(BrokerMessage.json("lab/majic/1/desks/desk2/presence", presence.toJson(), Quality.AT_LEAST_ONCE)
+                .retain());
         broker.publish(description);
         CompletableFuture<Map.Entry<String, String>> offered = new CompletableFuture<>();
         SwingUtilities.invokeAndWait(() -> {

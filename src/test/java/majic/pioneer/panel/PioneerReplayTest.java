@@ -19,6 +19,7 @@ import majic.bot.MajicBot;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.Reading;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.panel.RefreshingPanel;
@@ -86,7 +87,7 @@ class PioneerReplayTest {
         when(bot.isConnected()).thenReturn(true);
         when(bot.connection()).thenReturn(Connection.CONNECTED);
         when(bot.state()).thenReturn(BotState.UNKNOWN);
-        when(bot.get(anyString())).thenReturn(Value.of(0, Unit.MS));
+        when(bot.reading(anyString())).thenReturn(Reading.current(Value.of(0, Unit.MS), 0));
         return bot;
     }
 
