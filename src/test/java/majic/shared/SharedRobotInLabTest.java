@@ -391,8 +391,8 @@ class SharedRobotInLabTest {
         desks.pass(1);
 
         assertThat(anna.bot.isConnected()).isFalse();
-        assertThat(anna.bot.get("holder")).isEqualTo(Value.unknown("not connected"));
-        assertThat(anna.bot.get("delay")).isEqualTo(Value.unknown("not connected"));
+        assertThat(anna.bot.get("holder")).isEqualTo(Value.unknown("connection lost"));
+        assertThat(anna.bot.get("delay")).isEqualTo(Value.unknown("connection lost"));
         assertThat(anna.bot.get("voltage")).isInstanceOf(Value.Unknown.class);
     }
 
