@@ -87,6 +87,7 @@ class PioneerReplayTest {
         when(bot.isConnected()).thenReturn(true);
         when(bot.connection()).thenReturn(Connection.CONNECTED);
         when(bot.state()).thenReturn(BotState.UNKNOWN);
+        when(bot.get(anyString())).thenReturn(Value.of(0, Unit.MS));
         when(bot.reading(anyString())).thenReturn(Reading.current(Value.of(0, Unit.MS), 0));
         return bot;
     }
