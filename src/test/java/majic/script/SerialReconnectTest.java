@@ -9,6 +9,7 @@ import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.link.TestPorts;
 import majic.script.help.Completion;
+import majic.time.WaitLimit;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -79,11 +80,10 @@ class SerialReconnectTest {
         plugInTurn();
 
         fixture.runPipe("add aibo:" + ports.device("ttyUSB1"));
-        fixture.team
-                .changes()
-                .await(() -> fixture.team.stopStatus().unconfirmed().isEmpty(), 10);
 
-        assertThat(fixture.team.stopStatus().problem(1)).isEmpty();
+        WaitLimit.until(
+                "the end of the alarm",
+                () -> fixture.team.stopStatus().problem(1).isEmpty());
     }
 
     @Test
