@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import majic.Majic;
 import majic.bot.Pose;
@@ -78,12 +79,16 @@ class ShutdownTest {
     @ParameterizedTest
     @MethodSource("robotsAndEnds")
     void theRobotIsStoppedHoweverTheProgramEnds(Robot robot, End end) throws Exception {
-        boolean ended = false;
-        for (int attempt = 0; !ended && attempt < ATTEMPTS; attempt++) {
-            ended = isStoppedWhenTheProgramEnds(robot, end);
+        repeatUntilConnected(() -> isStoppedWhenTheProgramEnds(robot, end));
+    }
+
+    private static void repeatUntilConnected(Callable<Boolean> test) throws Exception {
+        boolean connected = false;
+        for (int attempt = 0; !connected && attempt < ATTEMPTS; attempt++) {
+            connected = test.call();
         }
 
-        assertThat(ended).isTrue();
+        assertThat(connected).isTrue();
     }
 
     /** Returns false if the program could not connect the robot. */
@@ -137,53 +142,50 @@ class ShutdownTest {
     @ParameterizedTest
     @EnumSource(names = {"INT", "TERM", "HUP"})
     void theProgramStopsARobotAtASerialPortWhenASignalEndsIt(End end, @TempDir Path folder) throws Exception {
-        Map<String, String> home = Map.of("MAJIC_HOME", folder.toString());
+        repeatUntilConnected(() -> isStoppedWhenTheScriptEnds(Robot.PIONEER_ON_A_PORT, end, folder));
+    }
+
+    @Test
+    void aScriptEndsWithItsTerminalThoughASerialPortIsOpen(@TempDir Path folder) throws Exception {
+        repeatUntilConnected(() -> isStoppedWhenTheScriptEnds(Robot.HEMISSON_ON_A_PORT, End.HUP, folder));
+    }
+
+    /** Returns false if the program ended before the robot moved, since it could not connect it. */
+    private static boolean isStoppedWhenTheScriptEnds(Robot robot, End end, Path folder) throws Exception {
         Path script = Files.writeString(folder.resolve("far.majic"), "1 move 1000");
+        Map<String, String> home = Map.of("MAJIC_HOME", folder.toString());
         try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
-                RecordingRelay line = Robot.PIONEER_ON_A_PORT.line(lab)) {
-            Process program = start(Majic.class, home, "run", "--add", "pioneer:" + line.address(), script.toString());
+                RecordingRelay line = robot.line(lab)) {
+            Process program =
+                    start(Majic.class, home, "run", "--add", robot.type + ":" + line.address(), script.toString());
             try {
-                awaitMoving(lab, "pioneer");
+                if (!awaitMoving(lab, robot.type, program)) {
+                    return false;
+                }
                 int before = line.sent().length();
 
                 end(program, end);
 
                 program.waitFor();
-                line.sent().await(PIONEER_STOP, before);
-                awaitStationary(lab, "pioneer");
+                line.sent().await(robot.stop, before);
+                awaitStationary(lab, robot.type);
+                return true;
             } finally {
                 program.destroyForcibly();
             }
         }
     }
 
-    private static void awaitMoving(SimulatedLab lab, String type) throws InterruptedException {
+    /** Returns false if the program ends first. */
+    private static boolean awaitMoving(SimulatedLab lab, String type, Process program) throws InterruptedException {
         Pose start = lab.truePoses().get(type);
         while (start.equals(lab.truePoses().get(type))) {
+            if (!program.isAlive()) {
+                return false;
+            }
             lab.time().sleep(0.05);
         }
-    }
-
-    @Test
-    void aScriptEndsWithItsTerminalThoughASerialPortIsOpen(@TempDir Path folder) throws Exception {
-        Path script = Files.writeString(folder.resolve("far.majic"), "1 move 1000");
-        Map<String, String> home = Map.of("MAJIC_HOME", folder.toString());
-        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
-                RecordingRelay line = Robot.HEMISSON_ON_A_PORT.line(lab)) {
-            Process program = start(Majic.class, home, "run", "--add", "hemisson:" + line.address(), script.toString());
-            try {
-                line.sent().await("D,3,3\r", 0);
-                int before = line.sent().length();
-
-                end(program, End.HUP);
-
-                program.waitFor();
-                line.sent().await("D,0,0\r", before);
-                awaitStationary(lab, "hemisson");
-            } finally {
-                program.destroyForcibly();
-            }
-        }
+        return true;
     }
 
     private static String awaitLine(Process program, String... starts) throws IOException {
