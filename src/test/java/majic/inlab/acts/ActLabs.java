@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.LongFunction;
 import java.util.function.Supplier;
 import java.util.stream.LongStream;
 import java.util.stream.Stream;
@@ -16,25 +17,35 @@ import org.junit.jupiter.api.Named;
 /** Provides the labs in which every shipped behaviour is tested, and the measurements there. */
 public final class ActLabs {
     private static final int SEEDS = 5;
+    private static final boolean ALL_SEEDS =
+            System.getProperty("majic.seeds", "").equals("all");
     private static final double METRE_MM = 1000;
 
     private ActLabs() {}
 
-    /** Returns a lab without noise and five with noise. */
+    /**
+     * Returns a lab with noise; with {@code -Dmajic.seeds=all}, as {@code ./check --full} sets it, a lab without noise
+     * and five with it.
+     */
     public static Stream<Named<Supplier<LabRig>>> labs() {
-        return Stream.concat(
-                Stream.of(Named.of("an exact lab", LabRig::exact)),
-                LongStream.rangeClosed(1, SEEDS)
-                        .mapToObj(seed -> Named.of("noisy lab " + seed, () -> LabRig.noisy(seed))));
+        return labs(SEEDS);
+    }
+
+    /** Returns the same with another number of labs with noise. */
+    static Stream<Named<Supplier<LabRig>>> labs(int seeds) {
+        return labs(LabRig::exact, LabRig::noisy, seeds);
     }
 
     /** Returns the same labs, each with two Pioneers. */
     public static Stream<Named<Supplier<LabRig>>> labsWithTwoPioneers() {
         LabOptions two = LabOptions.exactOnFreePorts().withPioneers(2);
-        return Stream.concat(
-                Stream.of(Named.of("an exact lab", () -> LabRig.of(two))),
-                LongStream.rangeClosed(1, SEEDS)
-                        .mapToObj(seed -> Named.of("noisy lab " + seed, () -> LabRig.of(two.withNoise(seed)))));
+        return labs(() -> LabRig.of(two), seed -> LabRig.of(two.withNoise(seed)), SEEDS);
+    }
+
+    private static Stream<Named<Supplier<LabRig>>> labs(Supplier<LabRig> exact, LongFunction<LabRig> noisy, int seeds) {
+        Stream<Named<Supplier<LabRig>>> withNoise = LongStream.rangeClosed(1, ALL_SEEDS ? seeds : 1)
+                .mapToObj(seed -> Named.of("noisy lab " + seed, () -> noisy.apply(seed)));
+        return ALL_SEEDS ? Stream.concat(Stream.of(Named.of("an exact lab", exact)), withNoise) : withNoise;
     }
 
     /** Returns a lab with one robot connected, as number 1. */

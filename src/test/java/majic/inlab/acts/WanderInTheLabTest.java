@@ -23,10 +23,7 @@ class WanderInTheLabTest {
     private static final double FAR_MM = 3000;
 
     static Stream<Named<Supplier<LabRig>>> labs() {
-        return Stream.of(
-                Named.of("an exact lab", LabRig::exact),
-                Named.of("a noisy lab", () -> LabRig.noisy(1)),
-                Named.of("another noisy lab", () -> LabRig.noisy(2)));
+        return ActLabs.labs(2);
     }
 
     @ParameterizedTest(name = "in {0}")
