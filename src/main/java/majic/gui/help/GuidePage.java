@@ -1,63 +1,55 @@
 package majic.gui.help;
 
-import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.InputStreamReader;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import majic.text.Texts;
 
 /**
- * A page of the documents, in sections that can be searched.
+ * A page of the documents, in sections that can be searched. The build makes its HTML.
  *
  * @param sections in the order of the page
  */
 record GuidePage(List<Section> sections) {
     private static final Texts TEXTS = Texts.of(GuidePage.class);
+    private static final String HEADING_OF_SECTION = "(?=<h[12][ >])";
+    private static final String TAG = "<[^>]*>";
+
     /**
-     * A part of a page below one heading.
+     * A part of a page below one heading of the first or second level.
      *
-     * @param words its text as in the document, for searching
+     * @param words its text without tags, for searching
      * @param html the same for display, with its heading
      */
-    record Section(String words, String html) {}
+    record Section(String words, String html) {
+        static Section of(String html) {
+            String words = html.replaceAll(TAG, "")
+                    .replace("&lt;", "<")
+                    .replace("&gt;", ">")
+                    .replace("&quot;", "\"")
+                    .replace("&amp;", "&");
+            return new Section(words, html);
+        }
+    }
 
     /** Reads a page that is part of the program; may block. */
     static GuidePage read(String name) {
-        try (InputStream in = GuidePage.class.getResourceAsStream(name + ".md");
-                BufferedReader lines = new BufferedReader(
-                        new InputStreamReader(Objects.requireNonNull(in, name), StandardCharsets.UTF_8))) {
-            return of(lines.lines().toList());
+        try (InputStream in = GuidePage.class.getResourceAsStream(name + ".html")) {
+            return of(new String(Objects.requireNonNull(in, name).readAllBytes(), StandardCharsets.UTF_8));
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
     }
 
-    /** Splits a page at its headings of the first and second level. */
-    static GuidePage of(List<String> lines) {
-        List<Section> sections = new ArrayList<>();
-        List<String> open = new ArrayList<>();
-        for (String line : lines) {
-            if (line.startsWith("# ") || line.startsWith("## ")) {
-                close(open, sections);
-            }
-            open.add(line);
-        }
-        close(open, sections);
-        return new GuidePage(sections);
-    }
-
-    private static void close(List<String> open, List<Section> sections) {
-        if (!open.isEmpty()) {
-            sections.add(new Section(String.join("\n", open), new MarkdownHtml().convert(open)));
-            open.clear();
-        }
+    private static GuidePage of(String html) {
+        return new GuidePage(
+                Stream.of(html.split(HEADING_OF_SECTION)).map(Section::of).toList());
     }
 
     /** Returns the HTML of the sections that contain a text, whatever its case; of all for an empty text. */

@@ -16,6 +16,7 @@ import org.junit.jupiter.api.Test;
 /** The sections that F1 opens are headings of the user's guide. */
 class HelpTopicsTest {
     private static final Pattern TOPIC = Pattern.compile("HelpTopic\\.set\\([^\"]*\"([^\"]+)\"");
+    private static final Pattern HEADING = Pattern.compile("<h\\d id=\"([^\"]+)\"");
 
     @Test
     void eachSectionThatAWindowNamesIsInTheGuide() throws IOException {
@@ -23,9 +24,9 @@ class HelpTopicsTest {
         for (Path source : sources()) {
             TOPIC.matcher(Files.readString(source)).results().forEach(found -> named.add(found.group(1)));
         }
-        Set<String> headings = Files.readAllLines(Path.of("docs/user-guide.md")).stream()
-                .filter(line -> line.startsWith("#"))
-                .map(line -> MarkdownHtml.id(line.substring(line.indexOf(' ') + 1)))
+        Set<String> headings = GuidePage.read("user-guide").sections().stream()
+                .flatMap(section -> HEADING.matcher(section.html()).results())
+                .map(found -> found.group(1))
                 .collect(Collectors.toSet());
         assertThat(named).isNotEmpty();
         assertThat(headings).containsAll(named);
