@@ -1,4 +1,5 @@
 import java.io.IOException;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -31,15 +32,32 @@ final class GuideHtml {
     /**
      * Makes the pages.
      *
-     * @param args the folder of the documents, the folder for the pages, and the names of the documents without ending
+     * @param args the folder of the documents, the folder for the pages, and the names of documents without ending or of
+     *     folders of documents
      * @throws IOException if a document cannot be read or a page not be written
      */
     public static void main(String[] args) throws IOException {
-        Path target = Files.createDirectories(Path.of(args[1]));
         for (String name : List.of(args).subList(2, args.length)) {
-            String document = Files.readString(Path.of(args[0], name + ".md"));
-            Files.writeString(target.resolve(name + ".html"), html(document));
+            Path folder = Path.of(args[0], name);
+            if (Files.isDirectory(folder)) {
+                makeAll(folder, Path.of(args[1], name));
+            } else {
+                make(Path.of(args[0], name + ".md"), Path.of(args[1]));
+            }
         }
+    }
+
+    private static void makeAll(Path folder, Path target) throws IOException {
+        try (DirectoryStream<Path> documents = Files.newDirectoryStream(folder, "*.md")) {
+            for (Path document : documents) {
+                make(document, target);
+            }
+        }
+    }
+
+    private static void make(Path document, Path target) throws IOException {
+        String name = document.getFileName().toString().replaceFirst("md$", "html");
+        Files.writeString(Files.createDirectories(target).resolve(name), html(Files.readString(document)));
     }
 
     private static String html(String document) {

@@ -12,9 +12,9 @@ import java.util.stream.Stream;
 import majic.text.Texts;
 
 /**
- * A page of the documents, in sections that can be searched. The build makes its HTML.
+ * Pages of the documents, in sections that can be searched. The build makes their HTML.
  *
- * @param sections in the order of the page
+ * @param sections in the order of the pages
  */
 record GuidePage(List<Section> sections) {
     private static final Texts TEXTS = Texts.of(GuidePage.class);
@@ -38,18 +38,20 @@ record GuidePage(List<Section> sections) {
         }
     }
 
-    /** Reads a page that is part of the program; may block. */
-    static GuidePage read(String name) {
+    /** Reads pages that are part of the program, without {@code .html}; may block. */
+    static GuidePage read(List<String> names) {
+        return new GuidePage(names.stream()
+                .flatMap(name -> Stream.of(htmlOf(name).split(HEADING_OF_SECTION)))
+                .map(Section::of)
+                .toList());
+    }
+
+    private static String htmlOf(String name) {
         try (InputStream in = GuidePage.class.getResourceAsStream(name + ".html")) {
-            return of(new String(Objects.requireNonNull(in, name).readAllBytes(), StandardCharsets.UTF_8));
+            return new String(Objects.requireNonNull(in, name).readAllBytes(), StandardCharsets.UTF_8);
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-    }
-
-    private static GuidePage of(String html) {
-        return new GuidePage(
-                Stream.of(html.split(HEADING_OF_SECTION)).map(Section::of).toList());
     }
 
     /** Returns the HTML of the sections that contain a text, whatever its case; of all for an empty text. */

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JEditorPane;
 import javax.swing.JScrollPane;
@@ -17,11 +18,11 @@ import majic.gui.kit.EventThread;
 import majic.gui.kit.Palette;
 import org.jspecify.annotations.Nullable;
 
-/** Shows a page of the documents; reads it in the background when it becomes visible for the first time. */
+/** Shows pages of the documents, one below the other; reads them in the background when they are to be shown first. */
 final class GuideView extends JScrollPane {
     private static final long serialVersionUID = 1L;
 
-    private final String name;
+    private final transient List<String> names;
     private final String title;
     private final JEditorPane text = new JEditorPane();
     private transient @Nullable GuidePage page;
@@ -31,24 +32,24 @@ final class GuideView extends JScrollPane {
     /**
      * Creates an empty view.
      *
-     * @param name the file of the page
+     * @param names the files of the pages
      * @param title its accessible name
      */
-    GuideView(String name, String title) {
-        this.name = name;
+    GuideView(List<String> names, String title) {
+        this.names = names;
         this.title = title;
         text.setEditable(false);
-        text.setName("guide " + name);
+        text.setName("guide " + names.get(0));
         text.setBorder(BorderFactory.createEmptyBorder(4, 12, 8, 12));
         setViewportView(text);
     }
 
-    /** Shows the parts of the page that contain a text; all of it for an empty text. */
+    /** Shows the parts of the pages that contain a text; all of them for an empty text. */
     void search(String newWanted) {
         wanted = newWanted;
         if (page == null) {
             EventThread.background("reading the guide", () -> {
-                GuidePage read = GuidePage.read(name);
+                GuidePage read = GuidePage.read(names);
                 EventThread.later(() -> {
                     page = read;
                     render();
@@ -58,7 +59,7 @@ final class GuideView extends JScrollPane {
         render();
     }
 
-    /** Shows a section at the top whenever all of the page is shown. */
+    /** Shows a section at the top whenever all sections are shown. */
     void scrollTo(String newSection) {
         section = newSection;
     }

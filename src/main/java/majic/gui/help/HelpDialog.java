@@ -34,6 +34,21 @@ public final class HelpDialog extends MajicDialog {
     /** Room for a scroll bar, or for the borders of the dialog on one side, pixels. */
     private static final int EDGES = 20;
 
+    /** The pages of the user's guide, in the order in which its first page lists the others. */
+    static final List<String> GUIDE = List.of(
+            "user-guide",
+            "guide/window",
+            "guide/stop",
+            "guide/robots",
+            "guide/several-robots",
+            "guide/commands",
+            "guide/driving",
+            "guide/scripts",
+            "guide/plots",
+            "guide/loading-acts",
+            "guide/quitting",
+            "guide/files");
+
     private final JTextField search = new JTextField();
     private final transient List<JTable> tables = new ArrayList<>();
     private final JTabbedPane tabs = new JTabbedPane();
@@ -53,8 +68,8 @@ public final class HelpDialog extends MajicDialog {
             tabs.addTab(TEXTS.get("parameters"), parameters(members, current));
         }
         tabs.addTab(TEXTS.get("keys"), scrolled("keys", file(TEXTS.get("keys.file"), TEXTS.get("keys.key"))));
-        addPage("user-guide", TEXTS.get("guide"));
-        addPage("majic-script", TEXTS.get("guide.script"));
+        addPages(GUIDE, TEXTS.get("guide"));
+        addPages(List.of("majic-script"), TEXTS.get("guide.script"));
         tabs.addChangeListener(change -> search());
         tabs.setPreferredSize(new Dimension(widthWithin(owner), UIScale.scale(480)));
         fill(content(), closing(TEXTS.get("close")));
@@ -71,8 +86,8 @@ public final class HelpDialog extends MajicDialog {
         return Math.min(wanted, most - UIScale.scale(2 * EDGES));
     }
 
-    private void addPage(String name, String title) {
-        tabs.addTab(title, new GuideView(name, title));
+    private void addPages(List<String> names, String title) {
+        tabs.addTab(title, new GuideView(names, title));
     }
 
     /** Selects the first page of the guide. */
