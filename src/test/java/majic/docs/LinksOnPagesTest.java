@@ -10,14 +10,14 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Tests the links between the pages of the documentation: each leads to a file, and to a heading if it names one. */
+/** Tests the links between the pages of the documentation, and those of the change log: each leads to a file, and to a heading if it names one. */
 class LinksOnPagesTest {
     private static final Pattern BLOCK = Pattern.compile("(?ms)^ *```.*?^ *```$");
     private static final Pattern LINK = Pattern.compile("]\\((?!https?:)([^)#\\s]*)(?:#([^)\\s]+))?\\)");
     private static final Pattern HEADING = Pattern.compile("(?m)^#+ (.*)$");
 
     static Stream<Page> pages() {
-        return Page.all().stream();
+        return Stream.concat(Page.all().stream(), Stream.of(Page.of("CHANGELOG.md")));
     }
 
     @ParameterizedTest
