@@ -20,11 +20,8 @@ import majic.team.Team;
  *     before them can be connected or not
  */
 public record FirstRobots(List<String> ofLab, List<String> requested) {
-    /** How many robots of a large lab connect at the same time. */
-    private static final int OF_LAB_AT_ONCE = 16;
-
-    /** How many requested robots connect at the same time, so that one that does not answer does not delay others. */
-    private static final int REQUESTED_AT_ONCE = Team.MAX_BOTS;
+    /** How many robots connect at the same time, so that one that does not answer does not delay others. */
+    private static final int AT_ONCE = Team.MAX_BOTS;
 
     /** Determines the robots to add to a program. */
     @FunctionalInterface
@@ -47,16 +44,15 @@ public record FirstRobots(List<String> ofLab, List<String> requested) {
     }
 
     /**
-     * Adds the robots to the team of a session: first those of the lab, several at a time if they are more than a usual
-     * team has, then the requested ones side by side. Blocks until every robot is added or refused.
+     * Adds the robots to the team of a session: first those of the lab side by side, then the requested ones side by
+     * side, which get numbers that the lab has left. Blocks until every robot is added or refused.
      *
      * @return whether every one was added
      * @throws InterruptedException if the thread is interrupted meanwhile
      */
     boolean addTo(Session session) throws InterruptedException {
-        boolean large = ofLab.size() > Team.MAX_BOTS;
-        boolean labAdded = run(session, ofLab, ofLab, large ? OF_LAB_AT_ONCE : 1);
-        return run(session, numbered(session.team()), requested, REQUESTED_AT_ONCE) && labAdded;
+        boolean labAdded = run(session, ofLab, ofLab);
+        return run(session, numbered(session.team()), requested) && labAdded;
     }
 
     /** Returns the requested lines with numbers; without one where the line has it or the team has none left. */
@@ -80,10 +76,9 @@ public record FirstRobots(List<String> ofLab, List<String> requested) {
      * @param robots what each line is about: lines about the same run one after the other, so that the second is
      *     refused
      */
-    private static boolean run(Session session, List<String> lines, List<String> robots, int atOnce)
-            throws InterruptedException {
+    private static boolean run(Session session, List<String> lines, List<String> robots) throws InterruptedException {
         List<MajicParser> parsers = Stream.generate(() -> MajicParser.pipe(session))
-                .limit(Math.min(atOnce, lines.size()))
+                .limit(Math.min(AT_ONCE, lines.size()))
                 .toList();
         for (int index = 0; index < lines.size(); index++) {
             parsers.get(robots.indexOf(robots.get(index)) % parsers.size()).parseText(lines.get(index));

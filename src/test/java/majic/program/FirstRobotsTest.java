@@ -32,7 +32,10 @@ class FirstRobotsTest {
             team, new BotFactory(List.of(toys), Settings.inMemory()), SessionLog.none(), NoActs.here(), () -> {});
 
     private CompletableFuture<Boolean> adding(String... requested) {
-        FirstRobots robots = new FirstRobots(List.of(), List.of(requested));
+        return adding(new FirstRobots(List.of(), List.of(requested)));
+    }
+
+    private CompletableFuture<Boolean> adding(FirstRobots robots) {
         return CompletableFuture.supplyAsync(() -> {
             try {
                 return robots.addTo(session);
@@ -59,6 +62,19 @@ class FirstRobotsTest {
         assertThat(adding).isNotDone();
         toys.made.stream().filter(bot -> !bot.isConnected()).forEach(ToyBot::close);
         assertThat(adding.get()).isFalse();
+    }
+
+    @Test
+    void aRobotOfTheLabThatDoesNotAnswerDelaysNoOtherOfTheLab() throws Exception {
+        CompletableFuture<Boolean> adding = adding(new FirstRobots(
+                List.of("add toy:silent as 1", "add toy:one as 2", "add toy:two as 3"), List.of("add toy:three")));
+        awaitTeam(() -> numbers().equals(List.of(2, 3)));
+
+        assertThat(numbers()).containsExactly(2, 3);
+        assertThat(adding).isNotDone();
+        toys.made.stream().filter(bot -> !bot.isConnected()).forEach(ToyBot::close);
+        assertThat(adding.get()).isFalse();
+        assertThat(numbers()).containsExactly(1, 2, 3);
     }
 
     @Test
