@@ -37,6 +37,9 @@ class ShutdownTest {
     /** On a busy computer a simulated robot may answer too late while it is being connected. */
     private static final int ATTEMPTS = 5;
 
+    /** The lowest exit status of a program that a signal ended. */
+    private static final int ENDED_BY_A_SIGNAL = 128;
+
     private static final String PIONEER_STOP = "\u00FA\u00FB\u0003\u001D\0\u001D";
 
     enum Robot {
@@ -150,7 +153,7 @@ class ShutdownTest {
         repeatUntilConnected(() -> isStoppedWhenTheScriptEnds(Robot.HEMISSON_ON_A_PORT, End.HUP, folder));
     }
 
-    /** Returns false if the program ended before the robot moved, since it could not connect it. */
+    /** Returns false if the script ended before the signal, since it could not connect the robot or lost it. */
     private static boolean isStoppedWhenTheScriptEnds(Robot robot, End end, Path folder) throws Exception {
         Path script = Files.writeString(folder.resolve("far.majic"), "1 move 1000");
         Map<String, String> home = Map.of("MAJIC_HOME", folder.toString());
@@ -166,7 +169,9 @@ class ShutdownTest {
 
                 end(program, end);
 
-                program.waitFor();
+                if (program.waitFor() < ENDED_BY_A_SIGNAL) {
+                    return false;
+                }
                 line.sent().await(robot.stop, before);
                 awaitStationary(lab, robot.type);
                 return true;
