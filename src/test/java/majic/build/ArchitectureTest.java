@@ -17,39 +17,44 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInstance;
 
-/** Tests which package uses which, as listed and drawn in docs/architecture.md. */
+/**
+ * Tests which package uses which, as listed and drawn in docs/architecture.md. One object of the class holds all
+ * classes of the project, so that its memory is free for the tests that follow.
+ */
+@TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class ArchitectureTest {
-    private static final JavaClasses CLASSES = new ClassFileImporter()
+    private final JavaClasses classes = new ClassFileImporter()
             .withImportOption(location -> !location.contains("/test-classes/"))
             .importPackages("majic", "majicsim");
 
     /** What each package uses of the project's other packages, each with one class that does. */
-    private static final Map<String, Map<String, String>> USES = uses();
+    private final Map<String, Map<String, String>> uses = uses();
 
-    private static Map<String, Map<String, String>> uses() {
-        Map<String, Map<String, String>> uses = new TreeMap<>();
-        for (JavaClass type : CLASSES) {
-            Map<String, String> used = uses.computeIfAbsent(type.getPackageName(), name -> new TreeMap<>());
+    private Map<String, Map<String, String>> uses() {
+        Map<String, Map<String, String>> all = new TreeMap<>();
+        for (JavaClass type : classes) {
+            Map<String, String> used = all.computeIfAbsent(type.getPackageName(), name -> new TreeMap<>());
             type.getDirectDependenciesFromSelf().stream()
                     .map(dependency ->
                             dependency.getTargetClass().getBaseComponentType().getPackageName())
                     .filter(name -> name.matches("majic(sim)?(\\..*)?") && !name.equals(type.getPackageName()))
                     .forEach(name -> used.putIfAbsent(name, type.getSimpleName()));
         }
-        return uses;
+        return all;
     }
 
     @Test
     void theTablesOfThePageHaveARowForEachPackage() {
-        assertThat(ArchitecturePage.table().keySet()).isEqualTo(USES.keySet());
+        assertThat(ArchitecturePage.table().keySet()).isEqualTo(uses.keySet());
     }
 
     @Test
     void aPackageUsesExactlyThePackagesInItsRow() {
         List<String> changes = new ArrayList<>();
         ArchitecturePage.table().forEach((name, allowed) -> {
-            Map<String, String> used = USES.getOrDefault(name, Map.of());
+            Map<String, String> used = uses.getOrDefault(name, Map.of());
             used.forEach((other, user) -> {
                 if (!allowed.contains(other)) {
                     changes.add("row %s: add `%s` (%s uses it)"
@@ -83,7 +88,7 @@ class ArchitectureTest {
 
     @Test
     void eachPackageWithFiveOrMoreDirectlyBelowItHasADiagram() {
-        Map<String, Long> below = USES.keySet().stream()
+        Map<String, Long> below = uses.keySet().stream()
                 .filter(name -> name.contains("."))
                 .collect(Collectors.groupingBy(
                         name -> name.substring(0, name.lastIndexOf('.')), TreeMap::new, Collectors.counting()));
@@ -97,7 +102,7 @@ class ArchitectureTest {
                 .that(resideInAPackage("majicsim.."))
                 .should()
                 .dependOnClassesThat(resideInAPackage("majic.."))
-                .check(CLASSES);
+                .check(classes);
     }
 
     @Test
@@ -110,7 +115,7 @@ class ArchitectureTest {
                 .should()
                 .dependOnClassesThat(
                         resideInAnyPackage("javax.swing..", "java.awt..").and(notTheReturnOfDisplay()))
-                .check(CLASSES);
+                .check(classes);
     }
 
     @Test
@@ -121,7 +126,7 @@ class ArchitectureTest {
                         .and(not(panelsOfRobots())))
                 .should()
                 .dependOnClassesThat(resideInAPackage("majic.panel.."))
-                .check(CLASSES);
+                .check(classes);
     }
 
     private static DescribedPredicate<JavaClass> panelsOfRobots() {
@@ -138,6 +143,6 @@ class ArchitectureTest {
 
     @Test
     void noTwoPackagesUseEachOther() {
-        slices().matching("(majic*.*)..").should().beFreeOfCycles().check(CLASSES);
+        slices().matching("(majic*.*)..").should().beFreeOfCycles().check(classes);
     }
 }
