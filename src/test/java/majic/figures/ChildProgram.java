@@ -117,6 +117,14 @@ final class ChildProgram {
                 .start());
     }
 
+    /** Returns what a program without a window prints that runs with the class path of this one. */
+    List<String> linesOfBuild(Class<?> main, List<String> arguments) throws IOException {
+        List<String> all = new ArrayList<>(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
+        all.addAll(arguments);
+        return lines(
+                process(List.of(JAVA, "-Djdk.attach.allowAttachSelf=true"), all).start());
+    }
+
     /** Starts a program with a team whose robots report while it is connected; connects to none yet. */
     Reporting reporting(List<String> addresses) throws IOException {
         return new Reporting(process(List.of(JAVA, "@" + OPTIONS), classAndArguments(ReportingTeam.class, addresses))

@@ -17,10 +17,10 @@ import majic.shared.broker.Mosquitto;
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed.
  * Each figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
  * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab},
- * {@code load}, {@code crash}, {@code shared}, {@code ros}; without arguments all are measured. {@code shared:10x100}
- * measures one row of {@code shared}, with 10 desks and 100 robots, and {@code lab:500} one row of {@code lab}. The
- * address of a robot behind a rosbridge server, such as {@code ros://127.0.0.1:9090}, measures what {@code ros} does
- * with that robot, which turns to and fro by up to 12 degrees.
+ * {@code load}, {@code crash}, {@code shared}, {@code ros}, {@code ways}; without arguments all are measured.
+ * {@code shared:10x100} measures one row of {@code shared}, with 10 desks and 100 robots, and {@code lab:500} one row
+ * of {@code lab}. The address of a robot behind a rosbridge server, such as {@code ros://127.0.0.1:9090}, measures what
+ * {@code ros} does with that robot, which turns to and fro by up to 12 degrees.
  */
 public final class Figures {
     /** The robots of the window that {@code large} measures. */
@@ -43,9 +43,9 @@ public final class Figures {
     private static final String LAB_ROW = "lab:";
     private static final List<String> ALL = List.of(
             "start", "idle", "events", "large", "line", "memory", "stop", "flood", "lab", "load", "crash", "shared",
-            "ros");
+            "ros", "ways");
 
-    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash", "shared", "ros");
+    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash", "shared", "ros", "ways");
 
     private final ChildProgram programs;
 
@@ -74,6 +74,7 @@ public final class Figures {
                 case "crash" -> figures.crash();
                 case "shared" -> figures.shared(SHARED);
                 case "ros" -> figures.ros();
+                case "ways" -> figures.ways();
                 default -> figures.measureNamed(name);
             }
         }
@@ -272,6 +273,16 @@ public final class Figures {
         }
         say("a robot behind a rosbridge server, driven by MAJIC and then by roslibpy with the same subscriptions");
         new RosFigures(programs, address).measure().forEach(line -> say("  " + line));
+    }
+
+    /** Counts classes and calls, and the classes with one user. */
+    private void ways() throws IOException {
+        say("classes and calls of majic, from parseText to the first byte on the link or the answer,");
+        say("and from the bytes of a report to a listener (median)");
+        for (List<String> robot : List.of(List.of("pioneer", "sonar"), List.of("aibo", "distanceNear"))) {
+            programs.linesOfBuild(Ways.class, robot).forEach(line -> say("  " + line));
+        }
+        say(OneUserClasses.measure() + " (at most 27 %)");
     }
 
     private static void add(Map<String, List<Double>> seconds, String name, double value) {
