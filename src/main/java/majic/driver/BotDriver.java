@@ -421,8 +421,9 @@ public abstract class BotDriver extends MovingRobot {
     @Override
     final void requireConnected() {
         refuseLost();
-        if (!isConnected()) {
-            throw new BotException(name + (life.now() == Connection.CLOSED ? " is closed" : " is not connected"));
+        Connection now = life.now();
+        if (now != Connection.CONNECTED) {
+            throw new BotException(name + (now == Connection.CLOSED ? " is closed" : " is not connected"));
         }
     }
 

@@ -8,6 +8,7 @@ import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
+import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 
 /**
@@ -19,6 +20,7 @@ public final class Motion {
     private final MotionGate gate;
     private final Guard guard;
     private final Permit permit;
+    private final TimeSource time;
     private final long startedNanos;
     private long readingsSeen = -1;
     private boolean guardReached;
@@ -30,7 +32,8 @@ public final class Motion {
         this.gate = gate;
         this.guard = guard;
         this.permit = permit;
-        this.startedNanos = bot.time().nanos();
+        this.time = bot.time();
+        this.startedNanos = time.nanos();
     }
 
     /**
@@ -63,13 +66,13 @@ public final class Motion {
      * @throws MotionFailed if the guard cannot be evaluated
      */
     public boolean await(BooleanSupplier done, double seconds) {
-        long deadlineNanos = bot.time().nanos() + (long) Math.ceil(seconds * 1e9);
+        long deadlineNanos = time.nanos() + (long) Math.ceil(seconds * 1e9);
         while (true) {
             check();
             if (done.getAsBoolean()) {
                 return true;
             }
-            long leftNanos = deadlineNanos - bot.time().nanos();
+            long leftNanos = deadlineNanos - time.nanos();
             if (lookAtGuard() || leftNanos <= 0) {
                 return false;
             }
@@ -134,7 +137,7 @@ public final class Motion {
      * @return seconds on the robot's clock
      */
     public double seconds() {
-        return bot.time().secondsSince(startedNanos);
+        return time.secondsSince(startedNanos);
     }
 
     /**

@@ -1,6 +1,5 @@
 package majic.driver;
 
-import java.util.List;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
@@ -12,16 +11,21 @@ import org.jspecify.annotations.Nullable;
  * were given out before it. Thread-safe.
  */
 public final class Permit {
-    private final List<Permit> parents;
+    /** This one, then those that it depends on. */
+    private final Permit[] all;
+
     private volatile @Nullable Supplier<? extends BotException> revocation;
 
     /** A permit of its own. */
     public Permit() {
-        this(List.of());
+        this.all = new Permit[] {this};
     }
 
-    private Permit(List<Permit> parents) {
-        this.parents = parents;
+    private Permit(Permit one, Permit other) {
+        this.all = new Permit[1 + one.all.length + other.all.length];
+        all[0] = this;
+        System.arraycopy(one.all, 0, all, 1, one.all.length);
+        System.arraycopy(other.all, 0, all, 1 + one.all.length, other.all.length);
     }
 
     /**
@@ -31,7 +35,7 @@ public final class Permit {
      * @return a new permit that holds as long as both do and itself is not revoked
      */
     public Permit and(Permit other) {
-        return new Permit(List.of(this, other));
+        return new Permit(this, other);
     }
 
     /**
@@ -51,7 +55,12 @@ public final class Permit {
      * @return true from the first revocation on
      */
     public boolean isRevoked() {
-        return revocation != null || parents.stream().anyMatch(Permit::isRevoked);
+        for (Permit each : all) {
+            if (each.revocation != null) {
+                return true;
+            }
+        }
+        return false;
     }
 
     /**
@@ -60,10 +69,11 @@ public final class Permit {
      * @throws BotException the exception of the revocation, usually {@link MotionStopped}
      */
     public void check() {
-        Supplier<? extends BotException> reason = revocation;
-        if (reason != null) {
-            throw reason.get();
+        for (Permit each : all) {
+            Supplier<? extends BotException> reason = each.revocation;
+            if (reason != null) {
+                throw reason.get();
+            }
         }
-        parents.forEach(Permit::check);
     }
 }
