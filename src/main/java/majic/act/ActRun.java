@@ -79,7 +79,7 @@ public final class ActRun {
                 (role, its) -> byRole.put(role, its.stream().map(Member::bot).toList()));
         this.robots = new ActRobots(byRole);
         this.changes = robots.clock().signal();
-        this.owner = new Owner(Owner.Kind.ACT, name, title, this::end);
+        this.owner = new Owner(Owner.Kind.ACT, name, title, robots.permit(), this::end);
     }
 
     /**
@@ -91,12 +91,12 @@ public final class ActRun {
      * @throws BotException if a robot cannot be claimed, or the act failed; the message gives the reason
      */
     public void run(@Nullable Owner by) {
-        List<Member> lent = new ArrayList<>();
+        List<Member> sublet = new ArrayList<>();
         try {
             permit.check();
             for (Member member : members) {
-                member.lend(owner, robots.permit(), by);
-                lent.add(member);
+                member.sublet(owner, by);
+                sublet.add(member);
             }
             permit.check();
             if (!isCutShort()) {
@@ -107,7 +107,7 @@ public final class ActRun {
             Thread.currentThread().interrupt();
             end();
         } finally {
-            giveBack(lent);
+            giveBack(sublet);
         }
         report();
     }
@@ -146,9 +146,9 @@ public final class ActRun {
         return phase.get() == Phase.CUT_SHORT;
     }
 
-    private void giveBack(Collection<Member> lent) {
+    private void giveBack(Collection<Member> sublet) {
         robots.revoke();
-        lent.forEach(member -> member.takeBack(owner));
+        sublet.forEach(member -> member.endSublease(owner));
     }
 
     /** Ends the act; {@link #run} then returns without an exception. Returns at once. */

@@ -10,7 +10,6 @@ import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.bot.Unit;
-import majic.driver.Permit;
 import majic.driver.PermittedControl;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
@@ -27,7 +26,6 @@ public final class ManualControl implements AutoCloseable {
 
     private final Member member;
     private final Owner owner;
-    private final Permit permit = new Permit();
     private final BotControl robot;
     private final Signal newSetting;
     private final ManualLog log;
@@ -51,7 +49,7 @@ public final class ManualControl implements AutoCloseable {
         if (!member.isIdle()) {
             throw new BotException(member.number() + " is busy; \"" + member.number() + " stop\" ends it");
         }
-        this.robot = new PermittedControl(member.driver(), permit).forCommand();
+        this.robot = new PermittedControl(member.driver(), owner.permit()).forCommand();
         member.claim(owner);
         if (!member.time().tryRunAsync("robot " + member.number() + " by hand", this::run)) {
             member.free(owner);
@@ -130,7 +128,7 @@ public final class ManualControl implements AutoCloseable {
 
     private synchronized void release() {
         released = true;
-        permit.revoke(() -> new MotionStopped("manual control has ended"));
+        owner.permit().revoke(() -> new MotionStopped("manual control has ended"));
         newSetting.raise();
     }
 

@@ -14,21 +14,18 @@ import majic.driver.TeamMembership;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
-/**
- * A robot in a team: its number, its queue with the single worker thread, its owner, and the act it is lent to.
- * Thread-safe.
- */
+/** A robot in a team: its number, its queue with the single worker thread, and its owners. Thread-safe. */
 public final class Member implements TeamMembership {
     /** How many commands may run beside the queue of one robot, each on a thread of its own. */
     private static final int MOST_BESIDE = 16;
 
-    /** How long the end of a loan waits for the borrower's last command, seconds of the team's clock. */
+    /** How long the end of a sublease waits for its last command, seconds of the team's clock. */
     private static final double LAST_COMMAND_S = 1;
 
     private final int number;
     private final BotDriver bot;
     private final TeamEvents events;
-    private final Ownership ownership;
+    private final Leases leases;
     private final AtomicInteger beside = new AtomicInteger();
     private volatile String name = "";
 
@@ -41,7 +38,7 @@ public final class Member implements TeamMembership {
         this.number = number;
         this.bot = bot;
         this.events = events;
-        this.ownership = new Ownership(number, bot, events, stopIsLatched);
+        this.leases = new Leases(number, bot, events, stopIsLatched);
     }
 
     /**
@@ -122,12 +119,12 @@ public final class Member implements TeamMembership {
     }
 
     /**
-     * Returns the current holder of the robot.
+     * Returns the current owner of the robot: of several leases, that of the last.
      *
-     * @return the borrower if it is lent, otherwise its owner; null if there is neither
+     * @return the act, if the robot is sublet to one; null if only users command it
      */
     public @Nullable Owner owner() {
-        return ownership.holder();
+        return leases.owner();
     }
 
     /**
@@ -136,22 +133,22 @@ public final class Member implements TeamMembership {
      * @return a time on the robot's clock; of no meaning while there is no owner
      */
     public long ownedSinceNanos() {
-        return ownership.heldSinceNanos();
+        return leases.ownedSinceNanos();
     }
 
     /**
-     * Returns the owner that gets the robot back when a loan ends.
+     * Returns the owner that gets the robot back when a sublease ends, such as the script that runs the act.
      *
-     * @return the owner of a robot that is lent; null if it is not lent, or has no owner
+     * @return null if there is no sublease, or no owner below it
      */
-    public @Nullable Owner lender() {
-        return ownership.lender();
+    public @Nullable Owner sublessor() {
+        return leases.sublessor();
     }
 
     /**
      * Returns whether the robot has no work and no pending stop.
      *
-     * @return true when the queue is empty, no command or stop is running, and the robot is not lent
+     * @return true when the queue is empty, no command or stop is running, and the robot is not sublet
      */
     public boolean isIdle() {
         return isIdle(null);
@@ -160,11 +157,11 @@ public final class Member implements TeamMembership {
     /**
      * Returns whether the robot has completed all commands of one source.
      *
-     * @param by the source of the commands; differs from {@link #isIdle()} only for the borrower
+     * @param by the source of the commands; differs from {@link #isIdle()} only for a sublease
      * @return true when no command from this source, and no stop, is running
      */
     public boolean isIdle(@Nullable Owner by) {
-        return ownership.isIdle(by);
+        return leases.isIdle(by);
     }
 
     /**
@@ -173,17 +170,17 @@ public final class Member implements TeamMembership {
      * @return true until the stop was sent to the robot and confirmed by it
      */
     public boolean isStopping() {
-        return ownership.isStopping();
+        return leases.isStopping();
     }
 
     /**
-     * Returns whether an owner that was ended by a stop has not given the robot back yet.
+     * Returns whether the owner was revoked, by a stop for instance, and has not given the robot back yet.
      *
      * @return true from the stop until the robot is given back
      */
-    public boolean hasDismissedOwner() {
-        Owner holder = owner();
-        return holder != null && holder.isDismissed();
+    public boolean isOwnerRevoked() {
+        Owner owner = owner();
+        return owner != null && owner.isRevoked();
     }
 
     /**
@@ -192,7 +189,7 @@ public final class Member implements TeamMembership {
      * @return true until it is released; the robot must not move until then
      */
     public boolean isStopLatched() {
-        return ownership.isStopLatched();
+        return leases.isStopLatched();
     }
 
     /**
@@ -207,11 +204,11 @@ public final class Member implements TeamMembership {
     /**
      * Returns whether another command from one source would be accepted.
      *
-     * @param by the source of the commands; differs from {@link #hasRoom()} only for the borrower
+     * @param by the source of the commands; differs from {@link #hasRoom()} only for a sublease
      * @return false while the queue of this source is full
      */
     public boolean hasRoom(@Nullable Owner by) {
-        return ownership.hasRoom(by);
+        return leases.hasRoom(by);
     }
 
     /**
@@ -231,7 +228,7 @@ public final class Member implements TeamMembership {
      * @throws BotException what {@link #submit} would throw now
      */
     public void check(boolean moves, @Nullable Owner by) {
-        ownership.check(moves, by);
+        leases.check(moves, by);
     }
 
     /**
@@ -246,7 +243,7 @@ public final class Member implements TeamMembership {
      * @throws IllegalStateException if the command was submitted before
      */
     public void submit(QueuedCommand command, @Nullable Owner by) {
-        ownership.submit(command, by);
+        leases.submit(command, by);
     }
 
     /**
@@ -262,7 +259,7 @@ public final class Member implements TeamMembership {
             throw new BotException(number + ": " + MOST_BESIDE + " commands beside its queue have no answer yet; wait");
         }
         try {
-            command.accept(ownership.controlFor(null));
+            command.accept(leases.controlFor(null));
             bot.time()
                     .thread("robot " + number + " " + command.text(), () -> runBeside(command))
                     .start();
@@ -274,7 +271,7 @@ public final class Member implements TeamMembership {
 
     private void runBeside(QueuedCommand command) {
         try {
-            ownership.queue().runBeside(command);
+            leases.queue().runBeside(command);
         } finally {
             beside.decrementAndGet();
         }
@@ -287,7 +284,7 @@ public final class Member implements TeamMembership {
      * @throws BotException if it has another owner already
      */
     public void claim(Owner newOwner) {
-        ownership.claim(newOwner);
+        leases.claim(newOwner);
         events.publish(listener -> listener.ownerChanged(this));
     }
 
@@ -297,7 +294,7 @@ public final class Member implements TeamMembership {
      * @param oldOwner the previous owner; has no effect if the robot has another owner by now
      */
     public void free(Owner oldOwner) {
-        if (ownership.free(oldOwner)) {
+        if (leases.free(oldOwner)) {
             publishGivenBack();
         }
     }
@@ -308,45 +305,45 @@ public final class Member implements TeamMembership {
     }
 
     /**
-     * Lends the robot: until {@link #takeBack} only the borrower's commands run, and those of the owner wait.
+     * Sublets the robot: until {@link #endSublease} only the commands of the new owner run, under its permit, and those
+     * of the one below wait.
      *
-     * @param to the borrower
-     * @param permit the permit under which the borrower's commands run; a stop revokes it
-     * @param by the owner, which remains the owner; null if there is none
-     * @throws BotException if it has another owner, or is lent already, or a stop is pending, or it still runs a
-     *     command other than the one that lends it
+     * @param to the new owner; a stop revokes its permit
+     * @param by the owner below, which stays; null if there is none
+     * @throws BotException if it has another owner, or is sublet already, or a stop is pending, or it still runs a
+     *     command other than the one that sublets it
      */
-    public void lend(Owner to, Permit permit, @Nullable Owner by) {
-        ownership.lend(to, permit, by);
+    public void sublet(Owner to, @Nullable Owner by) {
+        leases.sublet(to, by);
         events.publish(listener -> listener.ownerChanged(this));
     }
 
     /**
-     * Ends a loan. Commands still queued under it are not run and not answered. A running command ends with the permit:
-     * revoke the permit, and halt the robot, before this call. Waits for that command for at most
+     * Ends a sublease. Commands still queued under it are not run and not answered. A running command ends with the
+     * permit: revoke the permit, and halt the robot, before this call. Waits for that command for at most
      * {@value #LAST_COMMAND_S} s, so that nothing it sends reaches a robot that has been given back.
      *
-     * @param from the borrower; has no effect if the robot is not lent to it
+     * @param of its owner; has no effect if that has no sublease of the robot
      */
-    public void takeBack(Owner from) {
-        CommandQueue lent = ownership.closeLoan(from);
-        if (lent == null) {
+    public void endSublease(Owner of) {
+        CommandQueue closed = leases.closeSublease(of);
+        if (closed == null) {
             return;
         }
         try {
-            events.changes().await(lent::isAtRest, LAST_COMMAND_S);
+            events.changes().await(closed::isAtRest, LAST_COMMAND_S);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
-        if (ownership.takeBack(from)) {
+        if (leases.endSublease(of)) {
             publishGivenBack();
         }
     }
 
     /**
-     * Publishes a status message of the holder of the robot.
+     * Publishes a status message of the owner of the robot.
      *
-     * @param from the holder
+     * @param from the owner
      * @param words half a sentence or a whole one
      */
     public void report(Owner from, String words) {
@@ -382,16 +379,16 @@ public final class Member implements TeamMembership {
     /** After a lost connection nothing resumes by itself, not even when the robot is connected again. */
     @Override
     public void linkLost(String reason) {
-        Owner borrower = ownership.revokeLoan(() -> new LinkLost(reason));
-        if (borrower != null) {
-            bot.time().runAsync("ending " + borrower.name(), borrower::endLoggingErrors);
+        Owner act = leases.revokeSublease(() -> new LinkLost(reason));
+        if (act != null) {
+            bot.time().runAsync("ending " + act.name(), act::endLoggingErrors);
         }
     }
 
     /** As a stop by a user of this program, except that it has been sent already. */
     @Override
     public void stoppedElsewhere() {
-        Ownership.Stopped stopped = beginStop(null);
+        Leases.Stopped stopped = beginStop(null);
         events.changes().raise();
         bot.time().runAsync("ending what moved robot " + number, () -> {
             stopped.ended().forEach(Owner::endLoggingErrors);
@@ -402,32 +399,32 @@ public final class Member implements TeamMembership {
     }
 
     void start() {
-        ownership.queue().start("robot " + number + " worker");
+        leases.queue().start("robot " + number + " worker");
     }
 
-    /** Revokes permits and empties the queues; see {@link Ownership#beginStop}. Notifies nothing itself. */
-    Ownership.Stopped beginStop(@Nullable Owner by) {
-        return ownership.beginStop(by);
+    /** Revokes permits and empties the queues; see {@link Leases#beginStop}. Notifies nothing itself. */
+    Leases.Stopped beginStop(@Nullable Owner by) {
+        return leases.beginStop(by);
     }
 
     /** Ends one of the two parts of a stop; after both, commands run again. */
     void endStop() {
-        ownership.endStop();
+        leases.endStop();
         events.changes().raise();
     }
 
     /** Allows motion again, unless another STOP came meanwhile. */
     void release() {
-        ownership.release();
+        leases.release();
     }
 
     /** Closes the robot, then answers the queued commands, which are not run. */
     void close() {
-        List<QueuedCommand> notRun = ownership.remove();
+        List<QueuedCommand> notRun = leases.remove();
         try {
             bot.close();
         } finally {
-            ownership.queue().answerNotRun(notRun, "robot " + number + " was removed");
+            leases.queue().answerNotRun(notRun, "robot " + number + " was removed");
         }
     }
 }

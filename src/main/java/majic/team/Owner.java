@@ -3,6 +3,7 @@ package majic.team;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import majic.bot.BotException;
+import majic.driver.Permit;
 
 /** An exclusive owner of a robot: a script, an act, manual control, or a user at another desk. Compared by identity. */
 public final class Owner {
@@ -23,9 +24,9 @@ public final class Owner {
     private final Kind kind;
     private final String name;
     private final String title;
+    private final Permit permit;
     private final Runnable end;
     private volatile String status = "";
-    private volatile boolean dismissed;
 
     /**
      * Describes an owner.
@@ -44,9 +45,19 @@ public final class Owner {
      * @param title the name with these values
      */
     public Owner(Kind kind, String name, String title, Runnable end) {
+        this(kind, name, title, new Permit(), end);
+    }
+
+    /**
+     * Describes an owner with a permit that it has already.
+     *
+     * @param permit the permission to move its robots; a stop of one of them revokes it
+     */
+    public Owner(Kind kind, String name, String title, Permit permit, Runnable end) {
         this.kind = kind;
         this.name = name;
         this.title = title;
+        this.permit = permit;
         this.end = end;
     }
 
@@ -104,18 +115,23 @@ public final class Owner {
         }
     }
 
-    /** Rejects all further commands of this owner that move a robot, even those sent before it ends. */
-    void dismiss() {
-        dismissed = true;
+    /**
+     * Returns the permission of this owner to move its robots. Once it is revoked, all further commands of this owner
+     * that move a robot are rejected, even those sent before it ends.
+     *
+     * @return the permit, which a stop of one of its robots by another source revokes
+     */
+    public Permit permit() {
+        return permit;
     }
 
     /**
-     * Returns whether a stop revoked this owner's permission to move its robots.
+     * Returns whether this owner's permission to move its robots was revoked, by a stop or because it ends.
      *
      * @return true from the moment of the stop, before its {@code end} is called
      */
-    public boolean isDismissed() {
-        return dismissed;
+    public boolean isRevoked() {
+        return permit.isRevoked();
     }
 
     /**

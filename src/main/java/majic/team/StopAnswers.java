@@ -42,7 +42,7 @@ final class StopAnswers {
      * {@value #BOUND_S} s. Returns at once.
      */
     void confirmed(Member member, StopAnswerOrder order) {
-        if (!member.hasDismissedOwner()) {
+        if (!member.isOwnerRevoked()) {
             answer(member, order, Answer.Outcome.DONE, "done");
             return;
         }
@@ -60,7 +60,7 @@ final class StopAnswers {
 
     private void await(Member member, StopAnswerOrder order, Deadline deadline) {
         try {
-            events.changes().await(() -> deadline.over || !member.hasDismissedOwner(), Signal.FOR_EVER);
+            events.changes().await(() -> deadline.over || !member.isOwnerRevoked(), Signal.FOR_EVER);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
@@ -70,16 +70,16 @@ final class StopAnswers {
     }
 
     private void close(Member member, StopAnswerOrder order) {
-        Owner holder = member.owner();
+        Owner owner = member.owner();
         try {
-            if (holder == null || !holder.isDismissed()) {
+            if (owner == null || !owner.isRevoked()) {
                 answer(member, order, Answer.Outcome.DONE, "done");
             } else {
                 answer(
                         member,
                         order,
                         Answer.Outcome.FAILED,
-                        "stopped, but " + holder.name() + " has not given the robot back");
+                        "stopped, but " + owner.name() + " has not given the robot back");
             }
         } finally {
             open.decrementAndGet();

@@ -124,7 +124,7 @@ public final class Team implements AutoCloseable {
      */
     public void remove(int number) {
         Member member = member(number);
-        Ownership.Stopped stopped = member.beginStop(null);
+        Leases.Stopped stopped = member.beginStop(null);
         boolean wasMember = roster.remove(member);
         member.close();
         member.endStop();
@@ -282,7 +282,7 @@ public final class Team implements AutoCloseable {
 
     /** Revokes, writes to every connection, then notifies. */
     private void stop(List<Member> members, @Nullable Owner by, boolean latches, Runnable announcement) {
-        List<Ownership.Stopped> stopped =
+        List<Leases.Stopped> stopped =
                 members.stream().map(member -> member.beginStop(by)).toList();
         stopSender.send(members, latches);
         changes.raise();
@@ -296,11 +296,11 @@ public final class Team implements AutoCloseable {
     /**
      * Calls owners and listeners on other threads, and waits briefly for them, so that later work follows the calls.
      */
-    private void notifyAfterStop(List<Ownership.Stopped> stopped, Runnable afterwards) {
+    private void notifyAfterStop(List<Leases.Stopped> stopped, Runnable afterwards) {
         List<Runnable> callbacks = new ArrayList<>();
         stopped.forEach(one -> one.ended().forEach(owner -> callbacks.add(owner::endLoggingErrors)));
         callbacks.add(() -> {
-            stopped.forEach(Ownership.Stopped::answer);
+            stopped.forEach(Leases.Stopped::answer);
             afterwards.run();
         });
         CountDownLatch running = new CountDownLatch(callbacks.size());
@@ -485,7 +485,7 @@ public final class Team implements AutoCloseable {
     public void close() {
         latched = true;
         List<Member> all = members();
-        List<Ownership.Stopped> stopped =
+        List<Leases.Stopped> stopped =
                 all.stream().map(member -> member.beginStop(null)).toList();
         roster.clear();
         AtomicInteger open = new AtomicInteger(all.size());

@@ -12,7 +12,6 @@ import majic.bot.FakeBot;
 import majic.bot.MotionReport;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.driver.Permit;
 import majic.time.TimeSource;
 import majic.time.WaitLimit;
 import org.junit.jupiter.api.AfterEach;
@@ -173,16 +172,15 @@ class StopOrderTest {
     @Test
     void aLostLinkEndsTheActOnAllItsRobotsThoughListenersBlock() {
         List<String> ended = new CopyOnWriteArrayList<>();
-        Permit lease = new Permit();
         Owner act = new Owner(Owner.Kind.ACT, "Guard", () -> ended.add("Guard"));
-        team.members().forEach(member -> member.lend(act, lease, null));
+        team.members().forEach(member -> member.sublet(act, null));
         first.addListener(gate.blocked(BotListener.class));
         team.addListener(gate.blocked(TeamListener.class));
 
         aside(first::cut);
 
         WaitLimit.until("the end of the act", () -> ended.contains("Guard"));
-        assertThat(lease.isRevoked()).isTrue();
+        assertThat(act.isRevoked()).isTrue();
     }
 
     @Test

@@ -48,9 +48,9 @@ class TeamOwnersTest {
         robot.claim(script);
         assertThat(robot.ownedSinceNanos()).isEqualTo(claimed);
 
-        robot.lend(act, new Permit(), script);
+        robot.sublet(act, script);
         assertThat(clock.time().secondsSince(robot.ownedSinceNanos())).isZero();
-        robot.takeBack(act);
+        robot.endSublease(act);
         assertThat(robot.ownedSinceNanos()).isEqualTo(claimed);
     }
 
@@ -122,40 +122,38 @@ class TeamOwnersTest {
     void anOwnerThatGaveARobotBackCanMoveItNoMore() {
         fixture.join();
         Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
-        team.member(1).lend(act, new Permit(), null);
-        team.member(1).takeBack(act);
+        team.member(1).sublet(act, null);
+        team.member(1).endSublease(act);
 
         assertThatThrownBy(() -> team.member(1).submit(move(100), act)).isInstanceOf(MotionStopped.class);
     }
 
     @Test
-    void whatABorrowerHadQueuedBeginsNoMoreOnceItsPermitIsRevoked() throws InterruptedException {
+    void whatAnActHadQueuedBeginsNoMoreOnceItsPermitIsRevoked() throws InterruptedException {
         fixture.join();
         fixture.listen();
         Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
-        Permit permit = new Permit();
-        team.member(1).lend(act, permit, null);
+        team.member(1).sublet(act, null);
         team.member(1).submit(move(5000), act);
-        team.member(1).submit(move(100).checkedBy(permit::check), act);
+        team.member(1).submit(move(100).checkedBy(act.permit()::check), act);
         clock.time().sleep(0.1);
-        permit.revoke(() -> new MotionStopped("called off"));
+        act.permit().revoke(() -> new MotionStopped("called off"));
         clock.time().sleep(1);
-        team.member(1).takeBack(act);
+        team.member(1).endSublease(act);
 
         assertThat(said).containsExactly("1 move 5000: stopped");
     }
 
-    /** Lends robot 1 and submits a command of the borrower that sleeps on after its permit was revoked. */
-    private QueuedCommand sleepInLoan(Owner borrower, double seconds) throws InterruptedException {
-        Permit permit = new Permit();
+    /** Sublets robot 1 and submits a command of the act that sleeps on after its permit was revoked. */
+    private QueuedCommand sleepInSublease(Owner act, double seconds) throws InterruptedException {
         QueuedCommand command = new QueuedCommand("sleep", false, robot -> {
             sleep(seconds);
             return List.of();
         });
-        team.member(1).lend(borrower, permit, null);
-        team.member(1).submit(command, borrower);
+        team.member(1).sublet(act, null);
+        team.member(1).submit(command, act);
         clock.time().sleep(0.1);
-        permit.revoke(() -> new MotionStopped("the act has ended"));
+        act.permit().revoke(() -> new MotionStopped("the act has ended"));
         return command;
     }
 
@@ -168,22 +166,22 @@ class TeamOwnersTest {
     }
 
     @Test
-    void aRobotIsGivenBackWhenTheBorrowersLastCommandHasEnded() throws InterruptedException {
+    void aRobotIsGivenBackWhenTheLastCommandOfTheActHasEnded() throws InterruptedException {
         fixture.join();
         Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
-        QueuedCommand last = sleepInLoan(act, 0.5);
-        team.member(1).takeBack(act);
+        QueuedCommand last = sleepInSublease(act, 0.5);
+        team.member(1).endSublease(act);
 
         assertThat(last.hasEnded()).isTrue();
         assertThat(team.member(1).owner()).isNull();
     }
 
     @Test
-    void aRobotIsGivenBackThoughTheBorrowersLastCommandGoesOn() throws InterruptedException {
+    void aRobotIsGivenBackThoughTheLastCommandOfTheActGoesOn() throws InterruptedException {
         fixture.join();
         Owner act = new Owner(Owner.Kind.ACT, "WanderDog", () -> {});
-        QueuedCommand last = sleepInLoan(act, 100);
-        team.member(1).takeBack(act);
+        QueuedCommand last = sleepInSublease(act, 100);
+        team.member(1).endSublease(act);
 
         assertThat(last.hasEnded()).isFalse();
         assertThat(team.member(1).owner()).isNull();

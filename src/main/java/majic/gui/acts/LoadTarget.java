@@ -34,7 +34,7 @@ public record LoadTarget(Member member, @Nullable Owner ends) {
         if (now == null || now != ends) {
             return start;
         }
-        boolean isItsOwn = now.kind() == Owner.Kind.ACT && member.lender() == null;
+        boolean isItsOwn = now.kind() == Owner.Kind.ACT && member.sublessor() == null;
         String end = isItsOwn ? ActOffer.endLine(List.of(number)) : number + " stop";
         return end + "\n" + number + " wait\n" + start;
     }
@@ -47,10 +47,10 @@ public record LoadTarget(Member member, @Nullable Owner ends) {
         if (owner.kind() == Owner.Kind.REMOTE) {
             return TEXTS.get("held", member.number(), owner.name());
         }
-        Owner lender = member.lender();
-        return lender == null
+        Owner below = member.sublessor();
+        return below == null
                 ? TEXTS.get("running", member.number(), owner.name())
-                : TEXTS.get("runningInScript", member.number(), owner.name(), lender.name());
+                : TEXTS.get("runningInScript", member.number(), owner.name(), below.name());
     }
 
     /**

@@ -337,7 +337,7 @@ public class Execution {
 
     /** Whether a stop of a robot is pending, or the owner that it ended has not released the robot yet. */
     public static boolean isEnding(Member member) {
-        return member.isStopping() || member.hasDismissedOwner();
+        return member.isStopping() || member.isOwnerRevoked();
     }
 
     /** The waits that its commands may use. */

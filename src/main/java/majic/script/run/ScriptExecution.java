@@ -145,7 +145,7 @@ public final class ScriptExecution extends Execution {
     }
 
     private boolean mustNotBegin() {
-        return ended || owner.isDismissed() || own.trouble().isPresent();
+        return ended || owner.isRevoked() || own.trouble().isPresent();
     }
 
     /**
@@ -209,7 +209,7 @@ public final class ScriptExecution extends Execution {
     private void stopFromOutside() {
         team().stop(
                         team().members().stream()
-                                .filter(member -> member.owner() == owner || member.lender() == owner)
+                                .filter(member -> member.owner() == owner || member.sublessor() == owner)
                                 .toList(),
                         null);
         end();

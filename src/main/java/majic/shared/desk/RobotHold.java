@@ -7,7 +7,6 @@ import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.driver.BotDriver;
-import majic.driver.Permit;
 import majic.driver.PermittedControl;
 import majic.shared.message.Sender;
 import majic.team.Member;
@@ -30,7 +29,6 @@ final class RobotHold {
     private final TimeSource time;
     private final Owner owner;
     private final BiConsumer<RobotHold, Boolean> whenEnded;
-    private final Permit permit = new Permit();
     private final AtomicBoolean ended = new AtomicBoolean();
     private final AtomicInteger open = new AtomicInteger();
     private volatile boolean explicit;
@@ -72,7 +70,7 @@ final class RobotHold {
 
     /** A stop of the robot, or the loss of its connection, ends the use of a control for good. */
     private PermittedControl newControl() {
-        return new PermittedControl(BotDriver.of(member.bot()), permit).forCommand();
+        return new PermittedControl(BotDriver.of(member.bot()), owner.permit()).forCommand();
     }
 
     Sender holder() {
@@ -144,12 +142,12 @@ final class RobotHold {
 
     /** Revokes the right to drive at once, without stopping or freeing the robot; does not block. */
     void revoke() {
-        permit.revoke(() -> new MotionStopped("the robot is no longer held"));
+        owner.permit().revoke(() -> new MotionStopped("the robot is no longer held"));
     }
 
     /** Whether it is about to end. */
     boolean isRevoked() {
-        return permit.isRevoked();
+        return owner.isRevoked();
     }
 
     /** Gives the robot back; sends nothing to it. */
