@@ -2,18 +2,25 @@ package majic.team;
 
 import java.util.Collection;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.MajicBot.Connection;
 
 /** Writes stops to robots, and passes on whether each robot has confirmed its stop. Thread-safe. */
 final class StopSender {
     private final StopReceipts receipts;
-    private final StopAnswers answers;
+    private final TeamEvents events;
     private final OverdueStops overdue;
+    private final AtomicInteger open = new AtomicInteger();
 
-    StopSender(StopReceipts receipts, StopAnswers answers, OverdueStops overdue) {
+    StopSender(TeamEvents events, StopReceipts receipts) {
+        this.events = events;
         this.receipts = receipts;
-        this.answers = answers;
-        this.overdue = overdue;
+        this.overdue = new OverdueStops(events, receipts);
+    }
+
+    /** Whether every stop that a robot has confirmed was answered. */
+    boolean areAnswered() {
+        return open.get() == 0;
     }
 
     /**
@@ -24,16 +31,16 @@ final class StopSender {
      */
     void send(Collection<Member> members, boolean latches) {
         long stop = receipts.begin(members, latches);
-        StopAnswerOrder order = answers.order(members);
+        StopAnswers answers = new StopAnswers(events, open, members);
         Runnable watch = overdue.watch(members, stop);
         List<Member> left = members.stream()
                 .filter(member -> !member.time()
                         .tryRunAsync(
                                 "stopping robot " + member.number(),
-                                () -> write(member, stop, order).run()))
+                                () -> write(member, stop, answers).run()))
                 .toList();
         List<Runnable> confirmations =
-                left.stream().map(member -> write(member, stop, order)).toList();
+                left.stream().map(member -> write(member, stop, answers)).toList();
         watch.run();
         confirmations.forEach(Runnable::run);
     }
@@ -62,16 +69,16 @@ final class StopSender {
     }
 
     /** Writes a stop; the returned task waits for its confirmation and reports it. */
-    private Runnable write(Member member, long stop, StopAnswerOrder order) {
+    private Runnable write(Member member, long stop, StopAnswers answers) {
         try {
             boolean written = member.driver().writeStop();
-            return () -> confirm(member, stop, order, () -> {
+            return () -> confirm(member, stop, answers, () -> {
                 if (written) {
                     member.driver().confirmHalt();
                 }
             });
         } catch (RuntimeException | Error e) {
-            return () -> confirm(member, stop, order, () -> {
+            return () -> confirm(member, stop, answers, () -> {
                 throw e;
             });
         }
@@ -87,14 +94,14 @@ final class StopSender {
                 : reason;
     }
 
-    private void confirm(Member member, long stop, StopAnswerOrder order, Runnable confirmation) {
+    private void confirm(Member member, long stop, StopAnswers answers, Runnable confirmation) {
         try {
             confirmation.run();
             receipts.confirmed(member, stop);
-            answers.confirmed(member, order);
+            answers.confirmed(member);
         } catch (RuntimeException | Error e) {
             receipts.failed(member, stop, reason(member, e));
-            answers.failed(member, order, reason(member, e));
+            answers.failed(member, reason(member, e));
         } finally {
             member.endStop();
         }

@@ -40,7 +40,6 @@ public final class Team implements AutoCloseable {
     private final Roster roster;
     private final Object latching = new Object();
     private final StopCount stops = new StopCount();
-    private final StopAnswers stopAnswers;
     private final StopReceipts stopReceipts;
     private final StopSender stopSender;
     private volatile boolean latched;
@@ -70,10 +69,9 @@ public final class Team implements AutoCloseable {
         this.time = time;
         this.changes = time.signal();
         this.events = new TeamEvents(time, changes);
-        this.stopAnswers = new StopAnswers(events, time);
         this.roster = new Roster(maxBots);
         this.stopReceipts = new StopReceipts(events, roster);
-        this.stopSender = new StopSender(stopReceipts, stopAnswers, new OverdueStops(events, stopReceipts));
+        this.stopSender = new StopSender(events, stopReceipts);
     }
 
     /**
@@ -378,7 +376,7 @@ public final class Team implements AutoCloseable {
      * @return false while an owner that a stop ended has not given its robot back, for 2.5 s at most
      */
     public boolean areStopsAnswered() {
-        return stopAnswers.areGiven();
+        return stopSender.areAnswered();
     }
 
     /**
