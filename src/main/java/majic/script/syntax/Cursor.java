@@ -47,7 +47,7 @@ public final class Cursor {
     }
 
     Token advance() {
-        Token token = peek();
+        Token token = tokens.get(next);
         if (token.kind() != Kind.END) {
             next++;
         }
@@ -55,7 +55,7 @@ public final class Cursor {
     }
 
     boolean check(Kind kind) {
-        return peek().kind() == kind;
+        return tokens.get(next).kind() == kind;
     }
 
     boolean check(String word) {
@@ -97,6 +97,9 @@ public final class Cursor {
     /** A number of some quantity. */
     Literal number(Quantity quantity) {
         Token written = peek();
+        if (written.kind() == Kind.NUMBER) {
+            return quantity.read(advance());
+        }
         String expected = quantity.what() + " (" + quantity.symbols() + ")";
         if (written.kind() != Kind.VARIABLE) {
             return quantity.read(consume(Kind.NUMBER, expected));

@@ -5,22 +5,27 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.script.syntax.Token.Kind;
-import org.jspecify.annotations.Nullable;
 
-/** Makes tokens out of characters. Every text has tokens; what they are worth is the parser's business. */
+/** Makes tokens out of characters. Every text has tokens; the parser decides which of them form a line. */
 public final class Scanner {
     private static final Pattern BLANK = Pattern.compile("[\\s\\x{FEFF}\\x{A0}]+");
-    private static final Pattern SPAN = Pattern.compile("\\d+-\\d+(?![\\p{L}\\d]|\\.\\d)");
-    private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?([\\p{L}%°][\\p{L}\\d%/²]*)?");
-    private static final Pattern WORD = Pattern.compile("\\p{L}[\\p{L}\\d_]*(/[\\p{L}\\d_]+)*");
-    private static final Pattern VARIABLE = Pattern.compile("-?\\$\\p{L}[\\p{L}\\d_]*");
-    private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
-    private static final Pattern OPERATOR = Pattern.compile("[<>=!]=|[<>=]");
+
+    /** In the order in which they are tried. */
+    private static final List<Form> FORMS = List.of(
+            new Form(Kind.QUOTED, Pattern.compile("\"([^\"]*)\"")),
+            new Form(Kind.SPAN, Pattern.compile("\\d+-\\d+(?![\\p{L}\\d]|\\.\\d)")),
+            new Form(Kind.NUMBER, Pattern.compile("-?\\d+(\\.\\d+)?([\\p{L}%°][\\p{L}\\d%/²]*)?")),
+            new Form(Kind.WORD, Pattern.compile("\\p{L}[\\p{L}\\d_]*(/[\\p{L}\\d_]+)*")),
+            new Form(Kind.VARIABLE, Pattern.compile("-?\\$\\p{L}[\\p{L}\\d_]*")),
+            new Form(Kind.OPERATOR, Pattern.compile("[<>=!]=|[<>=]")));
 
     private final String source;
     private final int line;
     private final List<Token> tokens;
     private int at;
+
+    /** The characters of one kind of token; of a quoted text, the group is what stands between the quotes. */
+    private record Form(Kind kind, Pattern pattern) {}
 
     private Scanner(String source, int line, List<Token> tokens) {
         this.source = source;
@@ -42,27 +47,28 @@ public final class Scanner {
     }
 
     private void scanLine() {
+        Matcher next = BLANK.matcher(source).useTransparentBounds(true);
         while (at < source.length() && source.charAt(at) != '#') {
-            scanToken();
+            next.region(at, source.length());
+            if (next.usePattern(BLANK).lookingAt()) {
+                at = next.end();
+            } else {
+                scanToken(next);
+            }
         }
         add(Kind.NEWLINE, "", at);
     }
 
-    private void scanToken() {
-        if (matches(BLANK) != null) {
-            return;
+    private void scanToken(Matcher next) {
+        for (Form form : FORMS) {
+            if (next.usePattern(form.pattern).lookingAt()) {
+                int start = at;
+                at = next.end();
+                add(form.kind, form.kind == Kind.QUOTED ? next.group(1) : next.group(), start);
+                return;
+            }
         }
-        int start = at;
-        Matcher quoted = matches(QUOTED);
-        if (quoted != null) {
-            add(Kind.QUOTED, quoted.group(1), start);
-        } else if (!take(Kind.SPAN, SPAN)
-                && !take(Kind.NUMBER, NUMBER)
-                && !take(Kind.WORD, WORD)
-                && !take(Kind.VARIABLE, VARIABLE)
-                && !take(Kind.OPERATOR, OPERATOR)) {
-            takeSign();
-        }
+        takeSign();
     }
 
     private void takeSign() {
@@ -81,26 +87,6 @@ public final class Scanner {
             case ")" -> add(Kind.RIGHT, sign, start);
             default -> add(Kind.OTHER, sign, start);
         }
-    }
-
-    private boolean take(Kind kind, Pattern pattern) {
-        int start = at;
-        Matcher found = matches(pattern);
-        if (found == null) {
-            return false;
-        }
-        add(kind, found.group(), start);
-        return true;
-    }
-
-    private @Nullable Matcher matches(Pattern pattern) {
-        Matcher matcher = pattern.matcher(source).region(at, source.length());
-        matcher.useTransparentBounds(true);
-        if (!matcher.lookingAt()) {
-            return null;
-        }
-        at = matcher.end();
-        return matcher;
     }
 
     private void add(Kind kind, String text, int start) {
