@@ -332,7 +332,7 @@ public final class MajicParser {
     public boolean isStop(String line) {
         try {
             return mentionsStop(line)
-                    && checker.parse(line).filter(dispatcher::isStop).isPresent();
+                    && checker.parse(line).filter(Dispatcher::isStop).isPresent();
         } catch (ScriptException e) {
             return true;
         }

@@ -70,9 +70,7 @@ public final class ScriptRunner {
     public Checked check(String text) {
         List<Mistake> mistakes = new ArrayList<>();
         List<Statement> script = scripts.checked(text, selection, mistakes);
-        return new Checked(
-                mistakes,
-                List.copyOf(RobotsIn.of(script, session.actions(), selection).commanded()));
+        return new Checked(mistakes, List.copyOf(RobotsIn.of(script, selection).commanded()));
     }
 
     /**

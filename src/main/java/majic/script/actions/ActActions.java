@@ -3,16 +3,13 @@ package majic.script.actions;
 import java.util.List;
 import java.util.function.Function;
 import majic.bot.BotException;
-import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
 import majic.script.run.ActRunner;
 import majic.script.run.ActRunner.CheckedAct;
 import majic.script.run.ActionLookup;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
@@ -32,7 +29,7 @@ final class ActActions {
         private @Nullable CheckedAct checked;
 
         ActAction(Command.Act act, ActRunner acts, ActionLookup actions) {
-            super(act, Scheduling.AT_ONCE, CommandTrait.COMMANDS_ROBOTS, CommandTrait.READS_FILES);
+            super(act);
             this.act = act;
             this.acts = acts;
             this.actions = actions;
@@ -45,11 +42,6 @@ final class ActActions {
             } else {
                 check.selection().members(act.others());
             }
-        }
-
-        @Override
-        public List<Member> others(Selection selection) {
-            return act.others() == null ? List.of() : selection.present(act.others());
         }
 
         @Override
@@ -81,7 +73,7 @@ final class ActActions {
         private final ActRunner acts;
 
         ActOffAction(Command.ActOff actOff, ActRunner acts) {
-            super(actOff, Scheduling.AT_ONCE_IF_TYPED);
+            super(actOff);
             this.acts = acts;
         }
 
@@ -103,12 +95,11 @@ final class ActActions {
     }
 
     /** Lists the behaviours, or describes one. */
-    static final class ActsAction extends SessionAction {
+    static final class ActsAction implements SessionAction {
         private final @Nullable Literal act;
         private final ActRunner acts;
 
         ActsAction(SessionCommand.Acts command, ActRunner acts) {
-            super(Scheduling.BESIDE, CommandTrait.READS_FILES);
             this.act = command.act();
             this.acts = acts;
         }
@@ -128,11 +119,10 @@ final class ActActions {
     }
 
     /** Lists the consents. Their files need not exist. */
-    static final class ConsentsAction extends SessionAction {
+    static final class ConsentsAction implements SessionAction {
         private final ActRunner acts;
 
         ConsentsAction(ActRunner acts) {
-            super(Scheduling.BESIDE, CommandTrait.LOCAL_ONLY);
             this.acts = acts;
         }
 
@@ -145,12 +135,11 @@ final class ActActions {
         }
     }
 
-    static final class TrustAction extends SessionAction {
+    static final class TrustAction implements SessionAction {
         private final SessionCommand.Trust trust;
         private final ActRunner acts;
 
         TrustAction(SessionCommand.Trust trust, ActRunner acts) {
-            super(Scheduling.BESIDE, CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM, CommandTrait.LOCAL_ONLY);
             this.trust = trust;
             this.acts = acts;
         }
@@ -171,12 +160,11 @@ final class ActActions {
         }
     }
 
-    static final class TrustOffAction extends SessionAction {
+    static final class TrustOffAction implements SessionAction {
         private final Literal fileOrHash;
         private final ActRunner acts;
 
         TrustOffAction(SessionCommand.TrustOff trustOff, ActRunner acts) {
-            super(Scheduling.BESIDE, CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM, CommandTrait.LOCAL_ONLY);
             this.fileOrHash = trustOff.fileOrHash();
             this.acts = acts;
         }

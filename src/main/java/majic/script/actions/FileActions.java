@@ -9,9 +9,7 @@ import majic.file.RegularFile;
 import majic.file.WholeFile;
 import majic.log.ParameterLog;
 import majic.script.record.SessionRecord;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
-import majic.script.run.Scheduling;
 import majic.script.run.ScriptFiles;
 import majic.script.run.SessionAction;
 import majic.script.syntax.Literal;
@@ -24,12 +22,11 @@ import majic.text.VisibleText;
 final class FileActions {
     private FileActions() {}
 
-    static final class RunAction extends SessionAction {
+    static final class RunAction implements SessionAction {
         private final Literal file;
         private final ScriptFiles files;
 
         RunAction(SessionCommand.Run run, ScriptFiles files) {
-            super(Scheduling.BESIDE, CommandTrait.COMMANDS_ROBOTS, CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM);
             this.file = run.file();
             this.files = files;
         }
@@ -55,12 +52,11 @@ final class FileActions {
     }
 
     /** Writes a file. */
-    private abstract static class SaveAction extends SessionAction {
+    private abstract static class SaveAction implements SessionAction {
         private final String what;
         private final Literal file;
 
-        SaveAction(String what, Literal file, CommandTrait... traits) {
-            super(Scheduling.BESIDE, traits);
+        SaveAction(String what, Literal file) {
             this.what = what;
             this.file = file;
         }
@@ -100,7 +96,7 @@ final class FileActions {
         private final SessionRecord record;
 
         SaveSessionAction(SessionCommand.SaveSession save, SessionRecord record) {
-            super("save session", save.file(), CommandTrait.WRITES_FILE);
+            super("save session", save.file());
             this.record = record;
         }
 
@@ -117,7 +113,7 @@ final class FileActions {
         private final TeamScript team;
 
         SaveTeamAction(SessionCommand.SaveTeam save, TeamScript team) {
-            super("save team", save.file(), CommandTrait.WRITES_FILE);
+            super("save team", save.file());
             this.team = team;
         }
 
@@ -149,7 +145,7 @@ final class FileActions {
         private final ParameterLog log;
 
         SaveLogAction(SessionCommand.SaveLog save, ParameterLog log) {
-            super("save log", save.file(), CommandTrait.WRITES_FILE);
+            super("save log", save.file());
             this.log = log;
         }
 

@@ -5,7 +5,6 @@ import java.util.Locale;
 import majic.script.help.Help;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
 import majic.script.syntax.Command;
 import majic.script.syntax.ScriptException;
@@ -26,7 +25,7 @@ final class HelpActions {
         private final @Nullable Token topic;
 
         RobotHelpAction(Command.Help help) {
-            super(help, Scheduling.OVERTAKES);
+            super(help);
             this.topic = help.parameter();
         }
 
@@ -49,13 +48,12 @@ final class HelpActions {
     }
 
     /** Describes the language. */
-    static final class LanguageHelpAction extends SessionAction {
+    static final class LanguageHelpAction implements SessionAction {
         private final @Nullable Token topic;
         private final BotFactory factory;
         private final Team team;
 
         LanguageHelpAction(SessionCommand.Help help, BotFactory factory, Team team) {
-            super(Scheduling.OVERTAKES);
             this.topic = help.topic();
             this.factory = factory;
             this.team = team;
@@ -78,11 +76,10 @@ final class HelpActions {
         }
     }
 
-    static final class QuitAction extends SessionAction {
+    static final class QuitAction implements SessionAction {
         private final Runnable quit;
 
         QuitAction(Runnable quit) {
-            super(Scheduling.OVERTAKES);
             this.quit = quit;
         }
 

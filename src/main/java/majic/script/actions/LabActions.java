@@ -6,10 +6,8 @@ import java.util.Map;
 import majic.bot.BotException;
 import majic.bot.Pose;
 import majic.lab.LabAccess;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
 import majic.script.syntax.Command;
 import majic.team.BotFactory;
@@ -21,11 +19,10 @@ final class LabActions {
     private LabActions() {}
 
     /** Lists where the robots truly are, and how often each has run into something. */
-    static final class LabAction extends SessionAction {
+    static final class LabAction implements SessionAction {
         private final BotFactory factory;
 
         LabAction(BotFactory factory) {
-            super(Scheduling.AT_ONCE);
             this.factory = factory;
         }
 
@@ -59,7 +56,7 @@ final class LabActions {
         private final BotFactory factory;
 
         PlaceAction(Command.Place place, BotFactory factory) {
-            super(place, Scheduling.AT_ONCE, CommandTrait.COMMANDS_ROBOTS);
+            super(place);
             this.place = place;
             this.factory = factory;
         }

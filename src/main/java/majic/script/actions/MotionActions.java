@@ -6,10 +6,8 @@ import majic.bot.Guard;
 import majic.script.conditions.UntilGuard;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.Scheduling;
 import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Literal;
@@ -26,7 +24,7 @@ final class MotionActions {
         private final @Nullable Condition until;
 
         MotionAction(Command command) {
-            super(command, Scheduling.AT_ONCE, CommandTrait.COMMANDS_ROBOTS);
+            super(command);
             this.until = command.until();
         }
 
@@ -122,7 +120,7 @@ final class MotionActions {
 
     static final class StopAction extends RobotAction {
         StopAction(Command.Stop stop) {
-            super(stop, Scheduling.STOP);
+            super(stop);
         }
 
         @Override

@@ -18,10 +18,8 @@ import majic.bot.Reading;
 import majic.bot.Value;
 import majic.log.Sampling;
 import majic.script.help.Help;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.Scheduling;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
@@ -32,15 +30,13 @@ import org.jspecify.annotations.Nullable;
 
 /** The commands for a robot's parameters, for their log, and those that only some types of robot have. */
 final class ParameterActions {
-    private static final String LIMIT = "maxMove";
-
     private ParameterActions() {}
 
     static final class GetAction extends RobotAction {
         private final Command.Get get;
 
         GetAction(Command.Get get) {
-            super(get, Scheduling.OVERTAKES);
+            super(get);
             this.get = get;
         }
 
@@ -104,15 +100,9 @@ final class ParameterActions {
         private final List<Literal> literals;
 
         SetAction(Command.Set set) {
-            super(set, Scheduling.AT_ONCE, traits(set));
+            super(set);
             this.parameter = set.parameter();
             this.literals = set.values();
-        }
-
-        private static CommandTrait[] traits(Command.Set set) {
-            return set.parameter().text().equalsIgnoreCase(LIMIT)
-                    ? new CommandTrait[] {CommandTrait.COMMANDS_ROBOTS, CommandTrait.CHANGES_LIMIT}
-                    : new CommandTrait[] {CommandTrait.COMMANDS_ROBOTS};
         }
 
         @Override
@@ -150,7 +140,7 @@ final class ParameterActions {
         private final Sampling sampling;
 
         LogAction(Command.Log log, Sampling sampling) {
-            super(log, Scheduling.AT_ONCE);
+            super(log);
             this.log = log;
             this.sampling = sampling;
         }
@@ -223,7 +213,7 @@ final class ParameterActions {
         private final Sampling sampling;
 
         LogOffAction(Command.LogOff logOff, Sampling sampling) {
-            super(logOff, Scheduling.AT_ONCE);
+            super(logOff);
             this.sampling = sampling;
         }
 
@@ -246,7 +236,7 @@ final class ParameterActions {
         private final Plotting plotting;
 
         PlotAction(Command.Plot plot, Plotting plotting) {
-            super(plot, Scheduling.AT_ONCE);
+            super(plot);
             this.plot = plot;
             this.plotting = plotting;
         }
@@ -283,7 +273,7 @@ final class ParameterActions {
         private final List<Literal> arguments;
 
         OwnAction(Command.Own own) {
-            super(own, Scheduling.AT_ONCE, CommandTrait.COMMANDS_ROBOTS);
+            super(own);
             this.word = own.at();
             this.arguments = own.arguments();
         }

@@ -6,10 +6,8 @@ import majic.bot.BotAddress;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
 import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
@@ -26,13 +24,12 @@ import org.jspecify.annotations.Nullable;
 final class TeamActions {
     private TeamActions() {}
 
-    static final class AddAction extends SessionAction {
+    static final class AddAction implements SessionAction {
         private final SessionCommand.Add add;
         private final RobotConnector connector;
         private final BotFactory factory;
 
         AddAction(SessionCommand.Add add, RobotConnector connector, BotFactory factory) {
-            super(Scheduling.BESIDE_IN_ORDER, CommandTrait.CHANGES_TEAM);
             this.add = add;
             this.connector = connector;
             this.factory = factory;
@@ -53,12 +50,11 @@ final class TeamActions {
         }
     }
 
-    static final class RemoveAction extends SessionAction {
+    static final class RemoveAction implements SessionAction {
         private final Robots robots;
         private final RobotConnector connector;
 
         RemoveAction(SessionCommand.Remove remove, RobotConnector connector) {
-            super(Scheduling.BESIDE, CommandTrait.CHANGES_TEAM);
             this.robots = remove.robots();
             this.connector = connector;
         }
@@ -85,7 +81,7 @@ final class TeamActions {
         private final BotFactory factory;
 
         NameAction(Command.Name command, Team team, BotFactory factory) {
-            super(command, Scheduling.AT_ONCE, CommandTrait.CHANGES_TEAM);
+            super(command);
             this.name = command.name();
             this.team = team;
             this.factory = factory;
@@ -137,12 +133,11 @@ final class TeamActions {
         }
     }
 
-    static final class BotsAction extends SessionAction {
+    static final class BotsAction implements SessionAction {
         private final Team team;
         private final RobotConnector connector;
 
         BotsAction(Team team, RobotConnector connector) {
-            super(Scheduling.OVERTAKES);
             this.team = team;
             this.connector = connector;
         }
@@ -156,13 +151,12 @@ final class TeamActions {
         }
     }
 
-    static final class ProbeAction extends SessionAction {
+    static final class ProbeAction implements SessionAction {
         private final Literal address;
         private final RobotConnector connector;
         private final BotFactory factory;
 
         ProbeAction(SessionCommand.Probe probe, RobotConnector connector, BotFactory factory) {
-            super(Scheduling.BESIDE);
             this.address = probe.address();
             this.connector = connector;
             this.factory = factory;
@@ -184,11 +178,10 @@ final class TeamActions {
         }
     }
 
-    static final class ReleaseAction extends SessionAction {
+    static final class ReleaseAction implements SessionAction {
         private final Team team;
 
         ReleaseAction(Team team) {
-            super(Scheduling.OVERTAKES);
             this.team = team;
         }
 
@@ -202,11 +195,7 @@ final class TeamActions {
     }
 
     /** STOP. */
-    static final class StopAllAction extends SessionAction {
-        StopAllAction() {
-            super(Scheduling.STOP);
-        }
-
+    static final class StopAllAction implements SessionAction {
         @Override
         public void check(Check check) {}
 

@@ -6,7 +6,6 @@ import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
-import majic.script.run.Scheduling;
 import majic.script.run.SessionAction;
 import majic.script.syntax.Command;
 import majic.script.syntax.SessionCommand;
@@ -20,7 +19,7 @@ final class WaitActions {
     /** Waits until some robots have finished. */
     static final class WaitForRobotsAction extends RobotAction {
         WaitForRobotsAction(Command.Await await) {
-            super(await, Scheduling.HOLDS);
+            super(await);
         }
 
         @Override
@@ -42,11 +41,7 @@ final class WaitActions {
     }
 
     /** Waits until all robots of a line or script have finished. */
-    static final class WaitForAllAction extends SessionAction {
-        WaitForAllAction() {
-            super(Scheduling.HOLDS);
-        }
-
+    static final class WaitForAllAction implements SessionAction {
         @Override
         public void check(Check check) {}
 
@@ -57,11 +52,10 @@ final class WaitActions {
     }
 
     /** Waits for a time. */
-    static final class PauseAction extends SessionAction {
+    static final class PauseAction implements SessionAction {
         private final double seconds;
 
         PauseAction(SessionCommand.Pause pause) {
-            super(Scheduling.HOLDS);
             this.seconds = pause.time().value().number();
         }
 

@@ -27,7 +27,6 @@ import org.jspecify.annotations.Nullable;
  * contain.
  */
 final class ScriptActInspection extends Inspection {
-    private static final ScriptActRules RULES = new ScriptActRules();
     private static final Pattern NAME = Pattern.compile("\\w+");
 
     /** In place of a number, for {@code me}. */
@@ -139,7 +138,7 @@ final class ScriptActInspection extends Inspection {
         }
         robots(line.robots());
         Command command = line.command();
-        command.accept(RULES).ifPresent(why -> refuse(command.at(), why));
+        command.refusalInAct().ifPresent(why -> refuse(command.at(), why));
         Condition until = command.until();
         if (until != null) {
             inspect(until, line.robots());
@@ -154,7 +153,7 @@ final class ScriptActInspection extends Inspection {
 
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
-        line.command().accept(RULES).ifPresent(why -> refuse(line.at(), why));
+        line.command().refusalInAct().ifPresent(why -> refuse(line.at(), why));
         if (line.command() instanceof SessionCommand.Add add) {
             add(line, add);
         }

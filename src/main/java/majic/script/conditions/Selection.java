@@ -64,7 +64,10 @@ public final class Selection {
     }
 
     /** As {@link #members}, leaving out what is not there. */
-    public List<Member> present(Robots robots) {
+    public List<Member> present(@Nullable Robots robots) {
+        if (robots == null) {
+            return List.of();
+        }
         Set<Member> found = new LinkedHashSet<>();
         for (Robots.Item item : robots.items()) {
             try {

@@ -7,11 +7,10 @@ import majic.bot.BotException;
 import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
 import majic.script.run.Checker;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotsIn;
-import majic.script.run.Scheduling;
 import majic.script.run.ScriptRun;
+import majic.script.syntax.CommandTrait;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
 
@@ -20,7 +19,7 @@ final class BlockLine extends PreparedLine {
     private final Statement block;
 
     BlockLine(Statement block, String text, RobotsIn robots) {
-        super(text, Scheduling.BESIDE, traits(robots), List.copyOf(robots.commanded()), List.of());
+        super(text, block.scheduling(), traits(robots), List.copyOf(robots.commanded()), List.of());
         this.block = block;
         markChecked();
     }

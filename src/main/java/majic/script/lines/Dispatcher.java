@@ -10,13 +10,13 @@ import majic.log.Line;
 import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
-import majic.script.run.Scheduling;
 import majic.script.run.SessionState;
 import majic.script.run.SubmittedCommands;
+import majic.script.syntax.CommandTrait;
+import majic.script.syntax.Scheduling;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Statement;
 import majic.team.Answer;
@@ -90,8 +90,8 @@ public final class Dispatcher {
     }
 
     /** Whether a statement stops robots. */
-    public boolean isStop(Statement statement) {
-        return PreparedLine.of(statement, "", actions, selection, false).scheduling() == Scheduling.STOP;
+    public static boolean isStop(Statement statement) {
+        return statement.scheduling() == Scheduling.STOP;
     }
 
     /** Waits until a line would not have to wait behind many others. */

@@ -1,5 +1,6 @@
 package majic.script.lines;
 
+import java.util.Collection;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,12 +12,12 @@ import majic.bot.BotException;
 import majic.driver.Permit;
 import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.Interpreter;
 import majic.script.run.RobotAction;
 import majic.script.run.RobotsIn;
-import majic.script.run.Scheduling;
+import majic.script.syntax.CommandTrait;
+import majic.script.syntax.Scheduling;
 import majic.script.syntax.Statement;
 import majic.team.Member;
 
@@ -27,9 +28,10 @@ import majic.team.Member;
 public abstract class PreparedLine {
     private final String text;
     private final Scheduling scheduling;
-    private final Set<CommandTrait> traits;
+    private final Collection<CommandTrait> traits;
     private List<Member> robots;
     private final Map<Member, Permit> permits = new HashMap<>();
+    private final Set<Integer> commanded;
     private boolean isChecked;
     private boolean stopSent;
     private long stops;
@@ -43,7 +45,11 @@ public abstract class PreparedLine {
      * @param others further robots that it commands
      */
     PreparedLine(
-            String text, Scheduling scheduling, Set<CommandTrait> traits, List<Member> robots, List<Member> others) {
+            String text,
+            Scheduling scheduling,
+            Collection<CommandTrait> traits,
+            List<Member> robots,
+            List<Member> others) {
         this.text = text;
         this.scheduling = scheduling;
         this.traits = traits;
@@ -51,6 +57,7 @@ public abstract class PreparedLine {
         if (has(CommandTrait.COMMANDS_ROBOTS)) {
             Stream.concat(robots.stream(), others.stream()).forEach(robot -> permits.put(robot, robot.currentPermit()));
         }
+        commanded = permits.keySet().stream().map(Member::number).collect(Collectors.toSet());
     }
 
     /**
@@ -68,7 +75,7 @@ public abstract class PreparedLine {
         }
         return statement instanceof Statement.ForSession line
                 ? new SessionLine(line, text, actions.of(line.command()))
-                : new BlockLine(statement, text, RobotsIn.of(List.of(statement), actions, selection));
+                : new BlockLine(statement, text, RobotsIn.of(List.of(statement), selection));
     }
 
     /**
@@ -169,7 +176,7 @@ public abstract class PreparedLine {
 
     /** The numbers of the robots it makes do something. */
     final Set<Integer> commanded() {
-        return permits.keySet().stream().map(Member::number).collect(Collectors.toSet());
+        return commanded;
     }
 
     /** For each robot that it commands, the permission to move that was in force when it was typed. */
@@ -193,7 +200,12 @@ public abstract class PreparedLine {
         private final RobotAction action;
 
         RobotLine(Statement.ForRobots line, String text, RobotAction action, List<Member> robots, Selection selection) {
-            super(text, action.scheduling(), action.traits(), robots, action.others(selection));
+            super(
+                    text,
+                    line.scheduling(),
+                    line.command().traits(),
+                    robots,
+                    selection.present(line.command().others()));
             this.line = line;
             this.action = action;
         }

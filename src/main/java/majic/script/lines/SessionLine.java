@@ -3,9 +3,9 @@ package majic.script.lines;
 import java.util.List;
 import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
-import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.SessionAction;
+import majic.script.syntax.CommandTrait;
 import majic.script.syntax.Statement;
 
 /** A command for the session. */
@@ -14,7 +14,7 @@ final class SessionLine extends PreparedLine {
     private final SessionAction action;
 
     SessionLine(Statement.ForSession line, String text, SessionAction action) {
-        super(text, action.scheduling(), action.traits(), List.of(), List.of());
+        super(text, line.scheduling(), line.command().traits(), List.of(), List.of());
         this.line = line;
         this.action = action;
     }

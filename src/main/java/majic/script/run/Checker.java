@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Set;
 import majic.script.conditions.Comparisons;
 import majic.script.conditions.Selection;
+import majic.script.syntax.CommandTrait;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
@@ -59,10 +60,10 @@ public final class Checker extends Inspection {
             action.check(robots.stream()
                     .map(robot -> new RobotAction.Check(selection, robot, limitsSet.contains(robot), readsFiles))
                     .toList());
-            if (action.has(CommandTrait.CHANGES_LIMIT)) {
+            if (line.command().has(CommandTrait.CHANGES_LIMIT)) {
                 limitsSet.addAll(robots);
             }
-            teamMayChange = action.has(CommandTrait.CHANGES_TEAM);
+            teamMayChange = line.command().has(CommandTrait.CHANGES_TEAM);
         }
         return null;
     }
@@ -70,11 +71,11 @@ public final class Checker extends Inspection {
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
         SessionAction action = actions.of(line.command());
-        if (!teamMayChange && (readsFiles || !action.has(CommandTrait.READS_FILES))) {
+        if (!teamMayChange && (readsFiles || !line.command().has(CommandTrait.READS_FILES))) {
             action.check(new SessionAction.Check(selection, filesMayAppear));
         }
-        filesMayAppear |= action.has(CommandTrait.WRITES_FILE);
-        teamMayChange |= action.has(CommandTrait.CHANGES_TEAM);
+        filesMayAppear |= line.command().has(CommandTrait.WRITES_FILE);
+        teamMayChange |= line.command().has(CommandTrait.CHANGES_TEAM);
         return null;
     }
 }

@@ -10,6 +10,7 @@ import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
 import majic.script.syntax.Command;
+import majic.script.syntax.CommandTrait;
 import majic.script.syntax.Condition;
 import majic.script.syntax.LineParser;
 import majic.script.syntax.ScriptException;
@@ -17,36 +18,19 @@ import majic.script.syntax.Token;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
-/**
- * How a command for robots is scheduled, checked, run, recorded and repeated; one subclass for each kind of
- * {@link Command}.
- */
+/** How a command for robots is checked, run, recorded and repeated; one subclass for each kind of {@link Command}. */
 public abstract class RobotAction {
     private final Command command;
-    private final Scheduling scheduling;
-    private final Set<CommandTrait> traits;
+    private final String text;
 
-    public RobotAction(Command command, Scheduling scheduling, CommandTrait... traits) {
+    public RobotAction(Command command) {
         this.command = command;
-        this.scheduling = scheduling;
-        this.traits = Set.of(traits);
-    }
-
-    public final Scheduling scheduling() {
-        return scheduling;
-    }
-
-    public final Set<CommandTrait> traits() {
-        return traits;
-    }
-
-    final boolean has(CommandTrait trait) {
-        return traits.contains(trait);
+        this.text = command.text();
     }
 
     /** The words that answers repeat. */
     public final String text() {
-        return command.text();
+        return text;
     }
 
     /**
@@ -66,11 +50,6 @@ public abstract class RobotAction {
         robots.forEach(this::check);
     }
 
-    /** Further robots that it makes do something, as far as they are there; none for most commands. */
-    public List<Member> others(Selection selection) {
-        return List.of();
-    }
-
     /** Runs it on robots for which it was checked. */
     public abstract void run(Execution execution, List<Member> robots);
 
@@ -83,14 +62,14 @@ public abstract class RobotAction {
             Execution execution, List<Member> robots, SessionRecord record, @Nullable RecordedBlock block) {
         Set<Integer> numbers = SessionRecord.numbers(robots);
         boolean typed = execution.isTyped();
-        if (has(CommandTrait.COMMANDS_ROBOTS)
+        if (command.has(CommandTrait.COMMANDS_ROBOTS)
                 && execution.isRecordedWhenBegun(number -> replayLine(String.valueOf(number), typed))) {
             run(execution, robots);
             return;
         }
         SessionRecord.Event event = record.command(
                 replayLine(SessionRecord.names(numbers), typed),
-                has(CommandTrait.COMMANDS_ROBOTS) ? numbers : Set.of(),
+                command.has(CommandTrait.COMMANDS_ROBOTS) ? numbers : Set.of(),
                 execution.owner(),
                 block);
         run(execution, robots);

@@ -48,7 +48,7 @@ public final class ScriptRun {
         TimeSource time = execution.time();
         long began = time.nanos();
         try {
-            execution.claim(RobotsIn.of(script, actions, execution.selection()).commanded());
+            execution.claim(RobotsIn.of(script, execution.selection()).commanded());
             execution.checkAlive();
             new Interpreter(execution, actions).run(script);
             if (waits) {

@@ -2,12 +2,13 @@ package majic.script.syntax;
 
 import java.math.BigDecimal;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /** A command for robots. */
-public sealed interface Command {
+public sealed interface Command extends Instruction {
     /** Where the command's own word stands. */
     Token at();
 
@@ -20,6 +21,16 @@ public sealed interface Command {
 
     /** The condition that ends a motion early; null for none. */
     default @Nullable Condition until() {
+        return null;
+    }
+
+    @Override
+    default Optional<String> refusalInAct() {
+        return Optional.empty();
+    }
+
+    /** Further robots that it makes do something, as an act with several roles does; null for none. */
+    default @Nullable Robots others() {
         return null;
     }
 
@@ -71,6 +82,16 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.COMMANDS_ROBOTS);
+        }
+
+        @Override
         public String text() {
             return "move " + distance.text() + untilText(until);
         }
@@ -81,6 +102,16 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.turn(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.COMMANDS_ROBOTS);
         }
 
         @Override
@@ -102,6 +133,16 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.COMMANDS_ROBOTS);
+        }
+
+        @Override
         public String text() {
             String speeds = "drive " + speed.text() + " " + rate.text();
             return seconds.isPresent()
@@ -118,6 +159,11 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.STOP;
+        }
+
+        @Override
         public String text() {
             return "stop";
         }
@@ -131,6 +177,11 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.OVERTAKES;
+        }
+
+        @Override
         public String text() {
             return "get " + (now ? "now " : "") + names(parameters);
         }
@@ -141,6 +192,18 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.set(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return parameter.text().equalsIgnoreCase("maxMove")
+                    ? List.of(CommandTrait.COMMANDS_ROBOTS, CommandTrait.CHANGES_LIMIT)
+                    : List.of(CommandTrait.COMMANDS_ROBOTS);
         }
 
         @Override
@@ -162,6 +225,11 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
         public String text() {
             return "plot " + names(parameters);
         }
@@ -172,6 +240,11 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.log(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
         }
 
         @Override
@@ -188,6 +261,11 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
         public String text() {
             return "log off";
         }
@@ -201,6 +279,16 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.CHANGES_TEAM);
+        }
+
+        @Override
         public String text() {
             return name == null ? "name" : "name " + name.text();
         }
@@ -211,6 +299,21 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.place(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.COMMANDS_ROBOTS);
+        }
+
+        @Override
+        public Optional<String> refusalInAct() {
+            return SessionCommand.REFUSED_IN_ACT;
         }
 
         @Override
@@ -244,6 +347,21 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.COMMANDS_ROBOTS, CommandTrait.READS_FILES);
+        }
+
+        @Override
+        public Optional<String> refusalInAct() {
+            return Optional.of("an act does not run others");
+        }
+
+        @Override
         public String text() {
             String given = arguments.stream().map(one -> " " + one).collect(Collectors.joining());
             return "act " + name.text() + given + (others == null ? "" : " with " + others.text());
@@ -255,6 +373,16 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.actOff(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE_IF_TYPED;
+        }
+
+        @Override
+        public Optional<String> refusalInAct() {
+            return Optional.of("an act does not run others");
         }
 
         @Override
@@ -271,6 +399,11 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.HOLDS;
+        }
+
+        @Override
         public String text() {
             return "wait";
         }
@@ -284,6 +417,16 @@ public sealed interface Command {
         }
 
         @Override
+        public Scheduling scheduling() {
+            return Scheduling.OVERTAKES;
+        }
+
+        @Override
+        public Optional<String> refusalInAct() {
+            return Optional.of("an act needs none; leave the line out");
+        }
+
+        @Override
         public String text() {
             return parameter == null ? "help" : "help " + parameter.text();
         }
@@ -294,6 +437,16 @@ public sealed interface Command {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.own(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.COMMANDS_ROBOTS);
         }
 
         @Override

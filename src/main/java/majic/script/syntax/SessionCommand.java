@@ -1,10 +1,20 @@
 package majic.script.syntax;
 
+import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import org.jspecify.annotations.Nullable;
 
 /** A command for the session as a whole. */
-public sealed interface SessionCommand {
+public sealed interface SessionCommand extends Instruction {
+    /** Why a behaviour may contain hardly any of them. */
+    Optional<String> REFUSED_IN_ACT = Optional.of("is for a session; an act only commands the robots it is given");
+
+    @Override
+    default Optional<String> refusalInAct() {
+        return REFUSED_IN_ACT;
+    }
+
     <R> R accept(Visitor<R> visitor);
 
     /** One method for each command. */
@@ -54,6 +64,21 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.add(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE_IN_ORDER;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.CHANGES_TEAM);
+        }
+
+        @Override
+        public Optional<String> refusalInAct() {
+            return Optional.empty();
+        }
     }
 
     /** Stops robots, closes them and removes them from the team. */
@@ -61,6 +86,16 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.remove(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.CHANGES_TEAM);
         }
     }
 
@@ -70,6 +105,11 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.bots(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.OVERTAKES;
+        }
     }
 
     /** Reports what answers at an address. */
@@ -77,6 +117,11 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.probe(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
         }
     }
 
@@ -86,6 +131,16 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.acts(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.READS_FILES);
+        }
     }
 
     /** Lists the files to whose code the user has agreed. */
@@ -93,6 +148,16 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.consents(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.LOCAL_ONLY);
         }
     }
 
@@ -102,6 +167,16 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.trust(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM, CommandTrait.LOCAL_ONLY);
+        }
     }
 
     /** Takes the consent to a file back; the file may be gone, and is named by its hash then. */
@@ -109,6 +184,16 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.trustOff(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM, CommandTrait.LOCAL_ONLY);
         }
     }
 
@@ -118,6 +203,11 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.release(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.OVERTAKES;
+        }
     }
 
     /** Runs a script from a file. */
@@ -125,6 +215,16 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.run(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.COMMANDS_ROBOTS, CommandTrait.READS_FILES, CommandTrait.CHANGES_TEAM);
         }
     }
 
@@ -134,6 +234,16 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.saveSession(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.WRITES_FILE);
+        }
     }
 
     /** Writes the parameter log as CSV. */
@@ -141,6 +251,16 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.saveLog(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.WRITES_FILE);
         }
     }
 
@@ -150,6 +270,16 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.saveTeam(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.WRITES_FILE);
+        }
     }
 
     /** Lists the true poses in the simulated lab. */
@@ -157,6 +287,11 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.lab(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
         }
     }
 
@@ -166,6 +301,11 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.help(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.OVERTAKES;
+        }
     }
 
     /** Ends MAJIC. */
@@ -173,6 +313,11 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.quit(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.OVERTAKES;
         }
     }
 
@@ -182,6 +327,16 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.stopAll(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.STOP;
+        }
+
+        @Override
+        public Optional<String> refusalInAct() {
+            return Optional.empty();
+        }
     }
 
     /** Waits for all robots of the script. */
@@ -190,6 +345,16 @@ public sealed interface SessionCommand {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.await(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.HOLDS;
+        }
+
+        @Override
+        public Optional<String> refusalInAct() {
+            return Optional.empty();
+        }
     }
 
     /** Lets time pass. */
@@ -197,6 +362,16 @@ public sealed interface SessionCommand {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.pause(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.HOLDS;
+        }
+
+        @Override
+        public Optional<String> refusalInAct() {
+            return Optional.empty();
         }
     }
 }

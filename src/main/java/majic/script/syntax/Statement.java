@@ -12,6 +12,11 @@ public sealed interface Statement {
 
     <R> R accept(Visitor<R> visitor);
 
+    /** When it runs, seen from the lines before and behind it; a block beside the lines that follow. */
+    default Scheduling scheduling() {
+        return Scheduling.BESIDE;
+    }
+
     /** One method for each kind of statement. */
     interface Visitor<R> {
         R repeat(Repeat repeat);
@@ -70,6 +75,11 @@ public sealed interface Statement {
         public <R> R accept(Visitor<R> visitor) {
             return visitor.forRobots(this);
         }
+
+        @Override
+        public Scheduling scheduling() {
+            return command.scheduling();
+        }
     }
 
     /** One command for the session. */
@@ -77,6 +87,11 @@ public sealed interface Statement {
         @Override
         public <R> R accept(Visitor<R> visitor) {
             return visitor.forSession(this);
+        }
+
+        @Override
+        public Scheduling scheduling() {
+            return command.scheduling();
         }
     }
 }

@@ -1,4 +1,4 @@
-package majic.script.run;
+package majic.script.syntax;
 
 /** When a command runs, seen from the lines before and behind it. */
 public enum Scheduling {

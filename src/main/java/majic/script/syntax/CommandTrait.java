@@ -1,4 +1,4 @@
-package majic.script.run;
+package majic.script.syntax;
 
 /** What has to be known of a command before it runs. */
 public enum CommandTrait {
