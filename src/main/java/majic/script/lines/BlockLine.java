@@ -9,7 +9,7 @@ import majic.script.run.ActionLookup;
 import majic.script.run.Checker;
 import majic.script.run.Execution;
 import majic.script.run.RobotsIn;
-import majic.script.run.ScriptRun;
+import majic.script.run.ScriptExecution;
 import majic.script.syntax.CommandTrait;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.Statement;
@@ -50,9 +50,8 @@ final class BlockLine extends PreparedLine {
     @Override
     void run(Execution execution, ActionLookup actions) {
         boolean waits = execution.isTyped();
-        ScriptRun script =
-                new ScriptRun(execution.asScript(title(), text().strip(), waits), actions, title(), "", waits);
-        if (!script.run(List.of(block))) {
+        ScriptExecution script = execution.asScript(title(), text().strip(), waits);
+        if (!script.run(List.of(block), actions, title(), "", waits)) {
             execution.fail(title());
         }
     }

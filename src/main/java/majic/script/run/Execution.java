@@ -127,7 +127,7 @@ public class Execution {
     /**
      * A behaviour that this line runs.
      *
-     * @param act the borrower of its robots
+     * @param act the owner of its robots
      * @param robots finds the robots assigned to it
      */
     public ScriptExecution asAct(Owner act, Selection robots) {
@@ -266,7 +266,8 @@ public class Execution {
         if (manner == Manner.IN_TURN) {
             await(() -> members.stream().allMatch(member -> member.hasRoom(owner())), Double.POSITIVE_INFINITY);
         }
-        for (int index = 0; index < commands.size(); index++) {
+        // Each is checked again when it is submitted: together they are only accepted if all are.
+        for (int index = 0; commands.size() > 1 && index < commands.size(); index++) {
             members.get(index).check(commands.get(index).moves(), owner());
         }
         for (int index = 0; index < commands.size(); index++) {

@@ -1,11 +1,16 @@
 package majic.script.run;
 
 import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
+import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.driver.Permit;
+import majic.log.Line;
 import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
@@ -19,14 +24,16 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One script or behaviour while it runs. A script owns the robots it commands, a behaviour has borrowed its robots. The
- * first command that fails ends it. Used by the thread that runs it; {@link #end()} may be called on any.
+ * One script or behaviour while it runs. A script owns the robots it commands; those of a behaviour are sublet to it.
+ * The first command that fails ends it. Used by the thread that runs it; {@link #end()} may be called on any.
  */
 public final class ScriptExecution extends Execution {
     private static final int MOST_FILES = 8;
+    private static final String STOPPED = "stopped";
 
     private final Owner owner;
-    private final ClaimedRobots robots;
+    private final boolean claims;
+    private final Set<Member> used = new LinkedHashSet<>();
     private final SubmittedCommands own = new SubmittedCommands();
     private final @Nullable RecordedBlock block;
     private final @Nullable ScriptControl control;
@@ -38,7 +45,7 @@ public final class ScriptExecution extends Execution {
     private ScriptExecution(Execution line, String name, RecordedBlock block, @Nullable ScriptControl control) {
         super(line, line.origin(), line.selection(), line.wasStoppedSinceTyped());
         this.owner = new Owner(Owner.Kind.SCRIPT, name, this::end);
-        this.robots = new ClaimedRobots(team(), owner, false);
+        this.claims = true;
         this.block = block;
         this.control = control;
         if (control != null) {
@@ -49,7 +56,7 @@ public final class ScriptExecution extends Execution {
     private ScriptExecution(Execution line, Owner act, Selection robots) {
         super(line, line.origin().withoutOthers(), robots, () -> false);
         this.owner = act;
-        this.robots = new ClaimedRobots(team(), owner, true);
+        this.claims = false;
         this.block = null;
         this.control = null;
     }
@@ -79,8 +86,66 @@ public final class ScriptExecution extends Execution {
         return block;
     }
 
-    /** Ends the record of a script; {@code completed} is whether it came to its own end. */
-    void endRecord(boolean completed) {
+    /**
+     * Runs a script that a line begins: claims its robots, runs, waits for them, releases them, and answers how it
+     * ended. When something in it fails it ends and stops every robot that it used.
+     *
+     * @param title what answers call it
+     * @param file where it stands; empty if it was typed
+     * @param waits whether it ends, with an answer, only when its robots have finished
+     * @return whether it came to its end
+     */
+    public boolean run(List<Statement> script, ActionLookup actions, String title, String file, boolean waits) {
+        long began = time().nanos();
+        String how = "";
+        try {
+            claim(RobotsIn.of(script, selection()).commanded());
+            checkAlive();
+            new Interpreter(this, actions).run(script);
+            if (waits) {
+                finish();
+                how = String.format(Locale.ROOT, "done (%.1f s)", time().secondsSince(began));
+                answer(title + ": " + how);
+            }
+            endRecord(true);
+            return true;
+        } catch (RuntimeException | Error e) {
+            how = ending(e, title, file);
+            stopAllUsed();
+            endRecord(false);
+            send(how.equals(STOPPED) ? Line.Kind.ANSWER : Line.Kind.FAILURE, title + ": " + how);
+            return false;
+        } finally {
+            used.forEach(member -> member.free(owner));
+            if (control != null) {
+                control.ended(how);
+            }
+        }
+    }
+
+    private String ending(Throwable why, String title, String file) {
+        if (why instanceof ExecutionEnded ended) {
+            return ended.ending();
+        }
+        if (why instanceof ScriptException mistake) {
+            return "failed: " + where(mistake, file);
+        }
+        if (why instanceof BotException) {
+            return wasStopped() ? STOPPED : "failed: " + why.getMessage();
+        }
+        return "failed: " + InternalError.report(title, why);
+    }
+
+    /** A mistake found only now is reported like those found before the run. */
+    private String where(ScriptException mistake, String file) {
+        if (file.isEmpty()) {
+            return String.valueOf(mistake.getMessage());
+        }
+        send(Line.Kind.ERROR, mistake.mistake().in(file));
+        return "line " + mistake.at().line();
+    }
+
+    private void endRecord(boolean completed) {
         if (block != null) {
             super.record().end(block, completed);
         }
@@ -103,12 +168,17 @@ public final class ScriptExecution extends Execution {
 
     @Override
     public void claim(Collection<Member> members) {
-        robots.claim(members);
+        for (Member member : members) {
+            if (claims) {
+                member.claim(owner);
+            }
+            used.add(member);
+        }
     }
 
     @Override
     Collection<Member> allRobots() {
-        return robots.all();
+        return Set.copyOf(used);
     }
 
     /** The statements of a file that the script runs belong to the statement that runs the file. */
@@ -215,31 +285,30 @@ public final class ScriptExecution extends Execution {
         end();
     }
 
-    /** Reports how a script ended, once its robots are free. */
-    void ended(String how) {
-        if (control != null) {
-            control.ended(how);
-        }
-    }
-
     /**
      * Stops the robots of a script that are still busy, except those with a pending stop and the one whose command
      * failed: it is stationary, and its queue is dropped with the reason.
      */
-    void stopAllUsed() {
+    private void stopAllUsed() {
         ended = true;
         long atNanos = time().nanos();
         Member failed = own.trouble().map(SubmittedCommands.Trouble::robot).orElse(null);
-        Collection<Member> stopped = robots.stopBusy(failed);
+        Collection<Member> stopped = stopBusy(failed);
         SessionRecord record = record();
         if (record != null) {
             record.stopped(SessionRecord.numbers(stopped), atNanos, block);
         }
     }
 
-    /** Releases the robots of a script. */
-    void freeAll() {
-        robots.free();
+    private Collection<Member> stopBusy(@Nullable Member exempt) {
+        List<Member> busy = used.stream()
+                .filter(member -> member != exempt && !member.isIdle(owner) && !member.isStopping())
+                .toList();
+        if (team().isLatched() || busy.isEmpty()) {
+            return List.of();
+        }
+        team().stop(busy, owner);
+        return busy;
     }
 
     @Override

@@ -53,7 +53,7 @@ public record ScriptFiles(BotFactory factory, ActionLookup actions) {
     public void run(ScriptSource source, Execution execution, @Nullable ScriptControl control) {
         List<Statement> script = checked(source, execution);
         ScriptExecution alone = execution.asScript(source.name(), source.replay(), true, control);
-        if (!new ScriptRun(alone, actions, source.title(), source.file(), true).run(script)) {
+        if (!alone.run(script, actions, source.title(), source.file(), true)) {
             execution.fail(source.title());
         }
     }
