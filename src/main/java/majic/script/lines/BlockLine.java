@@ -8,6 +8,7 @@ import majic.script.conditions.Selection;
 import majic.script.run.ActionLookup;
 import majic.script.run.Checker;
 import majic.script.run.Execution;
+import majic.script.run.Interpreter;
 import majic.script.run.RobotsIn;
 import majic.script.run.ScriptExecution;
 import majic.script.syntax.CommandTrait;
@@ -51,7 +52,7 @@ final class BlockLine extends PreparedLine {
     void run(Execution execution, ActionLookup actions) {
         boolean waits = execution.isTyped();
         ScriptExecution script = execution.asScript(title(), text().strip(), waits);
-        if (!script.run(List.of(block), actions, title(), "", waits)) {
+        if (!script.run(List.of(block), new Interpreter(script, actions)::run, title(), "", waits)) {
             execution.fail(title());
         }
     }

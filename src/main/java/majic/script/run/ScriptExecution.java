@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
@@ -90,18 +91,20 @@ public final class ScriptExecution extends Execution {
      * Runs a script that a line begins: claims its robots, runs, waits for them, releases them, and answers how it
      * ended. When something in it fails it ends and stops every robot that it used.
      *
+     * @param interpreter runs the statements under this execution
      * @param title what answers call it
      * @param file where it stands; empty if it was typed
      * @param waits whether it ends, with an answer, only when its robots have finished
      * @return whether it came to its end
      */
-    public boolean run(List<Statement> script, ActionLookup actions, String title, String file, boolean waits) {
+    public boolean run(
+            List<Statement> script, Consumer<List<Statement>> interpreter, String title, String file, boolean waits) {
         long began = time().nanos();
         String how = "";
         try {
             claim(RobotsIn.of(script, selection()).commanded());
             checkAlive();
-            new Interpreter(this, actions).run(script);
+            interpreter.accept(script);
             if (waits) {
                 finish();
                 how = String.format(Locale.ROOT, "done (%.1f s)", time().secondsSince(began));

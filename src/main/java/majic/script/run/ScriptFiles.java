@@ -53,7 +53,7 @@ public record ScriptFiles(BotFactory factory, ActionLookup actions) {
     public void run(ScriptSource source, Execution execution, @Nullable ScriptControl control) {
         List<Statement> script = checked(source, execution);
         ScriptExecution alone = execution.asScript(source.name(), source.replay(), true, control);
-        if (!alone.run(script, actions, source.title(), source.file(), true)) {
+        if (!alone.run(script, new Interpreter(alone, actions)::run, source.title(), source.file(), true)) {
             execution.fail(source.title());
         }
     }
