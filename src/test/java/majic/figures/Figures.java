@@ -10,6 +10,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import majic.figures.ways.OneUserClasses;
+import majic.figures.ways.Ways;
 import majic.link.Loopback;
 import majic.shared.broker.Mosquitto;
 

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.concurrent.Callable;
 
 /** The work of a program that measures. */
-final class Measurement {
+public final class Measurement {
     private Measurement() {}
 
     /**
@@ -13,7 +13,7 @@ final class Measurement {
      *
      * @param work returns lines of figures
      */
-    static void run(Callable<List<String>> work) {
+    public static void run(Callable<List<String>> work) {
         int code = 1;
         try {
             work.call().forEach(System.out::println);

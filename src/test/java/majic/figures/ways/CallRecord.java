@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.ways;
 
 import java.lang.instrument.Instrumentation;
 import java.util.ArrayList;

@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.ways;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Counts the classes of {@code majic} that one other file names, by the words of the sources without comments. */
-final class OneUserClasses {
+public final class OneUserClasses {
     private static final Path SOURCES = Path.of("src", "main", "java", "majic");
     private static final Pattern LEFT_OUT =
             Pattern.compile("(?s)/\\*.*?\\*/|//[^\\n]*|\"\"\".*?\"\"\"|\"(\\\\.|[^\"\\\\])*\"");
@@ -23,7 +23,7 @@ final class OneUserClasses {
     private OneUserClasses() {}
 
     /** Returns a line with the share. */
-    static String measure() throws IOException {
+    public static String measure() throws IOException {
         List<Path> files;
         try (Stream<Path> all = Files.walk(SOURCES)) {
             files = all.filter(file -> file.toString().endsWith(".java")).toList();

@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.ways;
 
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -15,7 +15,8 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.environment.Settings;
-import majic.figures.CallRecord.Call;
+import majic.figures.Measurement;
+import majic.figures.ways.CallRecord.Call;
 import majic.log.Line;
 import majic.log.SessionLog;
 import majic.script.MajicParser;
@@ -35,7 +36,7 @@ import net.bytebuddy.agent.ByteBuddyAgent;
  * count: the one that submits the line, the worker or the stop of the robot, the readers of the links, and the one that
  * calls the listeners. Nested classes and lambda expressions count as parts of the class around them.
  */
-final class Ways implements TeamListener, BotListener {
+public final class Ways implements TeamListener, BotListener {
     private static final int ROUNDS = 4;
     private static final int REPORTS_MS = 4000;
     private static final int AT_REST_MS = 300;
