@@ -7,6 +7,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import majic.bot.BotState;
 import majic.bot.Pose;
 import majic.time.Signal;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The readings of one robot: its newest state, with the pose in the frame in which the robot was placed, and what waits
@@ -14,10 +15,16 @@ import majic.time.Signal;
  */
 final class Readings {
     private final Signal changes;
-    private final PoseOffset offset = new PoseOffset();
     private final List<Runnable> watchers = new CopyOnWriteArrayList<>();
     private final AtomicLong count = new AtomicLong();
     private volatile BotState state = BotState.UNKNOWN;
+
+    /** The newest state with the pose by the robot's own odometry; what follows is guarded by the lock of this. */
+    private BotState own = BotState.UNKNOWN;
+
+    private Pose origin = Pose.START;
+    private @Nullable Pose start;
+    private boolean reconnected;
 
     /**
      * No readings yet.
@@ -32,30 +39,51 @@ final class Readings {
         return state;
     }
 
-    /** Takes the state that the robot reports. */
+    /** Takes the state that the robot reports, whose pose is by its odometry. */
     void report(BotState reported) {
-        synchronized (offset) {
-            state = offset.reported(reported);
+        synchronized (this) {
+            if (reconnected && start != null) {
+                origin = origin.plus(own.pose()).originOf(reported.pose());
+            }
+            reconnected = false;
+            own = reported;
+            state = shown();
         }
         news();
     }
 
-    /** Sets the pose of the robot's present place. */
+    /**
+     * Sets the pose of the robot's present place. That changes where users see the robot and never its odometry, so
+     * that a motion in progress is not disturbed.
+     */
     void place(Pose pose) {
-        synchronized (offset) {
-            state = offset.place(pose);
+        synchronized (this) {
+            start = pose;
+            origin = pose.originOf(own.pose());
+            state = shown();
         }
         news();
+    }
+
+    private BotState shown() {
+        return start == null
+                ? own
+                : new BotState(
+                        origin.plus(own.pose()),
+                        own.speedMmPerSec(),
+                        own.turnRateDegPerSec(),
+                        own.moving(),
+                        own.atNanos());
     }
 
     /** Returns the pose that was set last; empty if there is none. */
-    Optional<Pose> placedAt() {
-        return offset.start();
+    synchronized Optional<Pose> placedAt() {
+        return Optional.ofNullable(start);
     }
 
-    /** The next report begins a new session: the robot may count its pose from zero again. */
-    void reconnecting() {
-        offset.reconnecting();
+    /** The next report begins a new session: a placed robot stays where it is, though it may count from zero again. */
+    synchronized void reconnecting() {
+        reconnected = true;
     }
 
     /** Reports that something can be read anew: wakes the threads that wait, and calls the watchers. */
