@@ -1,11 +1,14 @@
 package majic.script.actions;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import majic.bot.BotAddress;
 import majic.bot.BotCommand;
 import majic.bot.BotException;
 import majic.bot.BotType;
+import majic.bot.MajicBot;
 import majic.script.run.Execution;
 import majic.script.run.RobotAction;
 import majic.script.run.SessionAction;
@@ -17,6 +20,7 @@ import majic.script.syntax.SessionCommand;
 import majic.script.syntax.Token;
 import majic.team.BotFactory;
 import majic.team.Member;
+import majic.team.Owner;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 
@@ -147,7 +151,44 @@ final class TeamActions {
 
         @Override
         public void run(Execution execution) {
-            TeamListing.of(team, connector).forEach(execution::answer);
+            lines().forEach(execution::answer);
+        }
+
+        /** The robots and their states. */
+        private List<String> lines() {
+            List<String> lines = new ArrayList<>();
+            for (Member member : team.members()) {
+                String where = connector
+                        .address(member)
+                        .map(address -> " at " + address)
+                        .orElse("");
+                lines.add(member.number() + ": " + member.label() + where + " " + state(member));
+            }
+            if (lines.isEmpty()) {
+                lines.add("bots: " + team.listing());
+            }
+            if (team.isLatched()) {
+                lines.add("bots: " + team.latchText());
+            }
+            return lines;
+        }
+
+        private static String state(Member member) {
+            MajicBot bot = member.bot();
+            if (!bot.isConnected()) {
+                return bot.connection() == MajicBot.Connection.LOST
+                        ? "connection lost"
+                        : bot.connection().name().toLowerCase(Locale.ROOT);
+            }
+            return "connected, " + doing(member);
+        }
+
+        private static String doing(Member member) {
+            Owner owner = member.owner();
+            if (owner != null) {
+                return owner.occupationWithValues() + (owner.status().isEmpty() ? "" : ": " + owner.status());
+            }
+            return member.isIdle() ? "idle" : "busy";
         }
     }
 
