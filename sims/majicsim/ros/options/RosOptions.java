@@ -1,5 +1,6 @@
 package majicsim.ros.options;
 
+import java.util.function.Consumer;
 import majicsim.ros.message.RosVersion;
 
 /**
@@ -95,17 +96,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions stamped() {
-        return new RosOptions(
-                version,
-                true,
-                timeoutS,
-                blocksConnection,
-                hasNavigation,
-                secret,
-                namespace,
-                robots,
-                hasCamera,
-                serverNamespace);
+        return with(copy -> copy.isStamped = true);
     }
 
     /**
@@ -116,17 +107,7 @@ public record RosOptions(
      * @throws IllegalArgumentException if it is outside
      */
     public RosOptions withTimeout(double seconds) {
-        return new RosOptions(
-                version,
-                isStamped,
-                seconds,
-                blocksConnection,
-                hasNavigation,
-                secret,
-                namespace,
-                robots,
-                hasCamera,
-                serverNamespace);
+        return with(copy -> copy.timeoutS = seconds);
     }
 
     /**
@@ -135,17 +116,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions unblocked() {
-        return new RosOptions(
-                version,
-                isStamped,
-                timeoutS,
-                false,
-                hasNavigation,
-                secret,
-                namespace,
-                robots,
-                hasCamera,
-                serverNamespace);
+        return with(copy -> copy.blocksConnection = false);
     }
 
     /**
@@ -154,17 +125,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions withoutNavigation() {
-        return new RosOptions(
-                version,
-                isStamped,
-                timeoutS,
-                blocksConnection,
-                false,
-                secret,
-                namespace,
-                robots,
-                hasCamera,
-                serverNamespace);
+        return with(copy -> copy.hasNavigation = false);
     }
 
     /**
@@ -175,17 +136,7 @@ public record RosOptions(
      * @throws IllegalArgumentException with ROS 2
      */
     public RosOptions withSecret(String newSecret) {
-        return new RosOptions(
-                version,
-                isStamped,
-                timeoutS,
-                blocksConnection,
-                hasNavigation,
-                newSecret,
-                namespace,
-                robots,
-                hasCamera,
-                serverNamespace);
+        return with(copy -> copy.secret = newSecret);
     }
 
     /**
@@ -196,17 +147,7 @@ public record RosOptions(
      * @throws IllegalArgumentException if it is not a word
      */
     public RosOptions withNamespace(String word) {
-        return new RosOptions(
-                version,
-                isStamped,
-                timeoutS,
-                blocksConnection,
-                hasNavigation,
-                secret,
-                "/" + word,
-                robots,
-                hasCamera,
-                serverNamespace);
+        return with(copy -> copy.namespace = "/" + word);
     }
 
     /**
@@ -217,17 +158,7 @@ public record RosOptions(
      * @throws IllegalArgumentException if it is outside
      */
     public RosOptions withRobots(int count) {
-        return new RosOptions(
-                version,
-                isStamped,
-                timeoutS,
-                blocksConnection,
-                hasNavigation,
-                secret,
-                namespace,
-                count,
-                hasCamera,
-                serverNamespace);
+        return with(copy -> copy.robots = count);
     }
 
     /**
@@ -236,17 +167,7 @@ public record RosOptions(
      * @return the options
      */
     public RosOptions withCamera() {
-        return new RosOptions(
-                version,
-                isStamped,
-                timeoutS,
-                blocksConnection,
-                hasNavigation,
-                secret,
-                namespace,
-                robots,
-                true,
-                serverNamespace);
+        return with(copy -> copy.hasCamera = true);
     }
 
     /**
@@ -257,17 +178,7 @@ public record RosOptions(
      * @throws IllegalArgumentException with ROS 1, or if it is not a word
      */
     public RosOptions withServerNamespace(String word) {
-        return new RosOptions(
-                version,
-                isStamped,
-                timeoutS,
-                blocksConnection,
-                hasNavigation,
-                secret,
-                namespace,
-                robots,
-                hasCamera,
-                "/" + word);
+        return with(copy -> copy.serverNamespace = "/" + word);
     }
 
     /**
@@ -278,5 +189,52 @@ public record RosOptions(
      */
     public String namespaceOf(int number) {
         return robots == 1 ? namespace : namespace + "/tb3_" + number;
+    }
+
+    private RosOptions with(Consumer<Copy> change) {
+        Copy copy = new Copy(this);
+        change.accept(copy);
+        return copy.options();
+    }
+
+    /** The fields, to change some of them. */
+    private static final class Copy {
+        private RosVersion version;
+        private boolean isStamped;
+        private double timeoutS;
+        private boolean blocksConnection;
+        private boolean hasNavigation;
+        private String secret;
+        private String namespace;
+        private int robots;
+        private boolean hasCamera;
+        private String serverNamespace;
+
+        Copy(RosOptions from) {
+            version = from.version;
+            isStamped = from.isStamped;
+            timeoutS = from.timeoutS;
+            blocksConnection = from.blocksConnection;
+            hasNavigation = from.hasNavigation;
+            secret = from.secret;
+            namespace = from.namespace;
+            robots = from.robots;
+            hasCamera = from.hasCamera;
+            serverNamespace = from.serverNamespace;
+        }
+
+        RosOptions options() {
+            return new RosOptions(
+                    version,
+                    isStamped,
+                    timeoutS,
+                    blocksConnection,
+                    hasNavigation,
+                    secret,
+                    namespace,
+                    robots,
+                    hasCamera,
+                    serverNamespace);
+        }
     }
 }
