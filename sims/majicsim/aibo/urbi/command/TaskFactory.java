@@ -5,9 +5,7 @@ import java.util.List;
 import majicsim.aibo.urbi.assign.Assignments;
 import majicsim.aibo.urbi.assign.PropertyAssignment;
 import majicsim.aibo.urbi.flow.AtTask;
-import majicsim.aibo.urbi.flow.CountedLoop;
 import majicsim.aibo.urbi.flow.EveryTask;
-import majicsim.aibo.urbi.flow.ForeachTask;
 import majicsim.aibo.urbi.flow.LoopTask;
 import majicsim.aibo.urbi.flow.WaitUntilTask;
 import majicsim.aibo.urbi.flow.WatchedTask;
@@ -132,17 +130,17 @@ public final class TaskFactory implements Statement.Visitor<Task> {
 
     @Override
     public Task repeatWhile(Flow.While command) {
-        return new LoopTask(context, command);
+        return LoopTask.of(context, command);
     }
 
     @Override
     public Task loop(Flow.Loop command) {
-        return CountedLoop.start(context, command);
+        return LoopTask.of(context, command);
     }
 
     @Override
     public Task foreach(Flow.Foreach command) {
-        return with(command.list(), values -> new ForeachTask(context, command, values.get(0)));
+        return with(command.list(), values -> LoopTask.of(context, command, values.get(0)));
     }
 
     @Override
