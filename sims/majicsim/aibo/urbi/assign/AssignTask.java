@@ -4,6 +4,7 @@ import java.util.List;
 import majicsim.aibo.urbi.memory.Blend;
 import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.run.Context;
+import majicsim.aibo.urbi.run.Server;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Flag;
 import majicsim.aibo.urbi.value.Value;
@@ -56,18 +57,28 @@ final class AssignTask extends Task implements Variable.Motion {
         return elapsedMs >= way.durationMs();
     }
 
+    /** Plans this cycle from the measured position, {@code adaptive:1} (URBI sheet, section 6). */
     private boolean pursue(double elapsedMs) {
-        AdaptiveMotion motion = new AdaptiveMotion(
-                variable.properties().clip(target.current().target()),
-                target.current().modifiers());
-        variable.submit(motion.next(now(), elapsedMs), context.server().pass());
-        return motion.isThere(now(), variable.properties().number("delta"));
+        double to = variable.properties().clip(target.current().value());
+        double way = to - now();
+        double stride = Math.min(Math.abs(way), stride(Math.abs(way), elapsedMs));
+        variable.submit(now() + Math.signum(way) * stride, context.server().pass());
+        return Math.abs(now() - to) <= variable.properties().number("delta");
+    }
+
+    private double stride(double way, double elapsedMs) {
+        Modifiers modifiers = target.current().modifiers();
+        if (modifiers.has("time")) {
+            double leftMs = Math.abs(modifiers.get("time", 0)) - elapsedMs;
+            return leftMs <= Server.CYCLE_MS ? way : way * Server.CYCLE_MS / leftMs;
+        }
+        return Math.abs(modifiers.get("speed", 0)) * Server.CYCLE_MS / 1000;
     }
 
     private double now() {
         return variable.read() instanceof Value.Num num
                 ? num.number()
-                : target.current().target();
+                : target.current().value();
     }
 
     @Override
@@ -107,14 +118,14 @@ final class AssignTask extends Task implements Variable.Motion {
         beganMs = elapsedMs();
         from = variable.target() instanceof Value.Num now
                 ? now.number()
-                : target.current().target();
+                : target.current().value();
         Trajectory way = plan();
         trajectory = way;
         return way;
     }
 
     private Trajectory plan() {
-        double to = variable.properties().clip(target.current().target());
+        double to = variable.properties().clip(target.current().value());
         Trajectory way = Trajectory.of(from, to, target.current().modifiers());
         return Double.isFinite(way.durationMs()) ? within(way, to) : way;
     }

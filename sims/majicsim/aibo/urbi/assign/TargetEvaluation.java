@@ -3,6 +3,7 @@ package majicsim.aibo.urbi.assign;
 import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
+import majicsim.aibo.urbi.memory.Properties;
 import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.run.Context;
 import majicsim.aibo.urbi.run.Evaluator;
@@ -24,7 +25,15 @@ final class TargetEvaluation {
     private final boolean swings;
     private final boolean steady;
     private double value;
-    private AssignmentTarget current;
+    private Target current;
+
+    /**
+     * The number that an assignment writes, with its modifiers. Immutable.
+     *
+     * @param value in the variable's own unit, not yet clipped
+     * @param modifiers in the same unit
+     */
+    record Target(double value, Modifiers modifiers) {}
 
     /**
      * @param value what is assigned, as it was when the assignment started
@@ -36,14 +45,14 @@ final class TargetEvaluation {
         this.assignment = assignment;
         this.variable = variable;
         this.value = value;
-        current = AssignmentTarget.of(assignment, variable, value, modifiers);
+        current = target(value, modifiers);
         swings = modifiers.oscillates();
         List<Expr> exprs = Modifiers.expressions(assignment.modifiers());
         steady = (!swings || assignment.value().isConstant()) && exprs.stream().allMatch(Expr::isConstant);
         renew(); // so that static variables keep the values of the start
     }
 
-    AssignmentTarget current() {
+    Target current() {
         return current;
     }
 
@@ -56,13 +65,23 @@ final class TargetEvaluation {
             return false;
         }
         try {
-            AssignmentTarget before = current;
+            Target before = current;
             value = swings ? assignment.value().value(evaluator()).number() : value;
-            current = AssignmentTarget.of(assignment, variable, value, modifiers());
+            current = target(value, modifiers());
             return !current.equals(before);
         } catch (Failure notNow) {
             return false;
         }
+    }
+
+    /** The target as it was written; a normalised one is converted to the variable's unit (URBI sheet, section 5). */
+    private Target target(double written, Modifiers by) throws Failure {
+        if (!assignment.target().suffix().equals("'n")) {
+            return new Target(written, by);
+        }
+        Properties properties = variable.properties();
+        double target = properties.denormalize(variable.name(), Math.max(0, Math.min(1, written)));
+        return new Target(target, by.scaled(properties.range()));
     }
 
     private Modifiers modifiers() throws Failure {

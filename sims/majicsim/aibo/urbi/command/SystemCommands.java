@@ -1,16 +1,23 @@
 package majicsim.aibo.urbi.command;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import majicsim.aibo.urbi.memory.Groups;
 import majicsim.aibo.urbi.memory.Variable;
+import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.run.Connection;
 import majicsim.aibo.urbi.run.Context;
 import majicsim.aibo.urbi.run.PauseTask;
+import majicsim.aibo.urbi.run.TaggedTask;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.value.Failure;
+import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
-/** The commands of one word (URBI sheet, section 9). */
+/** The commands of one word, some of which list variables, groups, functions or commands (URBI sheet, section 9). */
 final class SystemCommands {
     private SystemCommands() {}
 
@@ -22,11 +29,11 @@ final class SystemCommands {
             case "devices" -> context.info("devices is deprecated. Use 'group objects' instead.");
             case "motoron" -> renamed(context, "motor on");
             case "motoroff" -> renamed(context, "motor off");
-            case "group" -> list(context, Listings.groups(context.memory().groups()));
+            case "group" -> list(context, groups(context.memory().groups()));
             case "def" -> list(context, context.functions().listing());
-            case "alias" -> list(context, Listings.aliases(context.variables().aliases()));
-            case "vars", "uservars" -> list(context, Listings.variables(context.variables(), word.equals("uservars")));
-            case "commands" -> list(context, Listings.commands(context.connection()));
+            case "alias" -> list(context, aliases(context.variables().aliases()));
+            case "vars", "uservars" -> list(context, variables(context.variables(), word.equals("uservars")));
+            case "commands" -> list(context, commands(context.connection()));
             case "strict", "unstrict" -> context.variables().strict(word.equals("strict"));
             case "stopall" -> stopAll(context);
             case "reset" -> reset(context);
@@ -76,5 +83,52 @@ final class SystemCommands {
     private static void stopAll(Context context) {
         context.server().connections().forEach(each -> each.clear());
         context.info("All commands cleared");
+    }
+
+    private static List<String> variables(Variables variables, boolean usersOnly) {
+        return variables.all().stream()
+                .filter(variable -> !usersOnly || !variables.isSystem(variable.name()))
+                .map(variable -> variable.name() + " = " + brief(variable.read()))
+                .toList();
+    }
+
+    private static List<String> groups(Groups groups) {
+        return groups.names().stream()
+                .map(name -> name + " = {" + String.join(",", groups.members(name)) + "}")
+                .toList();
+    }
+
+    private static List<String> aliases(Map<String, String> aliases) {
+        return aliases.entrySet().stream()
+                .map(alias -> String.format(Locale.ROOT, "%25s -> %s", alias.getKey(), alias.getValue()))
+                .toList();
+    }
+
+    /** The tags of what runs in a connection, outermost first. */
+    private static List<String> commands(Connection connection) {
+        List<String> lines = new ArrayList<>();
+        collect(connection.commands(), "", lines);
+        return lines;
+    }
+
+    private static void collect(Task task, String indent, List<String> lines) {
+        String deeper = indent;
+        if (task instanceof TaggedTask tagged && !tagged.wasReplaced()) {
+            lines.add(indent + "Tag:[" + tagged.tag() + "]" + (task.isFrozen() ? " frozen" : ""));
+            deeper = indent + " ";
+        }
+        for (Task part : List.copyOf(task.parts())) {
+            if (!part.isOver()) {
+                collect(part, deeper, lines);
+            }
+        }
+    }
+
+    private static String brief(Value value) {
+        if (value instanceof Value.Binary binary) {
+            return "BIN " + binary.bytes().length();
+        }
+        boolean plain = value instanceof Value.Num || value instanceof Value.Text;
+        return plain ? value.join() : "UNKNOWN TYPE";
     }
 }
