@@ -28,7 +28,11 @@ public final class Uart {
     private final boolean timed;
     private final ArrayDeque<Arrival> waiting = new ArrayDeque<>();
     private final CharacterQueue outbox = new CharacterQueue();
-    private final Transmitter transmitter;
+    private final double characterSeconds;
+    /** When the transmission of the last character ends, and that of the one before it. */
+    private double lastLeft;
+
+    private double beforeLastLeft;
     private double now;
     private double lastArrival;
     private double takenAt;
@@ -43,7 +47,7 @@ public final class Uart {
     public Uart(HemissonOptions options) {
         overrun = options.hasOverrun();
         timed = options.isPaced() || overrun;
-        transmitter = new Transmitter(timed ? CHARACTER_SECONDS : 0);
+        characterSeconds = timed ? CHARACTER_SECONDS : 0;
     }
 
     public void arrive(Line from, byte[] bytes) {
@@ -119,21 +123,34 @@ public final class Uart {
         receiverBlocked = false;
         waiting.clear();
         outbox.clear();
-        transmitter.reset(now);
+        lastLeft = now;
+        beforeLastLeft = now;
         freeAt = now;
     }
 
     private void send(Collection<Line> lines, Reply reply) {
         double written = freeAt + reply.measuringSeconds() + (timed ? reply.thinkingSeconds() : 0);
         for (int i = 0; i < reply.text().length(); i++) {
-            written = transmitter.place(written) + (timed && i == 1 ? reply.scanningSeconds() : 0);
-            double left = transmitter.write(written);
+            written = Math.max(written, beforeLastLeft) + (timed && i == 1 ? reply.scanningSeconds() : 0);
+            double left = transmit(written);
             for (Line line : lines) {
                 outbox.add(line, reply.text().charAt(i), left);
             }
         }
         freeAt = written;
         outbox.sendUntil(now);
+    }
+
+    /**
+     * Writes a character into the transmitter, which holds two: the one being sent and the next. Returns the time at
+     * which its transmission ends.
+     *
+     * @param seconds a time at which the character before the last has been sent
+     */
+    private double transmit(double seconds) {
+        beforeLastLeft = lastLeft;
+        lastLeft = Math.max(seconds, lastLeft) + characterSeconds;
+        return lastLeft;
     }
 
     /**

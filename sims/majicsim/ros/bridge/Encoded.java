@@ -2,15 +2,19 @@ package majicsim.ros.bridge;
 
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.dataformat.cbor.CBORFactory;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import majicsim.ros.graph.Topic;
-import majicsim.ros.message.CborForm;
 import majicsim.ros.message.JsonForm;
 import majicsim.ros.message.MessageOutput;
 import org.jspecify.annotations.Nullable;
 
 /** One published message in the forms that clients asked for, each made once. */
 final class Encoded {
+    private static final CBORFactory CBOR = new CBORFactory();
+
     private final Topic topic;
     private final String name;
     private final JsonNode message;
@@ -51,9 +55,19 @@ final class Encoded {
 
     private byte[] cbor() {
         if (cbor == null) {
-            cbor = CborForm.bytes(this::write);
+            cbor = written();
         }
         return cbor;
+    }
+
+    private byte[] written() {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (JsonGenerator to = CBOR.createGenerator(bytes)) {
+            write(to);
+        } catch (IOException e) {
+            throw new UncheckedIOException("cannot write to memory", e);
+        }
+        return bytes.toByteArray();
     }
 
     private void write(JsonGenerator to) throws IOException {

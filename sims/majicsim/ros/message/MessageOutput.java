@@ -7,6 +7,8 @@ import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.fasterxml.jackson.dataformat.cbor.CBORGenerator;
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.util.stream.StreamSupport;
 
 /**
@@ -98,8 +100,8 @@ public final class MessageOutput {
         if (type.isBytes()) {
             byte[] bytes = value.isBinary() ? value.binaryValue() : new byte[Math.max(0, type.length())];
             to.writeBinary(bytes);
-        } else if (type.isArray() && to instanceof CBORGenerator binary && TypedArray.exists(type)) {
-            TypedArray.write(binary, type, value);
+        } else if (type.isArray() && to instanceof CBORGenerator binary && tag(type.element()) != 0) {
+            typedArray(binary, type, value);
         } else if (type.isArray()) {
             int length = type.isFixed() ? type.length() : value.size();
             to.writeStartArray();
@@ -141,5 +143,43 @@ public final class MessageOutput {
         to.writeNumberField(types.version().seconds(), Math.floorDiv(nanos, NANOS_PER_SECOND));
         to.writeNumberField(types.version().nanoseconds(), Math.floorMod(nanos, NANOS_PER_SECOND));
         to.writeEndObject();
+    }
+
+    /** An array of numbers: bytes in little-endian order behind a tag that gives their type (RFC 8746, section 2.1). */
+    private static void typedArray(CBORGenerator to, FieldType type, JsonNode values) throws IOException {
+        int length = values.size();
+        ByteBuffer bytes = ByteBuffer.allocate(length * Double.BYTES).order(ByteOrder.LITTLE_ENDIAN);
+        for (int i = 0; i < length; i++) {
+            put(bytes, type.element(), values.path(i));
+        }
+        to.writeTag(tag(type.element()));
+        to.writeBinary(bytes.array(), 0, bytes.position());
+    }
+
+    /** The tag of arrays of these elements; 0 if there is none. */
+    private static int tag(String element) {
+        return switch (element) {
+            case "uint16" -> 69;
+            case "uint32" -> 70;
+            case "uint64" -> 71;
+            case "int8", "byte" -> 72;
+            case "int16" -> 77;
+            case "int32" -> 78;
+            case "int64" -> 79;
+            case "float32" -> 85;
+            case "float64" -> 86;
+            default -> 0;
+        };
+    }
+
+    private static void put(ByteBuffer bytes, String element, JsonNode value) {
+        switch (element) {
+            case "int8", "byte" -> bytes.put((byte) value.asInt());
+            case "int16", "uint16" -> bytes.putShort((short) value.asInt());
+            case "int32", "uint32" -> bytes.putInt((int) value.asLong());
+            case "int64", "uint64" -> bytes.putLong(value.asLong());
+            case "float32" -> bytes.putFloat((float) value.asDouble());
+            default -> bytes.putDouble(value.asDouble());
+        }
     }
 }
