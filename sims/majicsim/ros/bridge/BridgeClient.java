@@ -72,13 +72,12 @@ final class BridgeClient implements Peer, MessageListener {
     }
 
     private void addOperations(MessageInput input) {
-        SubscribeOperations subscribing = new SubscribeOperations(this, shared.subscribers());
         ServiceOperations services = new ServiceOperations(this, shared.network(), input, shared.faults());
         operations.put("advertise", publishing::advertise);
         operations.put("unadvertise", publishing::unadvertise);
         operations.put("publish", publishing::publish);
-        operations.put("subscribe", subscribing::subscribe);
-        operations.put("unsubscribe", subscribing::unsubscribe);
+        operations.put("subscribe", message -> shared.subscribers().subscribe(this, message));
+        operations.put("unsubscribe", message -> shared.subscribers().unsubscribe(this, message));
         operations.put("call_service", services::call);
         operations.put("advertise_service", offered::advertise);
         operations.put("unadvertise_service", offered::unadvertise);

@@ -1,5 +1,6 @@
 package majicsim.ros.bridge;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import majicsim.ros.graph.RosNetwork;
@@ -9,8 +10,10 @@ import majicsim.ros.message.MessageMismatch;
 import majicsim.ros.message.MessageType;
 import org.jspecify.annotations.Nullable;
 
-/** The subscriptions of all clients. */
+/** The subscriptions of all clients, and their operations subscribe and unsubscribe (sheet 3). */
 final class Subscribers {
+    private static final long NANOS_PER_MS = 1_000_000;
+
     private final RosNetwork network;
     private final JsonForm form;
     private final Map<String, TopicFan> fans = new LinkedHashMap<>();
@@ -20,16 +23,24 @@ final class Subscribers {
         this.form = form;
     }
 
-    /** Subscribes, by the name that the client uses for the topic; a null type means that of the existing topic. */
-    void subscribe(Peer peer, String name, @Nullable String typeName, String id, SubscriptionWish wish)
-            throws MessageMismatch {
+    /** The operation subscribe, by the name that the client uses for the topic; without a type, of an existing topic. */
+    void subscribe(Peer peer, JsonNode message) throws MessageMismatch {
+        String name = Fields.text(message, "topic");
+        String typeName = message.has("type") ? Fields.text(message, "type") : null;
         Topic topic = topic(network.absolute(name), typeName);
         TopicFan fan = fans.get(name);
         if (fan == null || fan.topic() != topic) {
             fan = new TopicFan(topic, name, network, form);
             fans.put(name, fan);
         }
-        fan.subscribe(peer, id, wish);
+        fan.subscribe(peer, Fields.id(message), wish(message));
+    }
+
+    private static SubscriptionWish wish(JsonNode message) throws MessageMismatch {
+        return new SubscriptionWish(
+                Fields.number(message, "throttle_rate", 0) * NANOS_PER_MS,
+                Fields.number(message, "queue_length", 0),
+                message.path("compression").asText("none"));
     }
 
     private Topic topic(String name, @Nullable String typeName) throws MessageMismatch {
@@ -49,8 +60,10 @@ final class Subscribers {
         return existing != null ? existing : network.topics().at(name, type);
     }
 
-    /** Ends one subscription of a client, or all of its for a topic if the id is null. */
-    void unsubscribe(Peer peer, String name, @Nullable String id) {
+    /** The operation unsubscribe: ends one subscription of a client, or without an id all of its for a topic. */
+    void unsubscribe(Peer peer, JsonNode message) throws MessageMismatch {
+        String name = Fields.text(message, "topic");
+        String id = message.has("id") ? Fields.id(message) : null;
         TopicFan fan = fans.get(name);
         TopicStream stream = fan == null ? null : fan.streams().get(peer);
         if (stream != null && (id == null || stream.end(id))) {
