@@ -1,6 +1,7 @@
 package majicsim.hemisson.firmware;
 
 import java.util.Locale;
+import java.util.Map;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -23,12 +24,15 @@ public final class RoadNarrows implements Interpreter {
     private static final Pattern LEDS = Pattern.compile("L,[01],[01],[01],[01]");
     private static final int FASTEST = 9;
 
+    /** The sheet names a stamp and general I/O, but not their commands. */
+    private static final String NAMED_ONLY = "2GD";
+
     private final CommandBuffer buffer;
     private final Commands stock;
     private final Motors motors;
     private final RobotControl control;
     private final I2cBus bus;
-    private final RoadNarrowsModules modules;
+    private final Map<Character, ModuleCommandSet> modules;
 
     public RoadNarrows(CommandBuffer buffer, Commands stock, Motors motors, I2cBus bus, RobotControl control) {
         this.buffer = buffer;
@@ -36,7 +40,10 @@ public final class RoadNarrows implements Interpreter {
         this.motors = motors;
         this.control = control;
         this.bus = bus;
-        this.modules = new RoadNarrowsModules(bus);
+        this.modules = Map.of(
+                ModuleKind.CAMERA.letter(), new CameraCommands(bus),
+                ModuleKind.ULTRASONIC.letter(), new UltrasonicCommands(bus),
+                ModuleKind.SPEECH.letter(), new VoiceCommands(bus));
     }
 
     @Override
@@ -50,7 +57,7 @@ public final class RoadNarrows implements Interpreter {
             return ErrorReply.OVERFLOW.reply();
         }
         return switch (buffer.at(0)) {
-            case 'A' -> modules.carryOut(buffer.text());
+            case 'A' -> module(buffer.text());
             case 'B' -> Reply.line("b,HemiOS_v_1.50-RNe");
             case 'D' -> drive();
             case 'E' -> Reply.line("e," + motors.left() + "," + motors.right());
@@ -61,6 +68,31 @@ public final class RoadNarrows implements Interpreter {
                 stock.carryOut();
             default -> ErrorReply.UNKNOWN_COMMAND.reply();
         };
+    }
+
+    /**
+     * Command A: the letter, the module's id, its own command and maybe arguments, between commas. The answer repeats
+     * the command before the module's answer.
+     */
+    private Reply module(String text) {
+        String[] words = text.split(",", 4);
+        if (words.length < 3 || words[1].length() != 1 || words[2].length() != 1 || words[0].length() != 1) {
+            return ErrorReply.SYNTAX.reply();
+        }
+        char id = words[1].charAt(0);
+        ModuleCommandSet commands = modules.get(id);
+        if (commands == null) {
+            return (NAMED_ONLY.indexOf(id) >= 0 ? ErrorReply.NOT_SUPPORTED : ErrorReply.BAD_MODULE).reply();
+        }
+        if (bus.awake().stream().noneMatch(module -> module.letter() == id)) {
+            return ErrorReply.NOT_CONNECTED.reply();
+        }
+        try {
+            Reply reply = commands.answer(words[2].charAt(0), words.length > 3 ? words[3] : "");
+            return Reply.line("a," + id + "," + words[2] + reply.text()).measuring(reply.measuringSeconds());
+        } catch (ErrorReplyException e) {
+            return e.error().reply();
+        }
     }
 
     private Reply drive() {

@@ -23,7 +23,9 @@ final class Subscribers {
         this.form = form;
     }
 
-    /** The operation subscribe, by the name that the client uses for the topic; without a type, of an existing topic. */
+    /**
+     * The operation subscribe, by the name that the client uses for the topic; without a type, of an existing topic.
+     */
     void subscribe(Peer peer, JsonNode message) throws MessageMismatch {
         String name = Fields.text(message, "topic");
         String typeName = message.has("type") ? Fields.text(message, "type") : null;

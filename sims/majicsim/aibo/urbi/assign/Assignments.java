@@ -2,6 +2,7 @@ package majicsim.aibo.urbi.assign;
 
 import java.util.ArrayList;
 import java.util.List;
+import majicsim.aibo.urbi.memory.Blend;
 import majicsim.aibo.urbi.memory.Variable;
 import majicsim.aibo.urbi.memory.Variables;
 import majicsim.aibo.urbi.run.Broadcast;
@@ -11,17 +12,20 @@ import majicsim.aibo.urbi.run.Evaluator;
 import majicsim.aibo.urbi.run.Task;
 import majicsim.aibo.urbi.syntax.Action;
 import majicsim.aibo.urbi.syntax.Expr;
+import majicsim.aibo.urbi.syntax.Name;
 import majicsim.aibo.urbi.value.Failure;
 import majicsim.aibo.urbi.value.MemoryLimits;
 import majicsim.aibo.urbi.value.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Starts assignments: evaluates their value and modifiers, and finds their variables (URBI sheet, sections 6 and 10).
+ * Starts assignments to variables and to their properties: evaluates values and modifiers, and finds the variables
+ * (URBI sheet, sections 5, 6 and 10).
  */
 public final class Assignments {
     private Assignments() {}
 
+    /** {@code x = v}: writes a variable, or all members of a group. */
     public static Task start(Context context, Action.Assign assignment) {
         return new EvaluatingTask(context, List.of(), values -> {
             Task all = isLocal(context, assignment) ? null : Broadcast.of(context, assignment.target(), assignment::to);
@@ -90,5 +94,39 @@ public final class Assignments {
             throw Failure.of("Modificator error: " + variable.name() + " unknown (no start value)");
         }
         return new AssignTask(context, variable, new TargetEvaluation(context, assignment, variable, value, modifiers));
+    }
+
+    /** {@code x->rangemin = v}: sets a property of a variable, or of all members of a group (URBI sheet, section 5). */
+    public static Task start(Context context, Action.AssignProperty assignment) {
+        return new EvaluatingTask(context, List.of(), values -> {
+            Task all = Broadcast.of(context, assignment.target(), assignment::to);
+            return all == null ? single(context, assignment) : all;
+        });
+    }
+
+    private static Task single(Context context, Action.AssignProperty assignment) throws Failure {
+        Variables variables = context.variables();
+        String key = new Evaluator(context).key(assignment.target());
+        Variable variable = variables.find(context.scope(), key);
+        if (variable == null) {
+            throw Failure.of("Variable " + variables.wantedName(context.scope(), key) + " does not exist");
+        }
+        String property = assignment.property();
+        if (property.equals("blend") && assignment.value() instanceof Expr.Variable word) {
+            variable.properties().write(property, blendMode(context, word.name()));
+            return Task.done(context);
+        }
+        return new EvaluatingTask(context, List.of(assignment.value()), values -> {
+            variable.properties().write(property, values.get(0));
+            return null;
+        });
+    }
+
+    private static Value blendMode(Context context, Name word) throws Failure {
+        if (Blend.named(word.text()) == null) {
+            String name = context.variables().wantedName(context.scope(), word.text());
+            throw Failure.of("Unknown identifier: " + name, "Invalid blend mode.");
+        }
+        return Value.of(word.text());
     }
 }

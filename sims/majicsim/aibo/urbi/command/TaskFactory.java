@@ -3,7 +3,6 @@ package majicsim.aibo.urbi.command;
 import java.util.ArrayList;
 import java.util.List;
 import majicsim.aibo.urbi.assign.Assignments;
-import majicsim.aibo.urbi.assign.PropertyAssignment;
 import majicsim.aibo.urbi.flow.AtTask;
 import majicsim.aibo.urbi.flow.EveryTask;
 import majicsim.aibo.urbi.flow.LoopTask;
@@ -89,7 +88,7 @@ public final class TaskFactory implements Statement.Visitor<Task> {
 
     @Override
     public Task assignProperty(Action.AssignProperty command) {
-        return PropertyAssignment.start(context, command);
+        return Assignments.start(context, command);
     }
 
     /** Does nothing: the command runs when its bytes are filled in. */
