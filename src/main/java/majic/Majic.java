@@ -3,7 +3,6 @@ package majic;
 import java.io.IOException;
 import majic.cli.ActCommand;
 import majic.cli.ClassDataCommand;
-import majic.cli.InheritedOptions;
 import majic.cli.KeyCommand;
 import majic.cli.LabCommand;
 import majic.cli.MajicCommand;
@@ -57,7 +56,7 @@ public final class Majic {
      * @return a new one
      */
     public static CommandLine commandLine(UserFolder folder) {
-        return InheritedOptions.limit(new CommandLine(new MajicCommand(folder))
+        return MajicCommand.limitOptions(new CommandLine(new MajicCommand(folder))
                         .addSubcommand(new LabCommand())
                         .addSubcommand(new RunCommand(folder))
                         .addSubcommand(new KeyCommand(folder))

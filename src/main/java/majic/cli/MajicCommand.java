@@ -2,16 +2,20 @@ package majic.cli;
 
 import java.awt.GraphicsEnvironment;
 import java.io.IOException;
+import java.lang.reflect.Field;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.function.Predicate;
 import majic.console.Console;
 import majic.program.Program;
 import majic.program.UserFolder;
 import majic.program.Version;
 import majic.program.Window;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Option;
 
 /** {@code majic}: opens the window, or the console where there is no display. */
@@ -91,5 +95,34 @@ public final class MajicCommand implements Callable<Integer> {
             program.reconnectLost();
         }
         return Console.standard(program).run(start.firstRobots(program), List.of());
+    }
+
+    /**
+     * Leaves each command only those of the inherited options that it uses: {@code run} all, {@code lab} those of the
+     * lab, the others none.
+     *
+     * @param majic the command line with all commands
+     * @return the same object
+     */
+    public static CommandLine limitOptions(CommandLine majic) {
+        majic.getSubcommands().forEach((name, command) -> {
+            if (name.equals("lab")) {
+                remove(command, option -> !isOfLab(option));
+            } else if (!name.equals("run")) {
+                remove(command, option -> true);
+            }
+        });
+        return majic;
+    }
+
+    private static boolean isOfLab(ArgSpec option) {
+        return option.userObject() instanceof Field field && field.getDeclaringClass() == LabChoice.class;
+    }
+
+    private static void remove(CommandLine command, Predicate<ArgSpec> unused) {
+        List.copyOf(command.getCommandSpec().options()).stream()
+                .filter(option -> option.inherited() && unused.test(option))
+                .forEach(command.getCommandSpec()::remove);
+        command.getSubcommands().values().forEach(inner -> remove(inner, unused));
     }
 }

@@ -21,6 +21,8 @@ import majic.recorder.RecordingFolder;
 import majic.script.Session;
 import majic.server.LineServer;
 import majic.server.ListenKey;
+import majic.shared.embedded.EmbeddedBroker;
+import majic.shared.embedded.EmbeddedOptions;
 import majic.simulation.SimulatedLab;
 import majic.team.AutoReconnect;
 import majic.team.BotFactory;
@@ -50,7 +52,7 @@ public final class Program implements AutoCloseable {
     private final @Nullable Recorder recorder;
     private final ProgramSharing sharing;
     private volatile @Nullable LineServer server;
-    private volatile @Nullable OwnBroker broker;
+    private volatile @Nullable EmbeddedBroker broker;
     private final CountDownLatch quit = new CountDownLatch(1);
     private final AtomicBoolean announced = new AtomicBoolean();
     private final AtomicBoolean closing = new AtomicBoolean();
@@ -91,7 +93,7 @@ public final class Program implements AutoCloseable {
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
         sharing = new ProgramSharing(team, settings);
-        UsedSites.join(team, factory.types(), sharing);
+        UsedSite.joinAll(team, factory.types(), sharing);
         recorder = records ? record() : null;
         if (lab != null) {
             lab.onTooSlow(session::alarm);
@@ -207,12 +209,11 @@ public final class Program implements AutoCloseable {
     /**
      * Starts a broker inside this program, which ends with it. Blocks for some seconds.
      *
-     * @param address where it listens; at an address that other computers reach, clients need TLS and a password
-     * @throws BotException if it is not installed or the port is taken, or the password is missing
-     * @throws IOException if there is no key for TLS
+     * @param options where it listens, and the user that may connect
+     * @throws BotException if it is not installed or the port is taken
      */
-    public void startBroker(InetSocketAddress address) throws IOException {
-        broker = OwnBroker.start(address, folder);
+    public void startBroker(EmbeddedOptions options) {
+        broker = EmbeddedBroker.start(options);
     }
 
     /**
@@ -315,7 +316,7 @@ public final class Program implements AutoCloseable {
 
     private void closeTeam() {
         team.close();
-        UsedSites.leave(factory.types());
+        UsedSite.leaveAll(factory.types());
     }
 
     private static Thread started(String name, Runnable task) {
@@ -326,7 +327,7 @@ public final class Program implements AutoCloseable {
     }
 
     private void closeBroker() {
-        OwnBroker running = broker;
+        EmbeddedBroker running = broker;
         if (running != null) {
             running.close();
         }

@@ -1,5 +1,9 @@
 package majic.program;
 
+import java.util.List;
+import majic.bot.BotType;
+import majic.gui.kit.RobotSharing;
+import majic.shared.SharedType;
 import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.MessageLimit;
@@ -21,6 +25,35 @@ final class UsedSite implements BrokerConnection.Watcher, AutoCloseable {
     private final MessageLimit malformed;
     private volatile boolean lost;
     private volatile boolean closed;
+
+    /**
+     * Joins a team to the STOP of each site as soon as a robot of the site is used.
+     *
+     * @param types the types of robots, among them perhaps that of shared robots
+     * @param sharing has the names under which this program sends
+     */
+    static void joinAll(Team team, List<BotType> types, ProgramSharing sharing) {
+        for (BotType type : types) {
+            if (type instanceof SharedType shared) {
+                shared.sendAs(() -> sender(sharing));
+                shared.observeSites((connection, address, by) -> new UsedSite(team, connection, address, by));
+            }
+        }
+    }
+
+    /** Leaves the sites, once the robots are closed. Takes at most 0.5 s for each broker. */
+    static void leaveAll(List<BotType> types) {
+        for (BotType type : types) {
+            if (type instanceof SharedType shared) {
+                shared.leaveSites();
+            }
+        }
+    }
+
+    private static Sender sender(ProgramSharing sharing) {
+        RobotSharing.Place place = sharing.now().orElseGet(sharing::suggested);
+        return Sender.ofThisRun(place.desk(), place.person());
+    }
 
     /**
      * Joins the team to the STOP of the site.

@@ -1,4 +1,4 @@
-package majic.console;
+package majic.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Option;
 
 /** Options for an act's file: its name, its place, and its author's description; the same for all ways to make one. */
-public final class ActOutput {
+final class ActOutput {
     @Option(
             names = {"-o", "--output"},
             paramLabel = "FILE",
@@ -34,7 +34,7 @@ public final class ActOutput {
     private String description = "";
 
     /** Writes the file, and shows its description. */
-    public void write(String unlessNamed, Function<ActDetails, byte[]> made, PrintWriter out) throws IOException {
+    void write(String unlessNamed, Function<ActDetails, byte[]> made, PrintWriter out) throws IOException {
         String called = name == null ? unlessNamed : name;
         byte[] file = made.apply(new ActDetails(called, actVersion, author, description));
         Path written = output == null ? Path.of(called + ".act") : output;
