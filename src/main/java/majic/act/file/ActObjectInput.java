@@ -13,11 +13,13 @@ import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the object of an act. It creates objects of the act's own classes and {@link PlainValues} only, and no
+ * Reads the object of an act. It creates objects of the act's own classes and plain values of the JDK only, and no
  * collection that contains itself. For an act without code, to which the user gives no consent, it also limits the
  * data, so that reading takes a bounded time: a set that is contained in many sets is hashed again for each of them.
  */
@@ -33,6 +35,41 @@ public final class ActObjectInput extends ObjectInputStream {
 
     /** The greatest length of a stream, bytes. */
     static final int MAX_BYTES = 1 << 20;
+
+    /** The JDK classes whose objects an act may hold. They run no other code when they are read. */
+    private static final Set<String> PLAIN = Set.of(
+            "java.lang.Boolean",
+            "java.lang.Byte",
+            "java.lang.Character",
+            "java.lang.Double",
+            "java.lang.Enum",
+            "java.lang.Float",
+            "java.lang.Integer",
+            "java.lang.Long",
+            "java.lang.Number",
+            "java.lang.Short",
+            "java.lang.String",
+            "java.time.Ser",
+            "java.util.ArrayDeque",
+            "java.util.ArrayList",
+            "java.util.Arrays$ArrayList",
+            "java.util.CollSer",
+            "java.util.EnumMap",
+            "java.util.EnumSet$SerializationProxy",
+            "java.util.HashMap",
+            "java.util.HashSet",
+            "java.util.LinkedHashMap",
+            "java.util.LinkedHashSet",
+            "java.util.LinkedList",
+            "java.util.Random",
+            "java.util.TreeMap",
+            "java.util.TreeSet",
+            "java.util.UUID",
+            "java.util.concurrent.atomic.AtomicBoolean",
+            "java.util.concurrent.atomic.AtomicInteger",
+            "java.util.concurrent.atomic.AtomicLong");
+
+    private static final Pattern ARRAY = Pattern.compile("\\[+(?:[BCDFIJSZ]|L(.+);)");
 
     private final Predicate<String> own;
     private final ClassLoader loader;
@@ -112,11 +149,28 @@ public final class ActObjectInput extends ObjectInputStream {
     @Override
     protected Class<?> resolveClass(ObjectStreamClass described) throws IOException, ClassNotFoundException {
         String name = described.getName();
-        String element = PlainValues.element(name);
-        if (!PlainValues.has(name) && !own.test(element)) {
+        String element = element(name);
+        if (!isPlain(name) && !own.test(element)) {
             throw new InvalidActException("holds a " + element + ", which no act may hold");
         }
         return Class.forName(name, false, loader);
+    }
+
+    /** Returns whether a class, named as in a stream, is a plain value or an array of them. */
+    private static boolean isPlain(String name) {
+        String element = element(name);
+        return element.isEmpty()
+                || PLAIN.contains(element)
+                || name.startsWith("[") && element.equals("java.lang.Object");
+    }
+
+    /** Returns the class of an array's elements, or the class itself; empty for a primitive type. */
+    private static String element(String name) {
+        Matcher array = ARRAY.matcher(name);
+        if (!array.matches()) {
+            return name;
+        }
+        return array.group(1) == null ? "" : array.group(1);
     }
 
     @Override

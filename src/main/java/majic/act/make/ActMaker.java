@@ -1,15 +1,20 @@
 package majic.act.make;
 
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.time.LocalDateTime;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import majic.act.ActDetails;
 import majic.act.ActException;
 import majic.act.MajicAct;
 import majic.act.file.ActClassLoader;
 import majic.act.file.ActClasses;
+import majic.act.file.ActContents;
 import majic.act.file.ActFile;
 import majic.act.file.ActManifest;
 import majic.act.file.ClassFile;
@@ -21,6 +26,9 @@ import majic.act.file.InvalidActException;
  * object can be saved; this is the author's own code on the author's own computer.
  */
 public final class ActMaker {
+    /** Later than the earliest time of zip files, with which Java also stores a time that depends on the time zone. */
+    private static final LocalDateTime NO_TIME = LocalDateTime.of(1980, 2, 1, 0, 0);
+
     private final ClassPool pool;
     private final Map<String, ClassFile> named = new TreeMap<>();
 
@@ -145,7 +153,36 @@ public final class ActMaker {
             throws IOException {
         ActManifest manifest = new ActManifest(
                 act.getClass().getName(), details, majicVersion(), FreshAct.roles(act), FreshAct.arguments(act));
-        return ActWriter.pack(manifest, files, SavedAct.of(act, own));
+        return zip(manifest, files, SavedAct.of(act, own));
+    }
+
+    /**
+     * Packs a file. The same contents give the same bytes, so that a consent given once stays valid.
+     *
+     * @param manifest the file's manifest
+     * @param files the classes and the files beside them, by path
+     * @param data the object stream of the act
+     */
+    private static byte[] zip(ActManifest manifest, Map<String, byte[]> files, byte[] data) {
+        ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+        try (ZipOutputStream out = new ZipOutputStream(bytes)) {
+            put(out, ActManifest.PATH, manifest.bytes());
+            put(out, ActContents.DATA, data);
+            for (Map.Entry<String, byte[]> one : new TreeMap<>(files).entrySet()) {
+                put(out, one.getKey(), one.getValue());
+            }
+        } catch (IOException e) {
+            throw new IllegalStateException("memory takes what is written to it", e);
+        }
+        return bytes.toByteArray();
+    }
+
+    private static void put(ZipOutputStream out, String path, byte[] bytes) throws IOException {
+        ZipEntry entry = new ZipEntry(path);
+        entry.setTimeLocal(NO_TIME);
+        out.putNextEntry(entry);
+        out.write(bytes);
+        out.closeEntry();
     }
 
     private static byte[] tried(byte[] file) {
