@@ -1,5 +1,12 @@
 package majic.panel;
 
+import java.awt.Color;
+import java.awt.Component;
+import java.awt.Graphics2D;
+import java.awt.Shape;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
 import javax.swing.JLabel;
 
 /**
@@ -9,8 +16,8 @@ import javax.swing.JLabel;
 public final class StatusLight extends JLabel {
     private static final long serialVersionUID = 1;
 
-    /** The severity of a condition. */
-    public enum Kind {
+    /** The severity of a condition, and its shape. */
+    public enum Kind implements ScaledIcon {
         /** Nothing to report: a ring. */
         QUIET,
         /** In working order: a disc. */
@@ -18,7 +25,73 @@ public final class StatusLight extends JLabel {
         /** Needs attention: a triangle. */
         WARNING,
         /** Prevents motion: an octagon with a cross. */
-        ALARM
+        ALARM;
+
+        private static final int SIZE = 12;
+        private static final Color YELLOW = new Color(0xF0A732);
+
+        @Override
+        public void paint(Component on, Graphics2D pen) {
+            switch (this) {
+                case QUIET -> ring(pen);
+                case GOOD -> fill(pen, DrawingColors.current().good(), new Ellipse2D.Double(1, 1, 10, 10));
+                case WARNING -> warning(pen);
+                case ALARM -> alarm(pen);
+            }
+        }
+
+        private static void ring(Graphics2D pen) {
+            pen.setColor(DrawingColors.current().shape());
+            pen.setStroke(DrawingColors.stroke(1.6));
+            pen.draw(new Ellipse2D.Double(2, 2, 8, 8));
+        }
+
+        private static void warning(Graphics2D pen) {
+            Path2D triangle = new Path2D.Double();
+            triangle.moveTo(6, 0.5);
+            triangle.lineTo(12, 11.5);
+            triangle.lineTo(0, 11.5);
+            triangle.closePath();
+            fill(pen, YELLOW, triangle);
+            pen.setColor(Color.BLACK);
+            pen.setStroke(DrawingColors.stroke(0.8));
+            pen.draw(triangle);
+            pen.setStroke(DrawingColors.stroke(1.4));
+            pen.draw(new Line2D.Double(6, 4.5, 6, 7.5));
+            pen.draw(new Line2D.Double(6, 9.6, 6, 9.7));
+        }
+
+        private static void alarm(Graphics2D pen) {
+            Path2D octagon = new Path2D.Double();
+            for (int corner = 0; corner < 8; corner++) {
+                double angle = Math.PI / 8 + corner * Math.PI / 4;
+                double x = 6 + 6.2 * Math.cos(angle);
+                double y = 6 + 6.2 * Math.sin(angle);
+                if (corner == 0) {
+                    octagon.moveTo(x, y);
+                } else {
+                    octagon.lineTo(x, y);
+                }
+            }
+            octagon.closePath();
+            DrawingColors colors = DrawingColors.current();
+            pen.setColor(colors.alarm());
+            pen.fill(octagon);
+            pen.setColor(colors.paper());
+            pen.setStroke(DrawingColors.stroke(1.7));
+            pen.draw(new Line2D.Double(3.8, 3.8, 8.2, 8.2));
+            pen.draw(new Line2D.Double(3.8, 8.2, 8.2, 3.8));
+        }
+
+        private static void fill(Graphics2D pen, Color color, Shape shape) {
+            pen.setColor(color);
+            pen.fill(shape);
+        }
+
+        @Override
+        public int width() {
+            return SIZE;
+        }
     }
 
     /**
@@ -41,8 +114,8 @@ public final class StatusLight extends JLabel {
      * @param words its words, short
      */
     public void show(Kind kind, String words) {
-        setIcon(StatusLightIcon.of(kind));
-        setDisabledIcon(StatusLightIcon.of(Kind.QUIET));
+        setIcon(kind);
+        setDisabledIcon(Kind.QUIET);
         setText(words);
         getAccessibleContext().setAccessibleDescription(getToolTipText());
     }
@@ -53,6 +126,6 @@ public final class StatusLight extends JLabel {
      * @return the kind given last
      */
     public Kind kind() {
-        return ((StatusLightIcon) getIcon()).kind();
+        return (Kind) getIcon();
     }
 }

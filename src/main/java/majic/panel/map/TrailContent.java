@@ -1,7 +1,10 @@
 package majic.panel.map;
 
+import java.awt.BasicStroke;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Stroke;
+import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
 import majic.panel.DrawingColors;
@@ -14,8 +17,17 @@ import majic.text.Texts;
 public abstract class TrailContent implements RobotContent {
     private static final Texts TEXTS = Texts.of(TrailContent.class);
 
+    private static final double STEP_PX = 2;
+
+    /** A bevelled join: thousands of round joins would take longer to paint than everything else. */
+    private static final Stroke MEASURED = new BasicStroke(1.6f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL);
+
+    private static final Stroke ESTIMATED =
+            new BasicStroke(1.6f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_BEVEL, 1, new float[] {6, 3}, 0);
+
     private final Trail trail = new Trail();
-    private final TrailDrawing path;
+    private final Stroke stroke;
+    private final Path2D path = new Path2D.Double();
     private final Reach reach;
 
     /**
@@ -36,7 +48,7 @@ public abstract class TrailContent implements RobotContent {
      */
     protected TrailContent(Reach reach, boolean measured) {
         this.reach = reach;
-        this.path = measured ? TrailDrawing.measured(trail) : TrailDrawing.estimated(trail);
+        this.stroke = measured ? MEASURED : ESTIMATED;
     }
 
     /**
@@ -87,7 +99,10 @@ public abstract class TrailContent implements RobotContent {
      * @param colors the colours to use
      */
     protected final void paintTrail(Graphics2D pen, MapView view, DrawingColors colors) {
-        path.paint(pen, view, colors);
+        trail.trace(path, STEP_PX / view.pxPerMm());
+        pen.setColor(colors.grey(0.6));
+        pen.setStroke(stroke);
+        pen.draw(view.transform().createTransformedShape(path));
     }
 
     /**
