@@ -7,7 +7,7 @@ import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.gui.kit.RobotSharing;
 import majic.shared.broker.BrokerAddress;
-import majic.shared.broker.BrokerConnections;
+import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerLogins;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.desk.DeskOptions;
@@ -99,7 +99,7 @@ public final class ProgramSharing implements RobotSharing {
             DeskSharing started = new DeskSharing(
                     team,
                     options,
-                    (clientId, will) -> BrokerConnections.open(
+                    (clientId, will) -> BrokerConnection.open(
                             address, ConnectOptions.of(clientId, environment).withWill(will)));
             started.start();
             become(started, wanted);

@@ -5,11 +5,15 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import majic.bot.BotAddress;
+import majic.bot.BotException;
 import majic.bot.BotType;
+import majic.bot.ConnectFailed;
+import majic.bot.ConnectFailed.Reason;
 import majic.bot.MajicBot;
+import majic.driver.MotionlessBot;
 import majic.environment.BotEnvironment;
 import majic.shared.broker.BrokerAddress;
-import majic.shared.broker.BrokerConnections;
+import majic.shared.broker.BrokerConnection;
 import majic.shared.message.DeskName;
 import majic.shared.message.Sender;
 import majic.shared.panel.SharedReplay;
@@ -20,6 +24,10 @@ import org.jspecify.annotations.Nullable;
  * one connection for each broker.
  */
 public final class SharedType implements BotType {
+    /** From the libraries for MQTT and JSON, which are optional for programs that embed robots. */
+    private static final List<String> LIBRARIES =
+            List.of("com.hivemq.client.mqtt.mqtt5.Mqtt5Client", "com.fasterxml.jackson.databind.ObjectMapper");
+
     private final BrokerOpener opener;
     private final BrokerPool brokers;
     private final AtomicReference<@Nullable Sender> sender = new AtomicReference<>();
@@ -27,7 +35,7 @@ public final class SharedType implements BotType {
 
     /** Used by the service loader. */
     public SharedType() {
-        this(BrokerConnections::open);
+        this(BrokerConnection::open);
     }
 
     /**
@@ -124,10 +132,39 @@ public final class SharedType implements BotType {
 
     @Override
     public MajicBot create(BotAddress address, BotEnvironment environment) {
-        MqttLibrary.require();
+        requireLibraries();
         return SharedAddress.isListing(address)
-                ? new ListedSite(this, BrokerAddress.parse(address.toString()), opener, environment)
+                ? listed(address, environment)
                 : new MajicShared(address, this, environment);
+    }
+    /** Connecting to a whole site or desk fails with a list of the robots that are shared there. */
+    private MajicBot listed(BotAddress address, BotEnvironment environment) {
+        BrokerAddress site = BrokerAddress.parse(address.toString());
+        return new MotionlessBot(this, 1, true, environment, site + " is no robot") {
+            @Override
+            protected void open() {
+                SiteListing listing = new SiteListing(opener, site, environment);
+                throw new ConnectFailed(Reason.OTHER, listing.question(listing.robots()));
+            }
+        };
+    }
+
+    /**
+     * Refuses to go on without the libraries.
+     *
+     * @throws BotException if one is missing; the message names both
+     */
+    private static void requireLibraries() {
+        for (String name : LIBRARIES) {
+            try {
+                Class.forName(name, false, SharedType.class.getClassLoader());
+            } catch (ClassNotFoundException e) {
+                throw new BotException(
+                        "robots of other desks need the libraries hivemq-mqtt-client and jackson-databind: add both to the"
+                                + " class path",
+                        e);
+            }
+        }
     }
 
     BrokerPool brokers() {

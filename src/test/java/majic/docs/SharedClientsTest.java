@@ -14,7 +14,7 @@ import majic.bot.FakeType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.shared.broker.BrokerAddress;
-import majic.shared.broker.BrokerConnections;
+import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.broker.Mosquitto;
 import majic.shared.desk.DeskOptions;
@@ -88,7 +88,7 @@ class SharedClientsTest {
         DeskSharing sharing = new DeskSharing(
                 team,
                 new DeskOptions("lab", "desk2", "Bert", "MAJIC", Set.of(), false),
-                (id, will) -> BrokerConnections.open(
+                (id, will) -> BrokerConnection.open(
                         address, ConnectOptions.of(id, BotEnvironment.plain()).withWill(will)));
         sharing.start();
         return sharing;

@@ -7,7 +7,6 @@ import java.util.List;
 import majic.environment.BotEnvironment;
 import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
-import majic.shared.broker.BrokerConnections;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.ConnectOptions;
 
@@ -34,7 +33,7 @@ final class BareMessages implements AutoCloseable {
     }
 
     private static BrokerConnection open(BrokerAddress broker, String client) {
-        BrokerConnection opened = BrokerConnections.open(broker, ConnectOptions.of(client, BotEnvironment.plain()));
+        BrokerConnection opened = BrokerConnection.open(broker, ConnectOptions.of(client, BotEnvironment.plain()));
         opened.connect();
         return opened;
     }

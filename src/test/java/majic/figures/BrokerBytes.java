@@ -5,7 +5,6 @@ import java.util.concurrent.atomic.AtomicLong;
 import majic.environment.BotEnvironment;
 import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
-import majic.shared.broker.BrokerConnections;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.broker.Quality;
@@ -18,8 +17,7 @@ final class BrokerBytes {
     private final AtomicLong sent = new AtomicLong();
 
     BrokerBytes(BrokerAddress broker) {
-        BrokerConnection connection =
-                BrokerConnections.open(broker, ConnectOptions.of("bytes", BotEnvironment.plain()));
+        BrokerConnection connection = BrokerConnection.open(broker, ConnectOptions.of("bytes", BotEnvironment.plain()));
         connection.connect();
         connection.subscribe(TOPIC + "received", Quality.AT_MOST_ONCE, message -> set(received, message));
         connection.subscribe(TOPIC + "sent", Quality.AT_MOST_ONCE, message -> set(sent, message));

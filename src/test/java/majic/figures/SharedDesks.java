@@ -11,7 +11,7 @@ import java.util.concurrent.Future;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.shared.broker.BrokerAddress;
-import majic.shared.broker.BrokerConnections;
+import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.desk.DeskOptions;
 import majic.shared.desk.DeskSharing;
@@ -71,7 +71,7 @@ final class SharedDesks implements AutoCloseable {
         DeskSharing sharing = new DeskSharing(
                 teams.get(desk),
                 options,
-                (client, will) -> BrokerConnections.open(
+                (client, will) -> BrokerConnection.open(
                         broker, ConnectOptions.of(client, ENVIRONMENT).withWill(will)));
         sharing.start();
         sharings.add(sharing);

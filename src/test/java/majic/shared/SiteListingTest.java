@@ -15,7 +15,6 @@ import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
-import majic.shared.broker.BrokerConnections;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.broker.FakeBroker;
@@ -96,7 +95,7 @@ class SiteListingTest {
         BotEnvironment environment = new BotEnvironment(TimeSource.system(), Settings.inMemory());
         try (Mosquitto mosquitto = Mosquitto.start(folder)) {
             BrokerAddress address = BrokerAddress.parse("mqtt://127.0.0.1:" + mosquitto.port() + "/lab");
-            try (BrokerConnection desk = BrokerConnections.open(
+            try (BrokerConnection desk = BrokerConnection.open(
                     address, ConnectOptions.of("desk", environment).withTimeoutMs(WaitLimit.MS))) {
                 desk.connect();
                 CountDownLatch open = new CountDownLatch(1800);
@@ -108,7 +107,7 @@ class SiteListingTest {
                 }
                 open.await(WaitLimit.SECONDS, TimeUnit.SECONDS);
 
-                assertThat(new SiteListing(BrokerConnections::open, address, environment).robots())
+                assertThat(new SiteListing(BrokerConnection::open, address, environment).robots())
                         .hasSize(1800)
                         .allSatisfy((robot, what) -> assertThat(what).isEqualTo("MobileRobots Pioneer"));
             }

@@ -13,6 +13,23 @@ import org.jspecify.annotations.Nullable;
  * Thread-safe.
  */
 public interface BrokerConnection extends AutoCloseable {
+    /**
+     * Creates a connection, which is made by {@link #connect}.
+     *
+     * @param address of the broker
+     * @param options name of this client, last will and keep alive
+     * @return the connection; its threads are daemons and end with {@link #close}
+     * @throws BotException if the library is missing; the message names it
+     */
+    static BrokerConnection open(BrokerAddress address, ConnectOptions options) {
+        try {
+            Class.forName(
+                    "com.hivemq.client.mqtt.mqtt5.Mqtt5AsyncClient", false, BrokerConnection.class.getClassLoader());
+        } catch (ClassNotFoundException e) {
+            throw new BotException("shared robots need the library hivemq-mqtt-client: add it to the class path", e);
+        }
+        return new HiveConnection(address, options);
+    }
 
     /** Handles the messages of a subscription. */
     @FunctionalInterface
@@ -26,7 +43,7 @@ public interface BrokerConnection extends AutoCloseable {
         void received(BrokerMessage message);
     }
 
-    /** Learns about the state of the connection, on the thread of the handlers, and must not wait either. */
+    /** Receives changes of the connection, on the thread of the handlers, and must not wait either. */
     interface Watcher {
         /**
          * The broker has accepted this client, for the first time or again. Runs before the first message of this

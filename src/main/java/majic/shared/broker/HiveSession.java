@@ -9,8 +9,10 @@ import com.hivemq.client.mqtt.mqtt5.message.connect.Mqtt5ConnectBuilder;
 import com.hivemq.client.mqtt.mqtt5.message.publish.Mqtt5Publish;
 import io.reactivex.disposables.Disposable;
 import io.reactivex.schedulers.Schedulers;
+import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.Socket;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.Executor;
@@ -20,6 +22,7 @@ import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
+import majic.link.TcpConnector;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -31,6 +34,7 @@ final class HiveSession {
     private static final int RECEIVE_MAXIMUM = 500;
 
     private static final int LARGEST_PACKET_BYTES = 1 << 20;
+    private static final int REACH_MS = 2_000;
     private static final long REPORT_MS = 500;
 
     private final Mqtt5AsyncClient client;
@@ -84,7 +88,7 @@ final class HiveSession {
             Consumer<Throwable> lost) {
         BrokerCredentials credentials =
                 BrokerCredentials.find(address, options.environment().settings());
-        InetAddress computer = BrokerReach.find(address);
+        InetAddress computer = reach(address);
         Mqtt5ClientBuilder builder = Mqtt5Client.builder()
                 .identifier(options.clientId())
                 .executorConfig(HiveThreads.config())
@@ -99,6 +103,22 @@ final class HiveSession {
         session.connect(address, connect(options, credentials), options.timeoutMs() + REPORT_MS);
         MalformedMessages.leaveOut(session.client, arrivals::malformed);
         return session;
+    }
+
+    /**
+     * Looks the broker's computer up and tries its port, to report what fails in the same words as for robots.
+     *
+     * @return the computer's address with the name under which its certificate has to be issued
+     * @throws ConnectFailed if it cannot be reached; the message has the reason and advice
+     */
+    private static InetAddress reach(BrokerAddress address) {
+        String host = address.host().replaceAll("[\\[\\]]", "");
+        try (Socket socket = new Socket()) {
+            new TcpConnector(host, address.port()).connect(socket, REACH_MS);
+            return InetAddress.getByAddress(host, socket.getInetAddress().getAddress());
+        } catch (IOException e) {
+            throw ConnectFailed.of(e, address + ": " + e.getMessage());
+        }
     }
 
     private void receive(Arrivals arrivals, Executor handlers) {

@@ -3,6 +3,7 @@ package majic.shared.panel;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
@@ -24,11 +25,15 @@ final class SharedCamera {
 
     private final PictureView view = new PictureView(WIDTH, HEIGHT);
     private final MajicBot bot;
-    private final SharedPictures pictures;
+    private final Supplier<byte[]> pictures;
     private final AtomicBoolean requesting = new AtomicBoolean();
     private volatile boolean watched;
 
-    SharedCamera(MajicBot bot, SharedPictures pictures) {
+    /**
+     * @param pictures requests a picture, a JPEG file; blocks, and throws a BotException with the reason if there is
+     *     none
+     */
+    SharedCamera(MajicBot bot, Supplier<byte[]> pictures) {
         this.bot = bot;
         this.pictures = pictures;
         view.miss(TEXTS.get("camera.none"));
@@ -68,7 +73,7 @@ final class SharedCamera {
             return;
         }
         try {
-            show(pictures.request());
+            show(pictures.get());
         } catch (BotException e) {
             miss(String.valueOf(e.getMessage()));
         }

@@ -51,7 +51,7 @@ public final class SharedPanel extends RefreshingPanel {
     private final Banner banner = new Banner();
     private boolean hasCamera;
 
-    private SharedPanel(MajicBot bot, Supplier<SharedScene> scenes, SharedPictures pictures) {
+    private SharedPanel(MajicBot bot, Supplier<SharedScene> scenes, Supplier<byte[]> pictures) {
         super(bot);
         this.bot = bot;
         this.scenes = scenes;
@@ -73,14 +73,15 @@ public final class SharedPanel extends RefreshingPanel {
      * Makes the panel; on the event dispatch thread.
      *
      * @param scenes gives what to show beside the parameters, on any thread
-     * @param pictures requests pictures while the picture of the camera is visible
+     * @param pictures requests a picture of the camera, a JPEG file, while it is visible; blocks, not on the event
+     *     dispatch thread, and throws a {@link BotException} with the reason if there is none
      */
-    public static JComponent create(MajicBot bot, Supplier<SharedScene> scenes, SharedPictures pictures) {
+    public static JComponent create(MajicBot bot, Supplier<SharedScene> scenes, Supplier<byte[]> pictures) {
         return of(bot, scenes, pictures);
     }
 
     /** As {@link #create}, which does not name this class: a driver loads it only where there is a window. */
-    static SharedPanel of(MajicBot bot, Supplier<SharedScene> scenes, SharedPictures pictures) {
+    static SharedPanel of(MajicBot bot, Supplier<SharedScene> scenes, Supplier<byte[]> pictures) {
         SharedPanel panel = new SharedPanel(bot, scenes, pictures);
         panel.refreshIfChanged();
         return panel;

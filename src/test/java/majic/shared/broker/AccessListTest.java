@@ -62,7 +62,7 @@ class AccessListTest {
         BotEnvironment environment = WrittenCredentials.in(
                         home, "broker.127.0.0.1.user=" + user, "broker.127.0.0.1.password=pw-" + user)
                 .environment();
-        BrokerConnection connection = BrokerConnections.open(
+        BrokerConnection connection = BrokerConnection.open(
                 BrokerAddress.parse("mqtt://127.0.0.1:" + broker.port() + "/lab"),
                 ConnectOptions.of(user, environment).withTimeoutMs(WaitLimit.MS));
         connection.connect();

@@ -86,7 +86,7 @@ class ClientCertificateTest {
                         keyStore,
                         PASSWORD + password)
                 .environment();
-        return BrokerConnections.open(
+        return BrokerConnection.open(
                 BrokerAddress.parse("mqtts://localhost:" + broker.port() + "/test"),
                 ConnectOptions.of("client", environment).withTimeoutMs(WaitLimit.MS));
     }

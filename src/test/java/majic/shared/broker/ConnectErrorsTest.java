@@ -30,7 +30,7 @@ class ConnectErrorsTest {
 
     private static ConnectFailed failure(String address, int timeoutMs) {
         ConnectOptions options = ConnectOptions.of("a", BotEnvironment.plain()).withTimeoutMs(timeoutMs);
-        try (BrokerConnection connection = BrokerConnections.open(BrokerAddress.parse(address), options)) {
+        try (BrokerConnection connection = BrokerConnection.open(BrokerAddress.parse(address), options)) {
             ConnectFailed failure = catchThrowableOfType(ConnectFailed.class, connection::connect);
             assertThat(failure).hasMessageStartingWith(address + ": ");
             assertThat(connection.isConnected()).isFalse();

@@ -38,7 +38,7 @@ class MalformedMessageTest {
     }
 
     private BrokerConnection connection(RawBroker broker) {
-        BrokerConnection connection = BrokerConnections.open(
+        BrokerConnection connection = BrokerConnection.open(
                 broker.address(),
                 ConnectOptions.of("reader", new BotEnvironment(TimeSource.system(), Settings.inMemory()))
                         .withTimeoutMs(WaitLimit.MS)

@@ -15,7 +15,7 @@ final class RelayedConnections implements AutoCloseable {
     BrokerConnection open(ConnectOptions options) {
         TcpRelay relay = new TcpRelay(port);
         BrokerConnection connection =
-                BrokerConnections.open(BrokerAddress.parse("mqtt://127.0.0.1:" + relay.port() + "/test"), options);
+                BrokerConnection.open(BrokerAddress.parse("mqtt://127.0.0.1:" + relay.port() + "/test"), options);
         relays.put(connection, relay);
         return connection;
     }

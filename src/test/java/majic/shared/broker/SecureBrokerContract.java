@@ -36,7 +36,7 @@ abstract class SecureBrokerContract {
     private BrokerConnection open(String... lines) throws IOException {
         Files.copy(certificate(), folder.resolve("listen.pem"));
         BotEnvironment environment = WrittenCredentials.in(folder, lines).environment();
-        return BrokerConnections.open(
+        return BrokerConnection.open(
                 BrokerAddress.parse("mqtts://localhost:" + port() + "/test"),
                 ConnectOptions.of("anna", environment).withTimeoutMs(WaitLimit.MS));
     }

@@ -24,7 +24,7 @@ class StalledBrokerTest {
     private final ScriptedServer server = new ScriptedServer(ACCEPTED);
 
     @AutoClose
-    private final BrokerConnection connection = BrokerConnections.open(
+    private final BrokerConnection connection = BrokerConnection.open(
             BrokerAddress.parse("mqtt://127.0.0.1:" + server.port() + "/lab"),
             ConnectOptions.of("a", BotEnvironment.plain()).withKeepAlive(KEEP_ALIVE_SECONDS));
 
