@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -24,6 +25,7 @@ import majic.time.TimeSource;
 import majicsim.Lab;
 import majicsim.LabOptions;
 import majicsim.world.Point;
+import org.jspecify.annotations.Nullable;
 
 /** A simulated lab inside this program: its simulators, and the clock that their robots' drivers share with them. */
 public final class SimulatedLab implements LabAccess, AutoCloseable {
@@ -38,14 +40,14 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
 
     private final Lab lab;
     private final LabClock clock;
-    private final Notice tooSlow;
     private final List<Wall> walls;
     private final Furnishing furnishing;
+    private @Nullable String tooSlow;
+    private @Nullable Consumer<String> tooSlowListener;
 
-    private SimulatedLab(Lab lab, Pacing pacing, Notice tooSlow) {
+    private SimulatedLab(Lab lab, Function<Consumer<String>, Pacing> pacing) {
         this.lab = lab;
-        this.tooSlow = tooSlow;
-        this.clock = new LabClock(Lab.STEP_NANOS, () -> step(lab), pacing);
+        this.clock = new LabClock(Lab.STEP_NANOS, () -> step(lab), pacing.apply(this::tooSlow));
         this.walls = lab.walls().stream()
                 .map(wall -> new Wall(wall.x1(), wall.y1(), wall.x2(), wall.y2()))
                 .toList();
@@ -72,8 +74,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
      */
     public static SimulatedLab scaled(LabOptions options, double speed) throws IOException {
         Lab lab = open(options);
-        Notice tooSlow = new Notice();
-        return started(lab, Pacing.scaled(speed, transit(lab), tooSlow), tooSlow);
+        return started(lab, tooSlow -> Pacing.scaled(speed, transit(lab), tooSlow));
     }
 
     /**
@@ -85,7 +86,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
      */
     public static SimulatedLab stepped(LabOptions options) throws IOException {
         Lab lab = open(options);
-        return started(lab, Pacing.stepped(transit(lab)), new Notice());
+        return started(lab, tooSlow -> Pacing.stepped(transit(lab)));
     }
 
     /** Without native code the lab has no pseudo-terminals. */
@@ -105,8 +106,8 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
         return new TransitCheck(Links::traffic, lab::lines, ports);
     }
 
-    private static SimulatedLab started(Lab lab, Pacing pacing, Notice tooSlow) {
-        SimulatedLab simulated = new SimulatedLab(lab, pacing, tooSlow);
+    private static SimulatedLab started(Lab lab, Function<Consumer<String>, Pacing> pacing) {
+        SimulatedLab simulated = new SimulatedLab(lab, pacing);
         simulated.clock.start();
         return simulated;
     }
@@ -116,8 +117,20 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
      *
      * @param listener receives a sentence, on the clock's thread; at once if it was reported before
      */
-    public void onTooSlow(Consumer<String> listener) {
-        tooSlow.deliverTo(listener);
+    public synchronized void onTooSlow(Consumer<String> listener) {
+        tooSlowListener = listener;
+        reportTooSlow();
+    }
+
+    private synchronized void tooSlow(String sentence) {
+        tooSlow = sentence;
+        reportTooSlow();
+    }
+
+    private void reportTooSlow() {
+        if (tooSlowListener != null && tooSlow != null) {
+            tooSlowListener.accept(tooSlow);
+        }
     }
 
     /** Returns the simulators themselves, for functions that only a lab has: faults, positions. */
