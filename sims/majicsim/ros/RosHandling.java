@@ -53,8 +53,8 @@ public final class RosHandling {
      *
      * @param without true from now on, false to end it
      */
-    public void withoutPongs(boolean without) {
-        faults.withoutPongs(without);
+    public void suppressPongs(boolean without) {
+        faults.suppressPongs(without);
     }
 
     /**
@@ -62,8 +62,8 @@ public final class RosHandling {
      *
      * @param without true from now on, false to end it
      */
-    public void withoutServices(boolean without) {
-        faults.withoutServices(without);
+    public void suppressServices(boolean without) {
+        faults.suppressServices(without);
     }
 
     /**

@@ -15,17 +15,17 @@ final class SendBuffer {
     private static final int PACKET = 32 * 1024;
 
     private final @Nullable Line line;
-    private final Supplier<String> complaint;
+    private final Supplier<String> lossReport;
     private final ByteArrayOutputStream packet = new ByteArrayOutputStream();
     private boolean lost;
 
     /**
      * @param line the client, or null for none
-     * @param complaint makes the line that reports a loss
+     * @param lossReport makes the line that reports a loss
      */
-    SendBuffer(@Nullable Line line, Supplier<String> complaint) {
+    SendBuffer(@Nullable Line line, Supplier<String> lossReport) {
         this.line = line;
-        this.complaint = complaint;
+        this.lossReport = lossReport;
     }
 
     /**
@@ -41,7 +41,7 @@ final class SendBuffer {
         String text = before + about < LIMIT ? message.get() : "";
         boolean fits = !text.isEmpty() && before + text.length() < LIMIT;
         if (fits && lost) {
-            put(complaint.get());
+            put(lossReport.get());
         }
         if (fits) {
             put(text);

@@ -25,7 +25,7 @@ public final class Reports {
     }
 
     /** GYRO: its packets with every SIP or none, where there is a gyro. */
-    public void askForGyro(boolean on) {
+    public void requestGyro(boolean on) {
         boolean wanted = on && board.model().equipment().hasGyro();
         ask(Report.GYRO, wanted ? Subscription.EVERY_CYCLE : Subscription.NEVER);
     }

@@ -61,7 +61,7 @@ public enum Command {
     ESTOP(55, (session, argument) -> session.drive().emergencyStop()),
     E_STALL(56, stores(Setting.E_STALL)),
     QSTOP(57, (session, argument) -> session.drive().emergencyStop()),
-    GYRO(58, (session, argument) -> session.reports().askForGyro(argument.isOn())),
+    GYRO(58, (session, argument) -> session.reports().requestGyro(argument.isOn())),
     TTY4(60, (session, argument) -> session.aux(3).transmit(argument.bytes())),
     GETAUX3(61, (session, argument) -> session.aux(3).request(argument.integer())),
     BATTERYINFO(62, asksFor(Report.BATTERY)),

@@ -15,7 +15,7 @@ public final class BridgeFaults {
      *
      * @param without true from now on, false to end it
      */
-    public void withoutPongs(boolean without) {
+    public void suppressPongs(boolean without) {
         isWithoutPongs = without;
     }
 
@@ -24,7 +24,7 @@ public final class BridgeFaults {
      *
      * @param without true from now on, false to end it
      */
-    public void withoutServices(boolean without) {
+    public void suppressServices(boolean without) {
         isWithoutServices = without;
     }
 

@@ -8,22 +8,22 @@ import org.jspecify.annotations.Nullable;
 /** Reads program text command by command, counts its lines, and reports syntax errors (URBI sheet, section 11). */
 public final class CommandReader {
     private final Splitter splitter = new Splitter();
-    private final Consumer<String> complain;
+    private final Consumer<String> errors;
     private Place place;
     private @Nullable String text;
 
     /**
      * @param start where the text begins in the count of lines
-     * @param complain takes the body of each error line
+     * @param errors takes the body of each error line
      */
-    public CommandReader(Place start, Consumer<String> complain) {
+    public CommandReader(Place start, Consumer<String> errors) {
         this.place = start;
-        this.complain = complain;
+        this.errors = errors;
     }
 
     /** All commands of a whole text, in order; a last one needs no separator. */
-    public static List<SeparatedStatement> all(byte[] text, Consumer<String> complain) {
-        CommandReader reader = new CommandReader(new Place(1, 1), complain);
+    public static List<SeparatedStatement> all(byte[] text, Consumer<String> errors) {
+        CommandReader reader = new CommandReader(new Place(1, 1), errors);
         reader.feed(text);
         reader.feed(new byte[] {'\n', ';'});
         List<SeparatedStatement> steps = new ArrayList<>();
@@ -45,8 +45,8 @@ public final class CommandReader {
         if (text == null) {
             text = splitter.next();
             if (splitter.overflowed()) {
-                complain.accept("Receive buffer full");
-                complain.accept("Receive buffer corrupted");
+                errors.accept("Receive buffer full");
+                errors.accept("Receive buffer corrupted");
             }
         }
         return text != null;
@@ -71,7 +71,7 @@ public final class CommandReader {
         Parser parser = new Parser(lexer.tokens());
         if (!invalid.isEmpty()) {
             place = lexer.end();
-            complain.accept(invalid.get(0));
+            errors.accept(invalid.get(0));
             return null;
         }
         try {
@@ -82,7 +82,7 @@ public final class CommandReader {
             // The real kernel goes on counting behind a command only if it had understood a part of it (captures A to
             // C), or it begins with an @.
             place = error.afterCommand() ? lexer.end() : start;
-            complain.accept(error.span() + ": " + error.getMessage());
+            errors.accept(error.span() + ": " + error.getMessage());
             return null;
         }
     }

@@ -70,19 +70,19 @@ final class Lexer {
             Map.of("on", 1.0, "off", 0.0, "true", 1.0, "false", 0.0, "pi", Math.PI, "inf", Value.INFINITY);
 
     private final String text;
-    private final BiConsumer<Span, String> complain;
+    private final BiConsumer<Span, String> errors;
     private final List<Token> tokens = new ArrayList<>();
     private int at;
     private Place place;
 
     /**
      * @param start where the text begins in the connection's program
-     * @param complain takes the position and the text of each character that no token begins with; it is left out
+     * @param errors takes the position and the text of each character that no token begins with; it is left out
      */
-    Lexer(String text, Place start, BiConsumer<Span, String> complain) {
+    Lexer(String text, Place start, BiConsumer<Span, String> errors) {
         this.text = text;
         this.place = start;
-        this.complain = complain;
+        this.errors = errors;
     }
 
     /** All tokens, the last of kind END. */
@@ -114,7 +114,7 @@ final class Lexer {
                 && !match(SYMBOL, TokenKind.SYMBOL)) {
             Place first = place;
             advance(1);
-            complain.accept(new Span(first, first), "invalid character: " + (c == 0 ? "" : c));
+            errors.accept(new Span(first, first), "invalid character: " + (c == 0 ? "" : c));
         }
     }
 

@@ -13,7 +13,7 @@ final class ScaledPacing implements Pacing {
     private static final long MOST_AHEAD_NANOS = 100_000_000;
 
     /** What takes longer than this of real time does not delay the lab: it computes, waits in another way or hangs. */
-    private static final long PATIENCE_NANOS = 250_000_000;
+    private static final long LONGEST_DELAY_NANOS = 250_000_000;
 
     /** Steps due within so much lab time are taken together, because each waking takes longer than a step. */
     private static final long TOGETHER_NANOS = 20_000_000;
@@ -67,7 +67,7 @@ final class ScaledPacing implements Pacing {
         if (delayedSinceNanos == NOT_DELAYED) {
             delayedSinceNanos = now;
         }
-        if (now - delayedSinceNanos < PATIENCE_NANOS && !(membersWait.getAsBoolean() && quiet.getAsBoolean())) {
+        if (now - delayedSinceNanos < LONGEST_DELAY_NANOS && !(membersWait.getAsBoolean() && quiet.getAsBoolean())) {
             real.pause(LOOK_AGAIN_NANOS);
             return false;
         }

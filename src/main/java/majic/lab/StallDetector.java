@@ -14,7 +14,7 @@ import java.util.stream.Stream;
  * the clock's lock, except {@link #stepped()}.
  */
 final class StallDetector {
-    private static final long PATIENCE_NANOS = TimeUnit.SECONDS.toNanos(10);
+    private static final long STALLED_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final long NOT_READ = -1;
     private static final int MOST_FRAMES = 25;
 
@@ -33,11 +33,11 @@ final class StallDetector {
      */
     boolean isOver(Collection<Thread> members) {
         long waited = System.nanoTime() - sinceNanos;
-        if (waited < PATIENCE_NANOS / 2) {
+        if (waited < STALLED_NANOS / 2) {
             usedNanos = NOT_READ;
         } else if (usedNanos == NOT_READ) {
             usedNanos = processorNanos(members);
-        } else if (waited >= PATIENCE_NANOS) {
+        } else if (waited >= STALLED_NANOS) {
             if (processorNanos(members) == usedNanos) {
                 return true;
             }
@@ -56,7 +56,7 @@ final class StallDetector {
     String report(Map<Thread, ClockMember> members, String lines) {
         StringJoiner report = new StringJoiner("\n");
         report.add(
-                "the stepped clock has stood still for " + PATIENCE_NANOS / 1_000_000_000 + " s though a thread waits");
+                "the stepped clock has stood still for " + STALLED_NANOS / 1_000_000_000 + " s though a thread waits");
         members.forEach((thread, member) -> report.add("  " + thread.getName() + ": " + member));
         report.add("  " + lines);
         Thread.getAllStackTraces().forEach((thread, stack) -> {

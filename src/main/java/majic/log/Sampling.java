@@ -91,12 +91,12 @@ public final class Sampling {
             Thread.currentThread().interrupt();
         } catch (BotException e) {
             forget(member, series);
-            complain(member, e);
+            report(member, e);
         }
     }
 
     /** Reports why the logging of a robot ended, unless the robot was removed or the program is closing. */
-    private void complain(Member member, BotException problem) {
+    private void report(Member member, BotException problem) {
         if (member.bot().connection() != MajicBot.Connection.CLOSED) {
             notices.accept(member.number() + ": no longer logged: " + problem.getMessage());
         }

@@ -90,7 +90,7 @@ final class UsedSite implements BrokerConnection.Watcher, AutoCloseable {
     @Override
     public void malformed(String topic, String problem) {
         if (isOfSite(topic) && malformed.allows()) {
-            long before = malformed.toComplainAbout();
+            long before = malformed.countToReport();
             team.notice("a message on " + topic + " is left out: " + problem
                     + (before == 0 ? "" : " (and " + before + " more malformed messages)"));
         }

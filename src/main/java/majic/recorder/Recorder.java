@@ -59,7 +59,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
      * Creates a recorder; {@link #start()} starts it. Writes no file before there is a robot.
      *
      * @param team the robots to record
-     * @param factory knows the simulated lab
+     * @param factory has the simulated lab
      * @param folder receives the files
      * @param alarm receives a sentence when nothing can be written, and when that is possible again; on any thread
      */

@@ -47,7 +47,7 @@ final class RecordingFormat {
         PARAMETER,
         /** A parameter of a robot has changed. */
         VALUE,
-        /** What the team knows of a robot has changed: connection, owner, running command. */
+        /** What the team keeps of a robot has changed: connection, owner, running command. */
         STATUS,
         /** What a robot's panel shows beyond the parameters has changed; its driver defines names and texts. */
         REPORT,

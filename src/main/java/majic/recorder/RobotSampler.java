@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Finds what has changed of one robot since the last time: its parameters, the reports that its panel needs, what the
- * team knows of it. Sends the robot nothing and waits for nothing. Samples are taken by one thread.
+ * team keeps of it. Sends the robot nothing and waits for nothing. Samples are taken by one thread.
  */
 final class RobotSampler {
     /** Changes all the time and follows from the times of the other values. */

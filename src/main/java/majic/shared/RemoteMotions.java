@@ -17,8 +17,8 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Has a shared robot do something, and waits for the answers of its desk. Knows whether this program may have set the
- * robot in motion, so that it has to be stopped when a motion does not end as it should. Thread-safe.
+ * Requests what a shared robot has to do, and waits for the answers of its desk. Keeps whether this program may have
+ * set the robot in motion, so that it has to be stopped when a motion does not end as it should. Thread-safe.
  */
 final class RemoteMotions {
     private static final double FIRST_ANSWER_S = 2;

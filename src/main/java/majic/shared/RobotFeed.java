@@ -226,7 +226,7 @@ final class RobotFeed {
 
     /** Returns how many lines of the desk were left out, if that is to be said now; otherwise 0. */
     long linesLeftOut() {
-        return broker.lines(address).toComplainAbout();
+        return broker.lines(address).countToReport();
     }
 
     /** Returns the newest description; null before the first one. */

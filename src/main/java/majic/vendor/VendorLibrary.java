@@ -97,7 +97,7 @@ public enum VendorLibrary {
      * Creates an object of an adapter class, which uses the library. The library is looked for in the folder named by
      * the command line, the environment or the settings, in this order.
      *
-     * @param <T> what the rest of the driver knows of the adapter
+     * @param <T> the type by which the rest of the driver uses the adapter
      * @param type that interface, which is not in the adapter's package
      * @param adapter the name of a public class with a public constructor without arguments; all classes of its package
      *     are loaded together with the library, and must be used by nothing else

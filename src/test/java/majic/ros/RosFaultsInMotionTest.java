@@ -118,7 +118,7 @@ class RosFaultsInMotionTest {
     @Test
     void aBridgeThatAnswersNoServicesAnyMoreStillStopsTheRobot() {
         bot.connect();
-        robot.besideRos(ros -> ros.withoutServices(true));
+        robot.besideRos(ros -> ros.suppressServices(true));
         bot.drive(200, 0);
         pass(0.5);
 

@@ -56,7 +56,7 @@ class RosSensorFaultsTest {
             while (robot.truePose().distanceMm(start) < 200) {
                 pass(robot, 0.05);
             }
-            robot.besideRos(ros -> ros.withoutServices(true));
+            robot.besideRos(ros -> ros.suppressServices(true));
 
             robot.bot().stop();
 
@@ -71,7 +71,7 @@ class RosSensorFaultsTest {
     @ValueSource(strings = {"1", "2"})
     void aServiceThatDoesNotAnswerHoldsUpNothingElse(String model) {
         try (LabRobot robot = connected(model, X_MM)) {
-            robot.besideRos(ros -> ros.withoutServices(true));
+            robot.besideRos(ros -> ros.suppressServices(true));
 
             assertThatThrownBy(() -> run(robot, "call", "rosapi/topic_type", "topic=/scan"))
                     .hasMessageContaining("did not answer within");

@@ -41,7 +41,7 @@ class RosFaultsTest {
 
     @Test
     void pingsCanStayUnanswered() throws IOException {
-        stand.lab().besideRos(robot -> robot.withoutPongs(true));
+        stand.lab().besideRos(robot -> robot.suppressPongs(true));
         client.socket().sendBytes(RawWebSocket.frame(RawWebSocket.PING, true, new byte[1]));
         client.send("{'op':'call_service','id':'after','service':'/rosapi/get_time'}");
         assertThat(client.socket().read().text()).contains("after");
@@ -49,11 +49,11 @@ class RosFaultsTest {
 
     @Test
     void servicesCanStayUnanswered() throws IOException {
-        stand.lab().besideRos(robot -> robot.withoutServices(true));
+        stand.lab().besideRos(robot -> robot.suppressServices(true));
         client.send("{'op':'call_service','id':'lost','service':'/rosapi/get_time'}");
         client.socket().sendBytes(RawWebSocket.frame(RawWebSocket.PING, true, new byte[1]));
         assertThat(client.socket().read().opcode()).isEqualTo(RawWebSocket.PONG);
-        stand.lab().besideRos(robot -> robot.withoutServices(false));
+        stand.lab().besideRos(robot -> robot.suppressServices(false));
         assertThat(client.values("/rosapi/get_time").has("time")).isTrue();
     }
 

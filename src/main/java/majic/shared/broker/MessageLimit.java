@@ -4,16 +4,16 @@ import majic.time.TimeSource;
 
 /** Limits how many messages of one kind are used, and counts those that are not. Thread-safe. */
 public final class MessageLimit {
-    /** How often a complaint about left out messages is due at most, seconds. */
-    private static final double COMPLAINT_S = 10;
+    /** How often left out messages are reported at most, seconds. */
+    private static final double REPORT_S = 10;
 
     private final TimeSource time;
     private final double perSecond;
     private double room;
     private long filledNanos;
     private long leftOut;
-    private long complainedNanos;
-    private boolean complained;
+    private long reportedNanos;
+    private boolean reported;
 
     /**
      * Begins with all messages of a second.
@@ -46,19 +46,19 @@ public final class MessageLimit {
     }
 
     /**
-     * Returns how many messages were left out since the last complaint, if another one is due.
+     * Returns how many messages were left out since the last report, if another one is due.
      *
-     * @return 0 if none was left out, or the last complaint was less than 10 s ago
+     * @return 0 if none was left out, or the last report was less than 10 s ago
      */
-    public synchronized long toComplainAbout() {
-        boolean due = leftOut > 0 && (!complained || time.secondsSince(complainedNanos) >= COMPLAINT_S);
+    public synchronized long countToReport() {
+        boolean due = leftOut > 0 && (!reported || time.secondsSince(reportedNanos) >= REPORT_S);
         if (!due) {
             return 0;
         }
         long count = leftOut;
         leftOut = 0;
-        complained = true;
-        complainedNanos = time.nanos();
+        reported = true;
+        reportedNanos = time.nanos();
         return count;
     }
 }

@@ -1,6 +1,6 @@
 /**
  * The connection to an MQTT 5 broker: its address, the credentials, TLS, and messages that are published and received.
- * Knows no robots and no topics.
+ * Contains nothing about robots and topics.
  */
 @NullMarked
 package majic.shared.broker;

@@ -39,7 +39,7 @@ final class DeskFleet {
         } catch (BotException e) {
             vehicles.remove(robot);
             vehicle.close();
-            robot.complain("not published as a vehicle of VDA 5050: " + e.getMessage());
+            robot.notice("not published as a vehicle of VDA 5050: " + e.getMessage());
         }
     }
 

@@ -198,7 +198,7 @@ public final class DeskSharing implements AutoCloseable {
         List<SharedRobot> held =
                 robots.values().stream().filter(robot -> isHeldBy(robot, meant)).toList();
         SharedRobot.halt(held, desk);
-        held.forEach(robot -> robot.complain(why + "; the robot is stopped"));
+        held.forEach(robot -> robot.notice(why + "; the robot is stopped"));
     }
 
     private static boolean isHeldBy(SharedRobot robot, Predicate<RobotHold> meant) {

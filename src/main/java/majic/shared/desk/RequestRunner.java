@@ -78,7 +78,7 @@ final class RequestRunner {
 
     private void received(Request request, BrokerMessage message, @Nullable RobotHold held) {
         if (message.responseTopic() != null && !desk.isAnswerable(message)) {
-            robot.complainOfMistake(
+            robot.noticeMistake(
                     "a request of " + request.sender() + " is ignored: its response topic has to begin with "
                             + desk.topics().replies(""));
             return;
@@ -93,7 +93,7 @@ final class RequestRunner {
 
     private void refuse(BrokerMessage message, String why) {
         desk.reply(message, RequestReply.of(Outcome.REFUSED, why));
-        robot.complainOfMistake(why);
+        robot.noticeMistake(why);
     }
 
     private void begin(IncomingRequest incoming) {

@@ -97,7 +97,7 @@ final class SharedRobot implements StoppableRobot {
     /** Handles a message to one of its topics, on the thread of the connection. */
     void received(Part part, BrokerMessage message) {
         if (message.retained()) {
-            complainOfMistake("a retained message to the topic \"" + message.topic() + "\" is ignored: it may be old");
+            noticeMistake("a retained message to the topic \"" + message.topic() + "\" is ignored: it may be old");
             return;
         }
         switch (part) {
@@ -133,24 +133,24 @@ final class SharedRobot implements StoppableRobot {
     }
 
     private void reportFlood(MessageLimit limit, String topic) {
-        long count = limit.toComplainAbout();
+        long count = limit.countToReport();
         if (count > 0) {
-            complain(count + (count == 1 ? " message" : " messages") + " to the topic \"" + topic
+            notice(count + (count == 1 ? " message" : " messages") + " to the topic \"" + topic
                     + "\" left out: more arrive than can be used");
         }
     }
 
     /** Reports a message of another program that cannot be used; one a second is enough to find the program. */
-    void complainOfMistake(String words) {
+    void noticeMistake(String words) {
         if (mistakeLimit.allows()) {
-            long before = mistakeLimit.toComplainAbout();
-            complain(before == 0 ? words : words + " (and " + before + " more messages that cannot be used)");
+            long before = mistakeLimit.countToReport();
+            notice(before == 0 ? words : words + " (and " + before + " more messages that cannot be used)");
         }
     }
 
     /** Listeners of the team may block, so they are called on the worker. */
     @Override
-    public void complain(String words) {
+    public void notice(String words) {
         desk.worker().submit(() -> member.notice(words));
     }
 
@@ -182,7 +182,7 @@ final class SharedRobot implements StoppableRobot {
     /** Every stop is carried out, but more lines than can be read are not shown. */
     private void reportStop(String by) {
         if (stopLineLimit.allows()) {
-            complain("stopped by " + by);
+            notice("stopped by " + by);
         }
     }
 
@@ -219,7 +219,7 @@ final class SharedRobot implements StoppableRobot {
                 now.beat();
             }
         } catch (UnusableMessageException e) {
-            complainOfMistake(String.valueOf(e.getMessage()));
+            noticeMistake(String.valueOf(e.getMessage()));
         }
     }
 
@@ -346,11 +346,11 @@ final class SharedRobot implements StoppableRobot {
     }
 
     private void reportLeftOut() {
-        long stopLines = stopLineLimit.toComplainAbout();
+        long stopLines = stopLineLimit.countToReport();
         if (stopLines > 0) {
-            complain("stopped " + stopLines + " more times");
+            notice("stopped " + stopLines + " more times");
         }
-        long lines = lineLimit.toComplainAbout();
+        long lines = lineLimit.countToReport();
         if (lines > 0) {
             publish(RobotMessage.Kind.MESSAGE, lines + (lines == 1 ? " line" : " lines") + " left out");
         }
@@ -392,7 +392,7 @@ final class SharedRobot implements StoppableRobot {
     void reportSilence() {
         RobotHold now = hold.get();
         if (now != null) {
-            complain("no sign of life of " + now.holder() + " for 1 s; the robot is stopped");
+            notice("no sign of life of " + now.holder() + " for 1 s; the robot is stopped");
         }
     }
 

@@ -93,8 +93,8 @@ public final class FleetVehicle implements AutoCloseable {
 
             @Override
             public void notPublished(BrokerMessage message, String reason) {
-                robot.complain("fleet tools do not see it as a vehicle of VDA 5050: the broker refuses "
-                        + message.topic() + " (" + reason + ")");
+                robot.notice("fleet tools do not see it as a vehicle of VDA 5050: the broker refuses " + message.topic()
+                        + " (" + reason + ")");
             }
         });
         connection.connect();

@@ -26,5 +26,5 @@ public interface StoppableRobot {
      *
      * @param words what is wrong, as a sentence
      */
-    void complain(String words);
+    void notice(String words);
 }
