@@ -17,7 +17,6 @@ final class Simulation {
     private final Reports reports;
     private final Consumer<byte[]> client;
     private final SimLaser laser;
-    private final OldLaserCommands oldLaserCommands;
 
     /** Adds packets to {@code reports}, and answers to {@code client} at once. */
     Simulation(Board board, Reports reports, Consumer<byte[]> client) {
@@ -25,7 +24,6 @@ final class Simulation {
         this.reports = reports;
         this.client = client;
         this.laser = new SimLaser(board);
-        this.oldLaserCommands = new OldLaserCommands(laser);
     }
 
     SimLaser laser() {
@@ -34,15 +32,15 @@ final class Simulation {
 
     /** Executes a command with an old number of the laser; returns false if it is for the robot. */
     boolean take(int id, Argument argument) {
-        return oldLaserCommands.take(id, argument.integer());
+        return laser.takeOld(id, argument.integer());
     }
 
     /** SIM_STAT: once and now, with every SIP, or no more. */
-    void stat(int wish) {
-        if (wish == 1) {
+    void stat(int mode) {
+        if (mode == 1) {
             client.accept(SimStat.of(board).toBytes());
         } else {
-            reports.ask(Report.SIM_STAT, wish);
+            reports.ask(Report.SIM_STAT, mode);
         }
     }
 

@@ -82,10 +82,10 @@ class CaptureLogTest {
 
     private static byte[] encodedAgain(Packet captured) {
         SipView view = new SipView(Hex.concat(new byte[] {0, 0, 0, 0x32}, captured.data(), new byte[2]));
-        SipMotion motion = new SipMotion(
+        Sip.Motion motion = new Sip.Motion(
                 view.x(), view.y(), view.heading(), view.left(), view.right(), view.control(), view.turnRateTenths());
         int stall = view.isStalled() ? 1 : 0;
-        SipStatus status = new SipStatus(view.battery(), stall, stall, view.flags(), 0);
+        Sip.Status status = new Sip.Status(view.battery(), stall, stall, view.flags(), 0);
         SipTail tail = new SipTail(
                 Generation.AROS, 0, view.analogPort(), 0, 0xFF, view.digitalOut(), 0, 0, SipTail.NO_TEMPERATURE, 0, 0);
         List<SonarReading> sonar = view.sonar().entrySet().stream()

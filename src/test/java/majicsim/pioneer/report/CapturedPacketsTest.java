@@ -48,9 +48,9 @@ class CapturedPacketsTest {
 
     @Test
     void sipAtRest() {
-        SipMotion rest = new SipMotion(0, 0, 0, 0, 0, 0, 0);
+        Sip.Motion rest = new Sip.Motion(0, 0, 0, 0, 0, 0, 0);
         int[] ranges = {3864, 5000, 4447, 5000, 5000, 5000, 5000, 3844, 3844, 2765, 2013, 1751, 1752, 2013, 2764, 3864};
-        Sip sip = new Sip(rest, new SipStatus(130, 0, 0, 0x1F, 0), sonar(ranges), IDLE);
+        Sip sip = new Sip(rest, new Sip.Status(130, 0, 0, 0x1F, 0), sonar(ranges), IDLE);
         assertThat(sip.toBytes()).isEqualTo(Hex.bytes("""
                 FA FB 56 32 00 00 00 00 00 00 00 00 00 00 82 00 00 00 00 1F 00 00 10
                 00 18 0F 01 88 13 02 5F 11 03 88 13 04 88 13 05 88 13 06 88 13 07 04 0F
@@ -61,9 +61,9 @@ class CapturedPacketsTest {
 
     @Test
     void sipDrivingAheadAndTurningRight() {
-        SipMotion motion = new SipMotion(519, -107, -238, 296, 203, 0, -150);
+        Sip.Motion motion = new Sip.Motion(519, -107, -238, 296, 203, 0, -150);
         int[] ranges = {4216, 4135, 5000, 5000, 5000, 4929, 4007, 4032, 4117, 2299, 2011, 2018, 2324, 3205, 4104, 4131};
-        byte[] packet = new Sip(motion, new SipStatus(130, 0, 0, 0x1F, 0), sonar(ranges), IDLE).toBytes();
+        byte[] packet = new Sip(motion, new Sip.Status(130, 0, 0, 0x1F, 0), sonar(ranges), IDLE).toBytes();
         byte[] captured = Hex.bytes("""
                 FA FB 56 32 07 02 95 FF 12 FF 28 01 CB 00 82 00 00 00 00 1F 00 00 10
                 00 78 10 01 27 10 02 88 13 03 88 13 04 88 13 05 41 13 06 A7 0F 07 C0 0F
@@ -76,9 +76,9 @@ class CapturedPacketsTest {
 
     @Test
     void sipStalledAgainstAWall() {
-        SipMotion motion = new SipMotion(606, -140, -250, 0, 0, 0, 0);
+        Sip.Motion motion = new Sip.Motion(606, -140, -250, 0, 0, 0, 0);
         int[] ranges = {3864, 222, 126, 100, 100, 126, 223, 3844, 3844, 5000, 5000, 5000, 5000, 3844, 5000, 3864};
-        Sip sip = new Sip(motion, new SipStatus(130, 1, 1, 0x1F, 0), sonar(ranges), IDLE);
+        Sip sip = new Sip(motion, new Sip.Status(130, 1, 1, 0x1F, 0), sonar(ranges), IDLE);
         assertThat(sip.toBytes()).isEqualTo(Hex.bytes("""
                 FA FB 56 32 5E 02 74 FF 06 FF 00 00 00 00 82 01 01 00 00 1F 00 00 10
                 00 18 0F 01 DE 00 02 7E 00 03 64 00 04 64 00 05 7E 00 06 DF 00 07 04 0F
