@@ -1,13 +1,24 @@
 package majic.panel.map;
 
+import java.awt.Component;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.KeyStroke;
+import majic.panel.DrawingColors;
 import majic.panel.KeyAction;
+import majic.panel.ScaledIcon;
 import majic.text.Texts;
 
-/** The actions on a map: each has a key that works while the map has the focus; most have a button too. */
-enum MapAction {
+/**
+ * The actions on a map: each has a key that works while the map has the focus; most have a button too, whose icon they
+ * are.
+ */
+enum MapAction implements ScaledIcon {
     /** Zooms in. */
     ZOOM_IN("zoomIn", List.of("+")),
     /** Zooms out. */
@@ -33,6 +44,7 @@ enum MapAction {
     static final List<MapAction> WITH_BUTTON = List.of(ZOOM_IN, ZOOM_OUT, FIT, FOLLOW, AHEAD_UP, CLEAR);
 
     private static final int STEP_PX = 40;
+    private static final int ICON_PX = 14;
     private static final Texts TEXTS = Texts.of(MapAction.class);
 
     private final String text;
@@ -94,5 +106,70 @@ enum MapAction {
     /** Returns the typed character, or a key by its name. */
     private static KeyStroke keyStroke(String key) {
         return key.length() == 1 ? KeyStroke.getKeyStroke(key.charAt(0)) : KeyStroke.getKeyStroke(key);
+    }
+
+    /** Draws the symbol of the button, in the colour of text. */
+    @Override
+    public void paint(Component on, Graphics2D pen) {
+        pen.setColor(DrawingColors.current().grey(0.85));
+        pen.setStroke(DrawingColors.stroke(1.5));
+        switch (this) {
+            case ZOOM_IN -> plus(pen);
+            case ZOOM_OUT -> line(pen, 2, 7, 12, 7);
+            case FIT -> corners(pen);
+            case FOLLOW -> target(pen);
+            case AHEAD_UP -> pointer(pen);
+            case CLEAR -> bin(pen);
+            case LEFT, RIGHT, UP, DOWN -> {}
+        }
+    }
+
+    private static void line(Graphics2D pen, double x1, double y1, double x2, double y2) {
+        pen.draw(new Line2D.Double(x1, y1, x2, y2));
+    }
+
+    private static void plus(Graphics2D pen) {
+        line(pen, 2, 7, 12, 7);
+        line(pen, 7, 2, 7, 12);
+    }
+
+    private static void corners(Graphics2D pen) {
+        for (int quarter = 0; quarter < 4; quarter++) {
+            line(pen, 1.5, 1.5, 5, 1.5);
+            line(pen, 1.5, 1.5, 1.5, 5);
+            pen.rotate(Math.PI / 2, ICON_PX / 2.0, ICON_PX / 2.0);
+        }
+    }
+
+    private static void target(Graphics2D pen) {
+        pen.draw(new Ellipse2D.Double(3, 3, 8, 8));
+        pen.fill(new Ellipse2D.Double(5.5, 5.5, 3, 3));
+        for (int quarter = 0; quarter < 4; quarter++) {
+            line(pen, 7, 0.5, 7, 3);
+            pen.rotate(Math.PI / 2, ICON_PX / 2.0, ICON_PX / 2.0);
+        }
+    }
+
+    private static void pointer(Graphics2D pen) {
+        Path2D pointer = new Path2D.Double();
+        pointer.moveTo(7, 1);
+        pointer.lineTo(12, 12.5);
+        pointer.lineTo(7, 9.5);
+        pointer.lineTo(2, 12.5);
+        pointer.closePath();
+        pen.draw(pointer);
+    }
+
+    private static void bin(Graphics2D pen) {
+        line(pen, 1.5, 3.5, 12.5, 3.5);
+        line(pen, 5, 1.5, 9, 1.5);
+        pen.draw(new Rectangle2D.Double(3, 3.5, 8, 9));
+        line(pen, 5.7, 6, 5.7, 10);
+        line(pen, 8.3, 6, 8.3, 10);
+    }
+
+    @Override
+    public int width() {
+        return ICON_PX;
     }
 }

@@ -18,7 +18,6 @@ import majic.panel.DrawingColors;
 /** Holds the buttons in a map's corner. */
 final class MapTools extends JPanel {
     private static final long serialVersionUID = 1;
-    private static final int ICON_PX = 14;
     private static final int GAP_PX = 6;
 
     private final transient ZoomableMap map;
@@ -40,7 +39,7 @@ final class MapTools extends JPanel {
     private void addButton(MapAction action) {
         AbstractButton button = action.toggles() ? new JToggleButton() : new JButton();
         button.setName("map " + action.name().toLowerCase(java.util.Locale.ROOT));
-        button.setIcon(new MapIcon(action, ICON_PX));
+        button.setIcon(action);
         button.setMargin(new Insets(3, 3, 3, 3));
         button.putClientProperty("JButton.buttonType", "toolBarButton");
         button.setToolTipText(action.tip());
