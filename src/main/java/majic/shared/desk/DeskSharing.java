@@ -47,7 +47,6 @@ public final class DeskSharing implements AutoCloseable {
     private final SharedTeam shared;
     private final @Nullable DeskFleet fleet;
     private final MessageLimit strays;
-    private final RefusedTopics refused;
     private final AtomicBoolean closed = new AtomicBoolean();
     private volatile @Nullable SiteLatch latch;
     private volatile boolean lost;
@@ -87,7 +86,6 @@ public final class DeskSharing implements AutoCloseable {
         this.fleet = options.vda5050() ? new DeskFleet(desk, options.site(), opener) : null;
         this.shared = new SharedTeam(desk, options.robots(), robots, presence, fleet);
         this.strays = new MessageLimit(connection.time(), STRAYS_PER_S);
-        this.refused = new RefusedTopics(desk);
     }
 
     private static String clientId(Sender self) {
@@ -104,6 +102,7 @@ public final class DeskSharing implements AutoCloseable {
     public void start() {
         try {
             worker.start();
+            connection.watch(new RefusedTopics(desk));
             connection.watch(new LossWatcher());
             connection.subscribe(desk.topics().presence(SiteTopics.ANY), Quality.AT_LEAST_ONCE, this::presenceReceived);
             connection.connect();
@@ -238,7 +237,6 @@ public final class DeskSharing implements AutoCloseable {
     private final class LossWatcher implements BrokerConnection.Watcher {
         @Override
         public void connected() {
-            refused.connected();
             if (lost) {
                 lost = false;
                 presence.publish();
@@ -254,16 +252,6 @@ public final class DeskSharing implements AutoCloseable {
             worker.submit(() -> desk.team()
                     .notice("sharing is interrupted: the connection with the broker is lost (" + reason
                             + "); it is being made again"));
-        }
-
-        @Override
-        public void notPublished(BrokerMessage message, String reason) {
-            refused.notPublished(message, reason);
-        }
-
-        @Override
-        public void notSubscribed(String filter, String reason) {
-            refused.notSubscribed(filter, reason);
         }
 
         /** A stop that cannot be read is still a stop. */

@@ -3,38 +3,44 @@ package majic.shared.desk;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.message.SiteTopics;
 
-/** Says what the broker refuses of a sharing desk and what that means: once for each kind of topic and connection. */
-final class RefusedTopics {
+/**
+ * Reports what the broker refuses of a sharing desk and what that means: once for each kind of topic and connection.
+ */
+final class RefusedTopics implements BrokerConnection.Watcher {
     private final DeskContext desk;
-    private final Set<String> said = ConcurrentHashMap.newKeySet();
+    private final Set<String> reported = ConcurrentHashMap.newKeySet();
 
     RefusedTopics(DeskContext desk) {
         this.desk = desk;
     }
 
     /** Another connection may have other rights. */
-    void connected() {
-        said.clear();
+    @Override
+    public void connected() {
+        reported.clear();
     }
 
-    void notPublished(BrokerMessage message, String reason) {
-        say(
+    @Override
+    public void notPublished(BrokerMessage message, String reason) {
+        report(
                 message.topic(),
                 "the broker refuses " + message.topic() + " (" + reason + "): " + meaning(message.topic()));
     }
 
-    void notSubscribed(String filter, String reason) {
-        say(
+    @Override
+    public void notSubscribed(String filter, String reason) {
+        report(
                 filter,
                 "the broker refuses the subscription to " + filter + " (" + reason + "): this desk receives nothing"
                         + " from there");
     }
 
-    private void say(String topic, String words) {
-        if (said.add(topic.replaceAll("/\\d+/", "/+/"))) {
+    private void report(String topic, String words) {
+        if (reported.add(topic.replaceAll("/\\d+/", "/+/"))) {
             desk.worker().submit(() -> desk.team().notice(words));
         }
     }
