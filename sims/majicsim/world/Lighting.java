@@ -4,7 +4,7 @@ import java.util.function.ToDoubleFunction;
 
 /** The light of a room's lamps. Walls cast shadows, robots do not. */
 final class Lighting {
-    private static final double HAIR_MM = 1;
+    private static final double AT_LAMP_MM = 1;
 
     private final Room room;
     private final Rays rays;
@@ -37,7 +37,7 @@ final class Lighting {
 
     private boolean isSeen(Lamp lamp, Point from) {
         double mm = from.distanceTo(lamp.at());
-        if (mm < HAIR_MM) {
+        if (mm < AT_LAMP_MM) {
             return true;
         }
         double direction = Math.toDegrees(

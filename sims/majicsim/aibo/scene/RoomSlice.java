@@ -29,14 +29,14 @@ final class RoomSlice {
      * @param rgb its colour
      */
     private record Block(double heightMm, int rgb) {
-        private static final Block STRANGER = new Block(300, 0xE0A030);
+        private static final Block UNKNOWN = new Block(300, 0xE0A030);
         private static final Map<String, Block> KNOWN = Map.of(
                 "pioneer", new Block(240, 0xC02020),
                 "hemisson", new Block(70, 0x30A040),
                 "aibo", new Block(270, 0xE8E8F0));
 
         static Block of(Body body) {
-            return KNOWN.getOrDefault(body.name(), STRANGER);
+            return KNOWN.getOrDefault(body.name(), UNKNOWN);
         }
     }
 

@@ -213,12 +213,12 @@ public final class Kernel implements Server {
     }
 
     @Override
-    public List<Connection> audience(Connection speaker, String named) throws Failure {
+    public List<Connection> recipients(Connection sender, String named) throws Failure {
         List<Connection> meant = switch (named) {
-            case "" -> List.of(speaker);
+            case "" -> List.of(sender);
             case "all" -> connections();
             case "other" ->
-                connections().stream().filter(each -> each != speaker).toList();
+                connections().stream().filter(each -> each != sender).toList();
             default ->
                 connections().stream().filter(each -> each.id().equals(named)).toList();
         };

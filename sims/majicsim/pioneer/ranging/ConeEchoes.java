@@ -17,7 +17,7 @@ final class ConeEchoes implements Consumer<Point> {
     private static final double HALF_CONE_DEG = 15;
     private static final double BETWEEN_RAYS_DEG = 5;
     private static final int RAYS = 1 + (int) (2 * HALF_CONE_DEG / BETWEEN_RAYS_DEG);
-    private static final double EDGE_HEARD_MM = 2500;
+    private static final double EDGE_ECHO_MM = 2500;
     /** How much nearer something may be hit on the way to an edge that still counts as in sight. */
     private static final double EDGE_SLACK_MM = 2;
 
@@ -38,12 +38,12 @@ final class ConeEchoes implements Consumer<Point> {
             surfaceMm[i] = hit.distanceMm();
             squareness[i] = hit.squareness();
         }
-        view.cornersNear(EDGE_HEARD_MM, this);
+        view.cornersNear(EDGE_ECHO_MM, this);
     }
 
     /** The distance of the nearest echo, if surfaces send one back up to this angle from perpendicular, 0 to 180. */
-    double nearestMm(double heardWithinDeg) {
-        double least = Math.cos(Math.toRadians(heardWithinDeg));
+    double nearestMm(double echoWithinDeg) {
+        double least = Math.cos(Math.toRadians(echoWithinDeg));
         double nearest = edgeMm;
         for (int i = 0; i < RAYS; i++) {
             if (squareness[i] >= least) {
@@ -59,7 +59,7 @@ final class ConeEchoes implements Consumer<Point> {
         double dx = edge.xMm() - axis.xMm();
         double dy = edge.yMm() - axis.yMm();
         double square = dx * dx + dy * dy;
-        if (square > 0 && square < EDGE_HEARD_MM * EDGE_HEARD_MM && square < edgeMm * edgeMm) {
+        if (square > 0 && square < EDGE_ECHO_MM * EDGE_ECHO_MM && square < edgeMm * edgeMm) {
             double bearing = Math.toDegrees(Math.atan2(dy, dx));
             double distance = Math.sqrt(square);
             if (isInCone(bearing) && isInSight(bearing, distance)) {

@@ -37,8 +37,8 @@ public final class SonarCone {
 
     /** The range in mm from the disc, 100 to 5000; 5000 without an echo. */
     double rangeMm(SonarDisc disc) {
-        double heardWithinDeg = LOST_BEYOND_DEG + noise.gaussian(LOST_SIGMA_DEG);
-        double nearest = echoes(disc).nearestMm(heardWithinDeg);
+        double echoWithinDeg = LOST_BEYOND_DEG + noise.gaussian(LOST_SIGMA_DEG);
+        double nearest = echoes(disc).nearestMm(echoWithinDeg);
         if (nearest >= SILENCE_MM) {
             return SILENCE_MM;
         }

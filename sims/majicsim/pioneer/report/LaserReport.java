@@ -17,7 +17,7 @@ public record LaserReport(Pose odometry, int[] ranges) {
     private static final int WITH_REFLECTANCE = 0x61;
     private static final int MOST_IN_A_PACKET = 32;
     /** The reflectance of every surface: the room has no reflectors. */
-    private static final int DULL = 0;
+    private static final int NO_REFLECTANCE = 0;
 
     private static final int ONLY_LASER = 0;
 
@@ -40,7 +40,7 @@ public record LaserReport(Pose odometry, int[] ranges) {
         for (int first = 0; first < ranges.length; first += MOST_IN_A_PACKET) {
             PacketWriter packet = new PacketWriter(WITH_REFLECTANCE);
             for (int i = begin(packet, first); i > 0; i--) {
-                packet.uint16(ranges[endOf(first) - i]).uint8(DULL).uint16(0);
+                packet.uint16(ranges[endOf(first) - i]).uint8(NO_REFLECTANCE).uint16(0);
             }
             packet.uint8(ONLY_LASER).uint8(lifted && first == 0 ? 1 : 0);
             packets.add(packet.toBytes());

@@ -16,7 +16,7 @@ final class Subscribers {
 
     private final RosNetwork network;
     private final JsonForm form;
-    private final Map<String, TopicFan> fans = new LinkedHashMap<>();
+    private final Map<String, TopicSubscription> subscriptions = new LinkedHashMap<>();
 
     Subscribers(RosNetwork network, JsonForm form) {
         this.network = network;
@@ -30,16 +30,16 @@ final class Subscribers {
         String name = Fields.text(message, "topic");
         String typeName = message.has("type") ? Fields.text(message, "type") : null;
         Topic topic = topic(network.absolute(name), typeName);
-        TopicFan fan = fans.get(name);
-        if (fan == null || fan.topic() != topic) {
-            fan = new TopicFan(topic, name, network, form);
-            fans.put(name, fan);
+        TopicSubscription subscription = subscriptions.get(name);
+        if (subscription == null || subscription.topic() != topic) {
+            subscription = new TopicSubscription(topic, name, network, form);
+            subscriptions.put(name, subscription);
         }
-        fan.subscribe(peer, Fields.id(message), wish(message));
+        subscription.subscribe(peer, Fields.id(message), options(message));
     }
 
-    private static SubscriptionWish wish(JsonNode message) throws MessageMismatch {
-        return new SubscriptionWish(
+    private static SubscriptionOptions options(JsonNode message) throws MessageMismatch {
+        return new SubscriptionOptions(
                 Fields.number(message, "throttle_rate", 0) * NANOS_PER_MS,
                 Fields.number(message, "queue_length", 0),
                 message.path("compression").asText("none"));
@@ -66,35 +66,39 @@ final class Subscribers {
     void unsubscribe(Peer peer, JsonNode message) throws MessageMismatch {
         String name = Fields.text(message, "topic");
         String id = message.has("id") ? Fields.id(message) : null;
-        TopicFan fan = fans.get(name);
-        TopicStream stream = fan == null ? null : fan.streams().get(peer);
+        TopicSubscription subscription = subscriptions.get(name);
+        TopicStream stream =
+                subscription == null ? null : subscription.streams().get(peer);
         if (stream != null && (id == null || stream.end(id))) {
-            fan.streams().remove(peer);
-            tidy(fan);
+            subscription.streams().remove(peer);
+            tidy(subscription);
         }
     }
 
     /** Ends all subscriptions of a client. */
     void end(Peer peer) {
-        for (TopicFan fan : fans.values().toArray(TopicFan[]::new)) {
-            if (fan.streams().remove(peer) != null) {
-                tidy(fan);
+        for (TopicSubscription subscription : subscriptions.values().toArray(TopicSubscription[]::new)) {
+            if (subscription.streams().remove(peer) != null) {
+                tidy(subscription);
             }
         }
     }
 
-    private void tidy(TopicFan fan) {
-        if (fan.streams().isEmpty()) {
-            fan.topic().unsubscribe(fan);
-            fans.remove(fan.name());
+    private void tidy(TopicSubscription subscription) {
+        if (subscription.streams().isEmpty()) {
+            subscription.topic().unsubscribe(subscription);
+            subscriptions.remove(subscription.name());
         }
     }
 
     void step() {
-        fans.values().forEach(TopicFan::step);
+        subscriptions.values().forEach(TopicSubscription::step);
     }
 
     long dueNanos() {
-        return fans.values().stream().mapToLong(TopicFan::dueNanos).min().orElse(Long.MAX_VALUE);
+        return subscriptions.values().stream()
+                .mapToLong(TopicSubscription::dueNanos)
+                .min()
+                .orElse(Long.MAX_VALUE);
     }
 }

@@ -7,10 +7,10 @@ package majicsim.ros.bridge;
  * @param queueLength how many of the newest messages wait; 0 for no queue
  * @param compression none, png, cbor
  */
-record SubscriptionWish(long throttleNanos, int queueLength, String compression) {
+record SubscriptionOptions(long throttleNanos, int queueLength, String compression) {
     /** Several subscriptions of a client to a topic are one stream with the least of all values (sheet 3). */
-    SubscriptionWish merged(SubscriptionWish other) {
-        return new SubscriptionWish(
+    SubscriptionOptions merged(SubscriptionOptions other) {
+        return new SubscriptionOptions(
                 Math.min(throttleNanos, other.throttleNanos),
                 Math.min(queueLength, other.queueLength),
                 rank(compression) >= rank(other.compression) ? compression : other.compression);

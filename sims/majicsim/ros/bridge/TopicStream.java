@@ -7,29 +7,29 @@ import java.util.Map;
 /** The stream of one topic to one client: its subscriptions merged, throttled and queued. */
 final class TopicStream {
     private final Peer peer;
-    private final Map<String, SubscriptionWish> wishes = new LinkedHashMap<>();
+    private final Map<String, SubscriptionOptions> optionsById = new LinkedHashMap<>();
     private final ArrayDeque<Encoded> queue = new ArrayDeque<>();
-    private SubscriptionWish merged = new SubscriptionWish(0, 0, "none");
+    private SubscriptionOptions merged = new SubscriptionOptions(0, 0, "none");
     private long earliestNanos = Long.MIN_VALUE;
 
     TopicStream(Peer peer) {
         this.peer = peer;
     }
 
-    void wish(String id, SubscriptionWish wish) {
-        wishes.put(id, wish);
+    void options(String id, SubscriptionOptions options) {
+        optionsById.put(id, options);
         merge();
     }
 
     /** Ends one subscription; returns whether none is left. */
     boolean end(String id) {
-        wishes.remove(id);
+        optionsById.remove(id);
         merge();
-        return wishes.isEmpty();
+        return optionsById.isEmpty();
     }
 
     private void merge() {
-        wishes.values().stream().reduce(SubscriptionWish::merged).ifPresent(all -> merged = all);
+        optionsById.values().stream().reduce(SubscriptionOptions::merged).ifPresent(all -> merged = all);
     }
 
     /** Whether a client that does not read stalls the topic for every other one: without a queue (sheet 1, rule 6). */

@@ -11,7 +11,7 @@ import majicsim.ros.message.MessageOutput;
 import majicsim.ros.message.RosVersion;
 
 /** The bridge's one subscription to a topic, for all clients that asked for the topic by the same name. */
-final class TopicFan implements TopicListener {
+final class TopicSubscription implements TopicListener {
     private final Topic topic;
     private final String name;
     private final RosNetwork network;
@@ -20,7 +20,7 @@ final class TopicFan implements TopicListener {
     private final Map<Peer, TopicStream> streams = new LinkedHashMap<>();
     private long count;
 
-    TopicFan(Topic topic, String name, RosNetwork network, JsonForm form) {
+    TopicSubscription(Topic topic, String name, RosNetwork network, JsonForm form) {
         this.topic = topic;
         this.name = name;
         this.network = network;
@@ -41,14 +41,14 @@ final class TopicFan implements TopicListener {
         return streams;
     }
 
-    void subscribe(Peer peer, String id, SubscriptionWish wish) {
+    void subscribe(Peer peer, String id, SubscriptionOptions options) {
         TopicStream known = streams.get(peer);
         if (known != null) {
-            known.wish(id, wish);
+            known.options(id, options);
             return;
         }
         TopicStream stream = new TopicStream(peer);
-        stream.wish(id, wish);
+        stream.options(id, options);
         streams.put(peer, stream);
         ObjectNode latched = topic.latched();
         if (streams.size() == 1) {

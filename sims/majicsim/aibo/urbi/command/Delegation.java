@@ -26,7 +26,7 @@ final class Delegation {
                 .toList();
         return new EvaluatingTask(context, named, values -> {
             String meant = values.get(0).text();
-            for (Connection each : context.server().audience(context.connection(), meant)) {
+            for (Connection each : context.server().recipients(context.connection(), meant)) {
                 hand(each, command);
             }
             return null;

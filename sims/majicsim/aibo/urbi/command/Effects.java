@@ -84,13 +84,13 @@ final class Effects {
     }
 
     static @Nullable Task echo(Context context, Value value, List<Modifier> options) throws Failure {
-        String audience = "";
+        String recipients = "";
         for (Modifier option : options) {
             if (option.name().equals("connection")) {
-                audience = option.value().value(new Evaluator(context)).join();
+                recipients = option.value().value(new Evaluator(context)).join();
             }
         }
-        for (Connection connection : context.server().audience(context.connection(), audience)) {
+        for (Connection connection : context.server().recipients(context.connection(), recipients)) {
             connection.send(context.tag(), "*** " + value.show());
         }
         return null;

@@ -63,7 +63,7 @@ final class SystemCommands {
     /** {@code disconnect} and {@code killall}: they close or clear another connection. */
     static @Nullable Task reach(Context context, Action.Reach reach) throws Failure {
         Connection other = context.server()
-                .audience(context.connection(), named(context, reach.connection()))
+                .recipients(context.connection(), named(context, reach.connection()))
                 .get(0);
         if (reach.word().equals("killall")) {
             other.clear();

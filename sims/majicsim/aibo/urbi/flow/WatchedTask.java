@@ -49,7 +49,7 @@ public final class WatchedTask extends Task {
         switch (watch.verdict(elapsedMs())) {
             case STOP -> body.kill();
             case HOLD -> hold();
-            case RUN -> letGo();
+            case RUN -> release();
         }
         return body.step();
     }
@@ -60,7 +60,7 @@ public final class WatchedTask extends Task {
     }
 
     /** A command that was frozen by its tag stays frozen. */
-    private void letGo() {
+    private void release() {
         if (holds) {
             holds = false;
             body.thaw();

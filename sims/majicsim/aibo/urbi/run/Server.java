@@ -35,7 +35,7 @@ public interface Server {
     List<Connection> connections();
 
     /** The connections of a name: the sender's own for no name, otherwise all, other, or one by its name. */
-    List<Connection> audience(Connection speaker, String named) throws Failure;
+    List<Connection> recipients(Connection sender, String named) throws Failure;
 
     /** Returns the task of a command, not started. */
     Task start(Context context, Statement statement);
