@@ -147,7 +147,7 @@ public final class HemissonRobot implements Firmware {
         running.behaviour().step(seconds);
         if (tables.step(seconds)) {
             board.readSwitches();
-            running.behaviour().look();
+            running.behaviour().sensorsRead();
         }
     }
 

@@ -34,7 +34,7 @@ final class Motion {
     }
 
     /** Updates what the body touches. */
-    void feel(Body body, boolean anyBlocked) {
+    void detectContact(Body body, boolean anyBlocked) {
         boolean mayTouch = anyBlocked || body.contact().touching();
         body.contact(mayTouch ? touched(body) : Contact.NONE);
     }

@@ -103,14 +103,14 @@ public final class World {
             }
         }
         if (anyBlocked || anyTouches) {
-            feel(anyBlocked);
+            detectContact(anyBlocked);
         }
     }
 
-    private void feel(boolean anyBlocked) {
+    private void detectContact(boolean anyBlocked) {
         anyTouches = false;
         for (Body body : bodies) {
-            motion.feel(body, anyBlocked);
+            motion.detectContact(body, anyBlocked);
             anyTouches |= body.contact().touching();
         }
     }

@@ -36,7 +36,7 @@ public final class Microphone {
     }
 
     public void install() {
-        kernel.memory().variables().put(new Variable("micro.val", Value.VOID, this::heard));
+        kernel.memory().variables().put(new Variable("micro.val", Value.VOID, this::recorded));
     }
 
     /** Starts a whistle beside the dog. */
@@ -46,7 +46,7 @@ public final class Microphone {
     }
 
     /** The kernel repeats the last parameter of binaries that it makes itself (sheet, section 12). */
-    private Value heard() {
+    private Value recorded() {
         long end = Math.round(kernel.nowMs() * PER_MS);
         byte[] bytes = new byte[4 * FRAMES];
         for (int i = 0; i < FRAMES; i++) {

@@ -103,7 +103,7 @@ public final class Kernel implements Server {
 
     @Override
     public void reset() {
-        restart.order();
+        restart.request();
     }
 
     /**
@@ -116,8 +116,8 @@ public final class Kernel implements Server {
     }
 
     /** Sets the program that runs in each new connection, like the stick's CLIENT.INI. */
-    void greet(Consumer<ClientConnection> newcomer) {
-        greeting = newcomer;
+    void onConnect(Consumer<ClientConnection> program) {
+        greeting = program;
     }
 
     /** Runs the stick's start script; everything that exists before it exists after every reset. */

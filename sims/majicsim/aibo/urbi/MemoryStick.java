@@ -52,7 +52,7 @@ public final class MemoryStick {
         functions.lasting("exec", 1, (context, arguments) -> run(context, shown(arguments.get(0))));
         functions.lasting("load", 1, this::load);
         functions.builtIn("save", this::save);
-        kernel.greet(this::greet);
+        kernel.onConnect(this::greet);
         kernel.boot(program);
     }
 

@@ -11,21 +11,21 @@ final class Restart {
     private static final double RELOAD_MS = 2400;
 
     private final Kernel kernel;
-    private boolean ordered;
+    private boolean requested;
     private double reloadAtMs = Double.POSITIVE_INFINITY;
 
     Restart(Kernel kernel) {
         this.kernel = kernel;
     }
 
-    void order() {
-        ordered = true;
+    void request() {
+        requested = true;
     }
 
     /** To be called at the start of each cycle. */
     void step() {
-        if (ordered) {
-            ordered = false;
+        if (requested) {
+            requested = false;
             reloadAtMs = kernel.nowMs() + RELOAD_MS;
             kernel.forget();
             announceToAll("Reset completed.");

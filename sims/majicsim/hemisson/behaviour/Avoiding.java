@@ -27,7 +27,7 @@ final class Avoiding implements Behaviour {
     }
 
     @Override
-    public void look() {
+    public void sensorsRead() {
         int right = Math.max(infraRed.proximity(FRONT_RIGHT), infraRed.proximity(RIGHT));
         int left = Math.max(infraRed.proximity(FRONT_LEFT), infraRed.proximity(LEFT));
         boolean near = Math.max(infraRed.proximity(FRONT), Math.max(left, right)) > NEAR;

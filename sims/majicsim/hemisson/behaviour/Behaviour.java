@@ -14,5 +14,5 @@ public interface Behaviour {
     }
 
     /** The sensors were read anew. */
-    default void look() {}
+    default void sensorsRead() {}
 }

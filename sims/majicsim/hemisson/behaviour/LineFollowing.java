@@ -32,7 +32,7 @@ final class LineFollowing implements Behaviour {
     }
 
     @Override
-    public void look() {
+    public void sensorsRead() {
         boolean right = infraRed.proximity(GROUND_RIGHT) < BLACK_BELOW;
         boolean left = infraRed.proximity(GROUND_LEFT) < BLACK_BELOW;
         found |= right || left;

@@ -76,12 +76,12 @@ public final class Ultrasonic implements I2cModule {
         if (leftSeconds > 0) {
             leftSeconds -= seconds;
             if (leftSeconds <= 0) {
-                hear();
+                detectEchoes();
             }
         }
     }
 
-    private void hear() {
+    private void detectEchoes() {
         double light = world.ambientLight(body.pose().xMm(), body.pose().yMm());
         registers.set(LIGHT, (int) Math.round(255 * Math.min(1, light)));
         List<Integer> echoes = Arrays.stream(BEAM_DEG)

@@ -151,11 +151,11 @@ final class LabChoice {
     }
 
     /** Reports which default ports were in use, so that no robot is expected there. */
-    void tellTakenPorts(Map<String, String> addresses) {
-        tellIfTaken("aibo", aiboPort, addresses);
-        tellIfTaken("pioneer", pioneerPort, addresses);
+    void reportTakenPorts(Map<String, String> addresses) {
+        reportIfTaken("aibo", aiboPort, addresses);
+        reportIfTaken("pioneer", pioneerPort, addresses);
         if (rosModel != null) {
-            tellIfTaken("ros", rosPort, addresses);
+            reportIfTaken("ros", rosPort, addresses);
         }
     }
 
@@ -175,7 +175,7 @@ final class LabChoice {
         }
     }
 
-    private static void tellIfTaken(String robot, int wanted, Map<String, String> addresses) {
+    private static void reportIfTaken(String robot, int wanted, Map<String, String> addresses) {
         String address = addresses.getOrDefault(robot, "");
         if (wanted != 0 && !address.matches(".*:" + wanted + "(/.*)?")) {
             System.err.println("majic: port " + wanted + " is taken; the lab's " + robot + " listens at " + address);

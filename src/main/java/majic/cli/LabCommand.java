@@ -28,7 +28,7 @@ public final class LabCommand implements Callable<Integer> {
         double speed = choice.speed();
         try (SimulatedLab lab = SimulatedLab.scaled(choice.options(), speed)) {
             Map<String, String> addresses = lab.simulators().addresses();
-            choice.tellTakenPorts(addresses);
+            choice.reportTakenPorts(addresses);
             addresses.forEach((robot, address) -> System.out.println(robot + " " + address));
             System.out.flush();
             lab.onTooSlow(sentence -> System.err.println("majic: " + sentence));

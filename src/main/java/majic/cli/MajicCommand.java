@@ -64,7 +64,7 @@ public final class MajicCommand implements Callable<Integer> {
             return Optional.empty();
         }
         MajicCommand command = new MajicCommand(folder);
-        command.start.withLab(arguments.length > 0);
+        command.start.useLab(arguments.length > 0);
         return Optional.of(command);
     }
 

@@ -153,14 +153,14 @@ final class SharingChoice {
                 if (e.reason() != Reason.WRONG_LOGIN
                         || terminal == null
                         || attempt > LOGIN_ATTEMPTS
-                        || !asked(terminal, broker)) {
+                        || !readLogin(terminal, broker)) {
                     throw e;
                 }
             }
         }
     }
 
-    private static boolean asked(Console terminal, String broker) {
+    private static boolean readLogin(Console terminal, String broker) {
         BrokerAddress address = BrokerAddress.parse(broker);
         String user = terminal.readLine("User at the broker %s: ", address.hostAndPort());
         char[] password = user == null || user.isBlank() ? null : terminal.readPassword("Password: ");

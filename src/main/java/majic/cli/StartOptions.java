@@ -81,7 +81,7 @@ final class StartOptions implements FirstRobots.Source {
     @Option(names = "--no-recording", scope = ScopeType.INHERIT, description = "Do not record what the robots report.")
     private boolean unrecorded;
 
-    void withLab(boolean wanted) {
+    void useLab(boolean wanted) {
         lab = wanted;
     }
 
@@ -121,12 +121,12 @@ final class StartOptions implements FirstRobots.Source {
         boolean atOnce = lab && !(windowFirst && !choice.isGiven());
         SimulatedLab simulated = atOnce ? SimulatedLab.scaled(choice.options(), choice.speed()) : null;
         if (simulated != null) {
-            choice.tellTakenPorts(simulated.simulators().addresses());
+            choice.reportTakenPorts(simulated.simulators().addresses());
         }
         Program program = new Program(folder, simulated, !unrecorded, maxRobots);
         program.closeWhenProgramEnds();
         if (listen != null) {
-            tell(program, listen(program, address("--listen", listen, "127.0.0.1:7777")));
+            print(program, listen(program, address("--listen", listen, "127.0.0.1:7777")));
         }
         startSharing(program);
         return program;
@@ -134,7 +134,8 @@ final class StartOptions implements FirstRobots.Source {
 
     private void startLab(Program program) {
         program.startLab();
-        choice.tellTakenPorts(Objects.requireNonNull(program.lab()).simulators().addresses());
+        choice.reportTakenPorts(
+                Objects.requireNonNull(program.lab()).simulators().addresses());
     }
 
     private void startSharing(Program program) throws IOException {
@@ -171,7 +172,7 @@ final class StartOptions implements FirstRobots.Source {
     }
 
     /** Prints the server's address to the standard error, since the standard output is for answers. */
-    private static void tell(Program program, LineServer server) {
+    private static void print(Program program, LineServer server) {
         String clients = server.token().map(StartOptions::tokenHint).orElse("any program on this machine is obeyed");
         System.err.println("majic: listening at port " + server.port() + "; " + clients);
         if (server.isEncrypted()) {

@@ -46,7 +46,7 @@ final class ScaledPacing implements Pacing {
     @Override
     public boolean mayStep(long nowNanos, BooleanSupplier membersWait) {
         long now = real.nanos();
-        watch.look(nowNanos, now);
+        watch.check(nowNanos, now);
         long ahead = originNanos + (long) (nowNanos / speed) - now;
         if (ahead > 0) {
             real.pause(Math.max(ahead, (long) (TOGETHER_NANOS / speed)));

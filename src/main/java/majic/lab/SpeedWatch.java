@@ -28,7 +28,7 @@ final class SpeedWatch {
     }
 
     /** Compares lab time and real time, once in a while. */
-    void look(long labNanos, long realNanos) {
+    void check(long labNanos, long realNanos) {
         long passed = realNanos - beganNanos;
         if (labNanos == 0) {
             begin(labNanos, realNanos);

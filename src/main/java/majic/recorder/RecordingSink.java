@@ -22,7 +22,7 @@ interface RecordingSink {
     /** A picture of a robot's camera, as the text of its bytes in base 64. */
     default void picture(int robot, String jpeg) {}
 
-    /** An event. */
+    /** Something that has happened to a robot or to the team. */
     default void event(Mark mark) {}
 
     /** A line of the session. */

@@ -136,11 +136,11 @@ final class TeamLatch implements TeamListener, SharedStop {
 
     private String newId() {
         String id = UUID.randomUUID().toString();
-        know(id);
+        addKnown(id);
         return id;
     }
 
-    private void know(String id) {
+    private void addKnown(String id) {
         known.add(id);
         if (known.size() > MOST_KNOWN) {
             known.remove(known.iterator().next());
@@ -355,7 +355,7 @@ final class TeamLatch implements TeamListener, SharedStop {
             if (known.contains(message.id())) {
                 return;
             }
-            know(message.id());
+            addKnown(message.id());
             ActiveStop stop = new ActiveStop(message, null);
             stop.sites.add(site);
             active.put(message.id(), stop);
@@ -368,7 +368,7 @@ final class TeamLatch implements TeamListener, SharedStop {
     private void receivedRelease(SiteLatch site, LatchMessage message) {
         boolean latchedStill;
         synchronized (this) {
-            message.releases().forEach(this::know);
+            message.releases().forEach(this::addKnown);
             List<Release> same = releases.stream()
                     .filter(release -> message.releases().containsAll(release.ids))
                     .toList();
