@@ -127,19 +127,19 @@ class StopWindowTest {
     }
 
     @Test
-    void twentyFivePressesOfStopGiveOneLineWithACountForEachRobot() {
+    void twentyFivePressesOfStopGiveOneLineWithACount() {
         window.add("one");
-        window.add("two").confirmStops(false);
+        window.add("two");
+        window.add("three").confirmStops(false);
         for (int press = 0; press < 25; press++) {
             window.press(KeyEvent.VK_F12);
         }
-        window.await("the counts", () -> window.text("messages").contains("1 stop: done (25 times)"));
+        window.await("the count", () -> window.text("messages").contains("allows motion again (25 times)"));
         window.await(
-                "the counts",
-                () -> lines("2 stop: failed") == 1
-                        && window.text("messages").contains("takes no more data (25 times)"));
-        assertThat(lines("1 stop: done")).isEqualTo(1);
+                "the outcomes", () -> lines("1,2 stop: done") == 1 && lines("3 stop: failed: takes no more data") == 1);
+        assertThat(lines("times)")).isEqualTo(1);
         assertThat(lines("STOP is latched")).isEqualTo(1);
+        assertThat(lines("stop: ")).isEqualTo(2);
     }
 
     @Test

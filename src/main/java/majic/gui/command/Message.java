@@ -2,12 +2,14 @@ package majic.gui.command;
 
 import java.time.LocalTime;
 import java.time.format.DateTimeFormatter;
+import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.log.Line;
+import majic.text.NumberList;
 import majic.text.Texts;
 
 /**
@@ -19,7 +21,10 @@ import majic.text.Texts;
  */
 record Message(LocalTime time, Line line, int count) {
     private static final Texts TEXTS = Texts.of(Message.class);
-    private static final Pattern OF_STOP = Pattern.compile("\\d{1,4} stop: .*|STOP.* is latched; .*");
+    private static final Pattern LATCH = Pattern.compile("STOP.* is latched; .*");
+    private static final Pattern STOP = Pattern.compile("\\d{1,4} stop: ");
+    private static final Pattern CONFIRMATION = Pattern.compile("\\d{1,4} stop: done");
+    private static final Pattern OVERDUE = Pattern.compile("\\d{1,4}: .* has not confirmed its stop within ");
     private static final DateTimeFormatter CLOCK = DateTimeFormatter.ofPattern("HH:mm:ss", Locale.ROOT);
     private static final Pattern NUMBERS =
             Pattern.compile("(\\d{1,3}(?:-\\d{1,3})?(?:,\\d{1,3}(?:-\\d{1,3})?)*)[ :.(]");
@@ -30,14 +35,52 @@ record Message(LocalTime time, Line line, int count) {
         this(time, line, 1);
     }
 
-    /** Returns whether it answers a stop or reports the latch, so that a further press of STOP repeats it. */
-    boolean isOfStop() {
-        return line.kind() != Line.Kind.COMMAND && OF_STOP.matcher(line.text()).matches();
+    /** What a message is to a STOP. */
+    enum Part {
+        /** The report that STOP is latched. */
+        LATCH,
+        /** A robot has confirmed its stop. */
+        CONFIRMATION,
+        /** A robot has not confirmed its stop, or is not free after it. */
+        FAILURE,
+        /** The alarm about a robot that has not confirmed its stop in time. */
+        OVERDUE,
+        /** A command, or the report of a release: a STOP behind it is another one. */
+        END,
+        /** Anything else. */
+        NONE
     }
 
-    /** Returns whether another message is the same line again. */
-    boolean isRepeatedBy(Message other) {
-        return line.kind() == other.line.kind() && line.text().equals(other.line.text());
+    /** Returns what it is to a STOP. */
+    Part part() {
+        String text = line.text();
+        return switch (line.kind()) {
+            case COMMAND -> Part.END;
+            case NOTICE ->
+                text.startsWith("released: ") ? Part.END : LATCH.matcher(text).matches() ? Part.LATCH : Part.NONE;
+            case ANSWER -> CONFIRMATION.matcher(text).matches() ? Part.CONFIRMATION : Part.NONE;
+            case FAILURE -> STOP.matcher(text).lookingAt() ? Part.FAILURE : Part.NONE;
+            case ALARM ->
+                STOP.matcher(text).lookingAt()
+                        ? Part.FAILURE
+                        : OVERDUE.matcher(text).lookingAt() ? Part.OVERDUE : Part.NONE;
+            case ERROR -> Part.NONE;
+        };
+    }
+
+    /** Returns whether an answer of one robot differs from this message at most in the robot. */
+    boolean hasAnswerOf(Message other) {
+        return line.kind() == other.line.kind() && answer().equals(other.answer());
+    }
+
+    private String answer() {
+        return line.text().substring(line.text().indexOf(' '));
+    }
+
+    /** Returns the same answer of several robots, in increasing order. */
+    Message ofRobots(Set<Integer> robots) {
+        String list = NumberList.of(List.copyOf(robots)).replace(", ", ",").replace('\u2013', '-');
+        return new Message(time, new Line(line.kind(), list + answer(), line.asker()), count);
     }
 
     /** Returns this message with one more that repeats it. */

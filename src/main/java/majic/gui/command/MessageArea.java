@@ -10,10 +10,10 @@ import java.time.LocalTime;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Supplier;
+import java.util.stream.Stream;
 import javax.swing.JScrollBar;
 import javax.swing.JScrollPane;
 import javax.swing.UIManager;
@@ -33,10 +33,9 @@ import org.jspecify.annotations.Nullable;
  */
 public final class MessageArea extends JScrollPane implements SessionListener, ChoicePopup.TextInView {
     private static final long serialVersionUID = 1L;
-    private static final int MOST_KEPT = 2 * MessageDocument.MOST_LINES;
 
     private final transient List<Message> waiting = new ArrayList<>();
-    private final transient List<Message> kept = new ArrayList<>();
+    private final transient MessageLog messages = new MessageLog();
     private final transient Runnable update = this::showWaiting;
     private final transient Supplier<MessageText> newText;
     private @Nullable MessageText made;
@@ -108,7 +107,7 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
     @Override
     public void line(Line line) {
         synchronized (waiting) {
-            if (waiting.size() == MOST_KEPT) {
+            if (waiting.size() == MessageLog.MOST_KEPT) {
                 waiting.subList(0, MessageDocument.MOST_LINES).clear();
             }
             waiting.add(new Message(LocalTime.now(), line));
@@ -131,14 +130,14 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
 
     /** Removes all messages. */
     void clear() {
-        kept.clear();
+        messages.clear();
         showKept();
     }
 
     /** Returns the numbers of the robots with which messages begin. */
     Set<Integer> robots() {
         Set<Integer> robots = new TreeSet<>();
-        kept.forEach(message -> robots.addAll(message.robots()));
+        messages.all().forEach(message -> robots.addAll(message.robots()));
         return robots;
     }
 
@@ -178,59 +177,28 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
             waiting.clear();
         }
         text();
-        List<Message> added = keep(arrived);
+        List<Message> joined = new ArrayList<>();
+        List<Message> added = accepted(messages.add(arrived, (old, present) -> {
+            if (filter.accepts(old)) {
+                document.replace(old, present);
+            } else {
+                joined.add(present);
+            }
+        }));
+        List<Message> shown =
+                Stream.concat(accepted(joined).stream(), added.stream()).toList();
         if (isAtEnd()) {
-            document.append(accepted(added));
+            document.append(shown);
             EventThread.later(this::toEnd);
         } else {
-            List<Message> below = accepted(added);
-            unseen = unseen.and(below);
-            appendAbove(below);
+            unseen = unseen.and(shown);
+            appendAbove(shown);
         }
         changed.run();
     }
 
-    /** Keeps messages; returns those that do not repeat one of the last lines of a STOP. */
-    private List<Message> keep(List<Message> arrived) {
-        int before = kept.size();
-        for (Message message : arrived) {
-            OptionalInt repeated = repeatedBy(message);
-            if (repeated.isEmpty()) {
-                kept.add(message);
-                continue;
-            }
-            Message old = kept.get(repeated.getAsInt());
-            Message counted = old.and(message);
-            kept.set(repeated.getAsInt(), counted);
-            if (repeated.getAsInt() < before) {
-                document.replace(old, counted);
-            }
-        }
-        List<Message> added = List.copyOf(kept.subList(before, kept.size()));
-        kept.subList(0, Math.max(0, kept.size() - MOST_KEPT)).clear();
-        return added;
-    }
-
-    /** Finds the message that another one repeats: among the last lines of a STOP, or the last error. */
-    private OptionalInt repeatedBy(Message message) {
-        if (message.line().kind() == Line.Kind.ERROR && !kept.isEmpty()) {
-            int last = kept.size() - 1;
-            return kept.get(last).isRepeatedBy(message) ? OptionalInt.of(last) : OptionalInt.empty();
-        }
-        for (int index = kept.size() - 1; message.isOfStop() && index >= 0; index--) {
-            Message earlier = kept.get(index);
-            if (earlier.isRepeatedBy(message)) {
-                return OptionalInt.of(index);
-            }
-            if (!earlier.isOfStop() && earlier.line().kind() != Line.Kind.ALARM) {
-                break;
-            }
-        }
-        return OptionalInt.empty();
-    }
-
-    private List<Message> accepted(Collection<Message> messages) {
-        return messages.stream().filter(filter::accepts).toList();
+    private List<Message> accepted(Collection<Message> candidates) {
+        return candidates.stream().filter(filter::accepts).toList();
     }
 
     /** Appends messages; keeps the text in view at its place although older lines are removed above it. */
@@ -278,7 +246,7 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
 
     private void showKept() {
         document = new MessageDocument(withTimes);
-        document.append(accepted(kept));
+        document.append(accepted(messages.all()));
         text().setDocument(document);
         unseen = Unseen.NONE;
         EventThread.later(this::toEnd);
