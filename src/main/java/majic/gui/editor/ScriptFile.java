@@ -131,4 +131,9 @@ record ScriptFile(Path path, String text, String lineEnd, boolean mark, boolean 
         String name = file.toString().toLowerCase(Locale.ROOT);
         return List.of(ENDING, ".script").stream().anyMatch(name::endsWith);
     }
+
+    /** Returns a file with the ending of scripts, which is added if the name has none of them. */
+    static Path withEnding(Path file) {
+        return isScript(file) ? file : file.resolveSibling(file.getFileName() + ENDING);
+    }
 }

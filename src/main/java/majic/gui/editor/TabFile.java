@@ -102,17 +102,25 @@ final class TabFile {
     void saveAs(Runnable then) {
         String text = tab.text();
         String suggestion = exists ? file.path().toString() : file.name();
-        ChooseFile.toSave(window(), context.settings(), TEXTS.get("saveScript"), suggestion, path -> {
-            try {
-                ScriptFile target = file.at(
-                        ScriptFile.isScript(path) ? path : path.resolveSibling(path.getFileName() + ScriptFile.ENDING));
-                ScriptFile written = target.write(text);
-                EventThread.later(() -> saved(written, then));
-                return Optional.empty();
-            } catch (BotException e) {
-                return Optional.of(String.valueOf(e.getMessage()));
-            }
-        });
+        ScriptFile shown = file;
+        ChooseFile.toSave(
+                window(),
+                context.settings(),
+                TEXTS.get("saveScript"),
+                suggestion,
+                ScriptFile::withEnding,
+                path -> written(shown.at(path), text, then));
+    }
+
+    /** Writes a script, in the background; returns why it failed, empty if it did not. */
+    private Optional<String> written(ScriptFile target, String text, Runnable then) {
+        try {
+            ScriptFile written = target.write(text);
+            EventThread.later(() -> saved(written, then));
+            return Optional.empty();
+        } catch (BotException e) {
+            return Optional.of(String.valueOf(e.getMessage()));
+        }
     }
 
     private void saved(ScriptFile written, Runnable then) {

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import javax.swing.BorderFactory;
 import javax.swing.JCheckBox;
@@ -90,7 +91,24 @@ public final class ChooseFile extends MajicDialog {
      */
     public static void toSave(
             Window owner, Settings settings, String title, String suggestion, Function<Path, Optional<String>> save) {
-        saving(owner, settings, title, suggestion).openToSave(save);
+        toSave(owner, settings, title, suggestion, UnaryOperator.identity(), save);
+    }
+
+    /**
+     * Asks where to save, as the other method of this name does.
+     *
+     * @param complete adds the ending to the name that was typed, before it is looked for whether there is such a file
+     */
+    public static void toSave(
+            Window owner,
+            Settings settings,
+            String title,
+            String suggestion,
+            UnaryOperator<Path> complete,
+            Function<Path, Optional<String>> save) {
+        ChooseFile dialog = saving(owner, settings, title, suggestion);
+        Consumer<Path> confirmed = dialog.afterConfirmation(file -> dialog.save(file, save));
+        dialog.open(file -> confirmed.accept(complete.apply(file)));
     }
 
     /**

@@ -55,16 +55,40 @@ class ScriptFileWindowTest {
         assertThat(file).hasContent("1 move 30");
     }
 
-    @Test
-    void aNewScriptIsSavedUnderTheNameThatIsChosen() {
+    private void writeNew(String text) {
         window.run(() -> window.frame().getJMenuBar().getMenu(0).getItem(0).doClick());
         RSyntaxTextArea area = window.awaitShowing("script", RSyntaxTextArea.class);
         window.focus(area);
-        window.run(() -> area.setText("1 stop\n"));
+        window.run(() -> area.setText(text));
         window.pressWithCtrl(KeyEvent.VK_S);
+    }
+
+    @Test
+    void aNewScriptIsSavedUnderTheNameThatIsChosen() {
+        writeNew("1 stop\n");
         window.chooseFile(editor.file("mine"));
         window.await("its name", () -> editor.isTitle(0, "mine.majic"));
         assertThat(editor.file("mine.majic")).hasContent("1 stop\n");
+    }
+
+    @Test
+    void theDialogKeepsTheTypedFolderAfterASaveThatFailed() {
+        writeNew("1 stop\n");
+        Path missing = editor.file("missing").resolve("mine.majic");
+        window.chooseFile(missing);
+        window.await("the reason", () -> window.text("fileProblem").contains("cannot be written"));
+        assertThat(window.isShowing("files")).isTrue();
+        assertThat(window.fileName()).isEqualTo(missing.toString());
+        assertThat(editor.isTitle(0, "mine.majic")).isFalse();
+    }
+
+    @Test
+    void aFileIsNotOverwrittenUnaskedWhenItsEndingIsAdded() throws IOException {
+        Path file = editor.script("mine.majic", "1 move 30");
+        writeNew("1 stop\n");
+        window.chooseFile(editor.file("mine"));
+        awaitDialogAndPush("MAJIC asks", "No");
+        assertThat(file).hasContent("1 move 30");
     }
 
     @Test
