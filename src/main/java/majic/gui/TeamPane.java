@@ -17,14 +17,15 @@ import majic.team.Team;
 
 /**
  * Shows the map and the tabbed panes of the robots beside each other, and in place of the latter another component
- * while there is no robot. While two panes are compared, the map is narrower; afterwards it has its width again, unless
- * the user has moved the divider meanwhile. Where there is no room for a map that can be read, the tabs are alone.
+ * while there is no robot. While two panes are compared, the second one is between the map and the tabs, which stay
+ * where they are; it takes its width from the map, or its whole place if that is narrow. Where there is no room for a
+ * map that can be read, the tabs are alone.
  */
 final class TeamPane extends JSplitPane {
     private static final long serialVersionUID = 1L;
 
-    /** Width in pixels for each of two panes. */
-    private static final int COMPARED_WIDTH = 390;
+    /** Least width in pixels of a second pane beside the map. */
+    private static final int LEAST_COMPARED = 340;
 
     /** Width in pixels of the narrowest map. */
     private static final int LEAST_MAP = 160;
@@ -40,8 +41,11 @@ final class TeamPane extends JSplitPane {
     private final CardLayout cards = new CardLayout();
     private final JPanel robots = new JPanel(cards);
     private int divider;
+
+    /** Where the divider was when the comparison began, and where the tabs begin since. */
     private int before = NOT_COMPARED;
-    private int during;
+
+    private boolean coversMap;
 
     /**
      * Places the parts; {@link #start()} lets them follow the team.
@@ -82,9 +86,20 @@ final class TeamPane extends JSplitPane {
     public void doLayout() {
         divider = Math.max(divider, getDividerSize());
         int room = getWidth() - divider - robots.getMinimumSize().width;
-        map.setVisible(room >= UIScale.scale(LEAST_MAP));
+        boolean hasRoom = room >= UIScale.scale(LEAST_MAP);
+        map.setVisible(hasRoom && !coversMap);
         setDividerSize(map.isVisible() ? divider : 0);
+        mainPane.placeTabs(before == NOT_COMPARED || !hasRoom ? 0 : coversMap ? before + divider : taken());
+        int was = getDividerLocation();
         super.doLayout();
+        if (before != NOT_COMPARED && map.isVisible()) {
+            before += getDividerLocation() - was;
+        }
+    }
+
+    /** Returns the width that the second pane has taken from the map. */
+    private int taken() {
+        return Math.max(0, before - getDividerLocation());
     }
 
     void start() {
@@ -104,20 +119,22 @@ final class TeamPane extends JSplitPane {
 
     /** Returns where the divider is while no panes are compared. */
     int usualDividerLocation() {
-        return before == NOT_COMPARED || getDividerLocation() != during ? getDividerLocation() : before;
+        return before == NOT_COMPARED ? getDividerLocation() : before;
     }
 
     private void fit() {
         if (mainPane.isComparing() && before == NOT_COMPARED) {
             before = getDividerLocation();
-            int wanted = getWidth() - getDividerSize() - mainPane.widthOfTabs() - 2 * UIScale.scale(COMPARED_WIDTH);
-            setDividerLocation(Math.min(before, Math.max(wanted, getMinimumDividerLocation())));
-            during = getDividerLocation();
-        } else if (!mainPane.isComparing() && before != NOT_COMPARED) {
-            if (getDividerLocation() == during) {
-                setDividerLocation(before);
+            int most = before - UIScale.scale(LEAST_MAP);
+            coversMap = map.isVisible() && most < UIScale.scale(LEAST_COMPARED);
+            if (map.isVisible() && !coversMap) {
+                setDividerLocation(before - Math.min(most, mainPane.widthOfPanes()));
             }
+        } else if (!mainPane.isComparing() && before != NOT_COMPARED) {
+            coversMap = false;
+            setDividerLocation(before);
             before = NOT_COMPARED;
         }
+        revalidate();
     }
 }

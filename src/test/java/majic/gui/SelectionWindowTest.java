@@ -3,8 +3,12 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Component;
+import java.awt.Point;
 import java.awt.event.KeyEvent;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
 import javax.accessibility.AccessibleState;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -38,6 +42,34 @@ class SelectionWindowTest {
         assertThat(selected()).containsExactly("tab2");
         assertThat(window.isShowing("bot1")).isFalse();
         assertThat(window.isShowing("bot2")).isTrue();
+    }
+
+    @Test
+    void theTabsStayWhereTheyAreWhenASecondRobotIsCompared() {
+        for (int width : List.of(1600, 1280, 1000, 800)) {
+            window.run(() -> window.frame.setSize(width, 700));
+            Map<String, Point> before = places();
+            window.clickWithCtrl("tab2");
+            assertThat(window.isShowing("bot1") && window.isShowing("bot2")).isTrue();
+            assertThat(places()).as("at a width of " + width).isEqualTo(before);
+            assertThat(Math.min(width("bot1"), width("bot2")))
+                    .as("panes at a width of " + width)
+                    .isGreaterThan(150);
+            window.clickWithCtrl("tab2");
+            assertThat(window.isShowing("bot2")).isFalse();
+            assertThat(places()).isEqualTo(before);
+        }
+    }
+
+    private Map<String, Point> places() {
+        Map<String, Point> places = new TreeMap<>();
+        window.run(() -> {
+            window.frame.validate();
+            Stream.of("tab1", "tab2", "tab3", "tabGrip", "drivePad")
+                    .forEach(name ->
+                            places.put(name, window.find(name, Component.class).getLocationOnScreen()));
+        });
+        return places;
     }
 
     @Test

@@ -34,6 +34,7 @@ public class RobotTabs extends JTabbedPane {
 
     private final transient List<RobotTab> tabs = new ArrayList<>();
     private int chosenWidth;
+    private int tabsAt;
     private transient @Nullable Footer footer;
 
     /** Creates it without robots. */
@@ -160,6 +161,29 @@ public class RobotTabs extends JTabbedPane {
     /** Returns the width of all columns of tabs in pixels; less are shown where there is no room for so much. */
     public final int widthOfTabs() {
         return chosenWidth > 0 ? chosenWidth : UIScale.scale(USUAL_WIDTH);
+    }
+
+    /**
+     * Moves the tabs to the right, so that there is room for a second pane at their left; where it is too narrow, two
+     * panes are both at their right.
+     *
+     * @param pixels the room, 0 for none
+     */
+    public final void placeTabs(int pixels) {
+        if (tabsAt != pixels) {
+            tabsAt = pixels;
+            revalidate();
+            repaint();
+        }
+    }
+
+    final int tabsAt() {
+        return tabsAt;
+    }
+
+    /** Returns the width at the right of the tabs, in pixels. */
+    public final int widthOfPanes() {
+        return getWidth() - columns().placeOfPanes().x;
     }
 
     /** Returns the width in pixels that the user has chosen; 0 if none. */

@@ -25,8 +25,9 @@ import javax.swing.plaf.UIResource;
 
 /**
  * Places the tabs of robots in columns at the left by a {@link TabGrid}, scrolls those for which there is no room, and
- * draws the line that joins the selected tab to its pane. The right edge of the columns can be dragged. Two visible
- * panes are side by side. The tabs paint themselves and handle mouse and keys themselves.
+ * draws the line that joins the selected tab to its pane. The right edge of the columns can be dragged. Of two visible
+ * panes, the one of the selected tab is at the right of the tabs, and the other one at their left if there is room, so
+ * that the tabs need not move. The tabs paint themselves and handle mouse and keys themselves.
  */
 final class RobotTabsUI extends FlatTabbedPaneUI {
     /** Width in pixels between the tabs and the panes. */
@@ -103,7 +104,7 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
     }
 
     private void turned(MouseWheelEvent event) {
-        if (event.getX() < widthOfTabs()) {
+        if (area().contains(event.getPoint())) {
             scroll.setValue(scroll.getValue() + (int) Math.round(event.getPreciseWheelRotation() * WHEEL_STEP));
         }
     }
@@ -129,14 +130,21 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
         }
     }
 
+    /** Returns the width at the left of the tabs for a second pane; 0 where both panes are at the right. */
+    private int left() {
+        int most = tabPane.getWidth() - TabSize.BADGE.width() - GUTTER - UIScale.scale(LEAST_LEFT);
+        int left = Math.min(pane().tabsAt(), most);
+        return left < UIScale.scale(LEAST_LEFT) ? 0 : left;
+    }
+
     private int widthOfTabs() {
-        int most = Math.max(TabSize.BADGE.width(), tabPane.getWidth() - GUTTER - UIScale.scale(LEAST_LEFT));
+        int most = Math.max(TabSize.BADGE.width(), tabPane.getWidth() - left() - GUTTER - UIScale.scale(LEAST_LEFT));
         return Math.max(TabSize.BADGE.width(), Math.min(pane().widthOfTabs(), most));
     }
 
     /** Returns where the panes begin. */
     Point placeOfPanes() {
-        return new Point(widthOfTabs() + GUTTER, 0);
+        return new Point(left() + widthOfTabs() + GUTTER, 0);
     }
 
     @Override
@@ -147,7 +155,7 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
         }
         Graphics2D g = (Graphics2D) graphics.create();
         g.setColor(RobotTab.selectedEdge());
-        int edge = widthOfTabs() + GUTTER - LINE;
+        int edge = placeOfPanes().x - LINE;
         Rectangle tab = rects[selected].intersection(area());
         if (grid.isBesidePanes(selected) && !tab.isEmpty()) {
             g.fillRect(edge, 0, LINE, tab.y + LINE);
@@ -169,7 +177,7 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
 
     /** Returns the place of all tabs that are visible. */
     private Rectangle area() {
-        return new Rectangle(0, 0, widthOfTabs(), tabPane.getHeight());
+        return new Rectangle(left(), 0, widthOfTabs(), tabPane.getHeight());
     }
 
     /** Places tabs, panes and what is below them. */
@@ -196,7 +204,7 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
         @Override
         public void layoutContainer(Container parent) {
             layoutTabs();
-            int left = widthOfTabs() + GUTTER;
+            int left = placeOfPanes().x;
             grip.setBounds(left - GUTTER, 0, GUTTER, tabPane.getHeight());
             int width = Math.max(0, tabPane.getWidth() - left);
             int bottom = tabPane.getHeight();
@@ -225,7 +233,7 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
                 grid = TabGrid.of(tabs.size(), area.getSize(), tabPane);
             }
             scroll.setVisible(scrolls);
-            scroll.setBounds(area.width, 0, scroll.getPreferredSize().width, area.height);
+            scroll.setBounds(area.x + area.width, 0, scroll.getPreferredSize().width, area.height);
             scroll.show(scrolls ? grid.heightOfAll() : area.height, area.height);
             scrollToWanted(tabs, area.height);
             placeTabs(tabs, area);
@@ -241,7 +249,8 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
                 RobotTab tab = tabs.get(index);
                 Rectangle place = grid.place(index);
                 place.translate(0, -scroll.getValue());
-                rects[index] = place;
+                rects[index] = new Rectangle(place);
+                rects[index].translate(area.x, 0);
                 tab.show(grid.size());
                 tab.setJoined(index == tabPane.getSelectedIndex() && grid.isBesidePanes(index) && !scroll.isVisible());
                 if (!tab.getBounds().equals(place)) {
@@ -256,6 +265,12 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
                     .mapToObj(tabPane::getComponentAt)
                     .filter(Component::isVisible)
                     .toList();
+            if (panes.size() == 2 && left() > 0) {
+                Component selected = tabPane.getSelectedComponent();
+                panes.forEach(pane -> pane.setBounds(
+                        pane == selected ? room : new Rectangle(0, 0, left() - GUTTER, tabPane.getHeight())));
+                return;
+            }
             for (int index = 0; index < panes.size(); index++) {
                 int left = room.x + room.width * index / panes.size();
                 int right = room.x + room.width * (index + 1) / panes.size();
@@ -298,8 +313,8 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
             addMouseMotionListener(new MouseAdapter() {
                 @Override
                 public void mouseDragged(MouseEvent event) {
-                    int most = tabPane.getWidth() - GUTTER - UIScale.scale(LEAST_LEFT);
-                    int wanted = getX() + event.getX() - GUTTER / 2;
+                    int most = tabPane.getWidth() - left() - GUTTER - UIScale.scale(LEAST_LEFT);
+                    int wanted = getX() - left() + event.getX() - GUTTER / 2;
                     pane().chooseWidth(Math.max(TabSize.BADGE.width(), Math.min(wanted, most)));
                 }
             });
