@@ -6,10 +6,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiConsumer;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
+import majic.bot.Parameter;
+import majic.bot.ParameterException;
 import majic.driver.Permit;
 import majic.team.Member;
 import majic.team.Owner;
@@ -46,6 +49,9 @@ public final class ActRun {
     private final Owner owner;
     private final Permit permit;
     private final AtomicReference<Phase> phase = new AtomicReference<>(Phase.RUNNING);
+    private volatile BiConsumer<List<Member>, List<String>> plots = (its, parameters) -> {
+        throw new BotException("a plot needs the window of MAJIC, which is not open");
+    };
     private volatile boolean calledOff;
     private volatile boolean halted;
     private volatile boolean over;
@@ -80,6 +86,15 @@ public final class ActRun {
         this.robots = new ActRobots(byRole);
         this.changes = robots.clock().signal();
         this.owner = new Owner(Owner.Kind.ACT, name, title, robots.permit(), this::end);
+    }
+
+    /**
+     * Sets what shows plots for the act; without this call it can show none.
+     *
+     * @param window receives the act's robots and names of parameters, on the act's thread; must return at once
+     */
+    public void usePlots(BiConsumer<List<Member>, List<String>> window) {
+        plots = window;
     }
 
     /**
@@ -229,6 +244,27 @@ public final class ActRun {
             if (!isCutShort()) {
                 notice(words);
             }
+        }
+
+        @Override
+        public void plot(List<String> parameters) {
+            if (!isCutShort()) {
+                plots.accept(members, parameters.stream().map(this::plotted).toList());
+            }
+        }
+
+        /** Returns the name of a parameter as the robots spell it. */
+        private String plotted(String name) {
+            return members.stream()
+                    .flatMap(member -> member.bot().parameters().stream())
+                    .filter(known -> known.name().equalsIgnoreCase(name)
+                            && known.readable()
+                            && known.kind() != Parameter.Kind.TEXT
+                            && known.kind() != Parameter.Kind.CHOICE)
+                    .map(Parameter::name)
+                    .findFirst()
+                    .orElseThrow(() -> new ParameterException(
+                            name, name + ": no robot of the act has a number or switch of this name that can be read"));
         }
 
         @Override

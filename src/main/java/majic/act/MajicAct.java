@@ -167,6 +167,22 @@ public abstract class MajicAct extends Thread implements Serializable {
     }
 
     /**
+     * Shows readings of all robots of the act as curves, in one window of their own, as the command {@code plot} does.
+     * Returns at once.
+     *
+     * @param parameters at least one; those that a robot does not have are left out
+     * @throws majic.bot.ParameterException if no robot of the act has one of them, or it is a word
+     * @throws BotException if there is no window, or the act has no robots yet
+     */
+    protected final void plot(String... parameters) {
+        ActListener listening = listener;
+        if (listening == null) {
+            throw new BotException("an act has no robots before it is started");
+        }
+        listening.plot(List.of(parameters));
+    }
+
+    /**
      * Gives the act its robot and starts it, outside of any session; returns once the act's thread is registered with
      * the robot's clock. Notes of the act go to the log.
      *
@@ -186,6 +202,11 @@ public abstract class MajicAct extends Thread implements Serializable {
             @Override
             public void said(String words) {
                 LOG.log(Level.INFO, "{0}: {1}", getName(), words);
+            }
+
+            @Override
+            public void plot(List<String> parameters) {
+                throw new BotException("a plot needs the window of MAJIC, which is not open");
             }
 
             @Override

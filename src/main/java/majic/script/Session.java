@@ -71,7 +71,7 @@ public final class Session {
         this.connector = new RobotConnector(state, factory);
         ParameterLog readings = new ParameterLog();
         Sampling sampling = new Sampling(readings, team.time(), notice -> output.send(Line.Kind.NOTICE, notice));
-        SessionActs runner = new SessionActs(state, acts, offers);
+        SessionActs runner = new SessionActs(state, acts, offers, plotting);
         this.actions = new ActionTable(state, factory, connector, runner, readings, sampling, plotting, quit);
         log.onTrouble(this::alarm);
         team.addListener(new TeamRelay());

@@ -22,6 +22,7 @@ import majic.bot.MotionStopped;
 import majic.bot.Value;
 import majic.driver.Permit;
 import majic.log.Line;
+import majic.script.actions.Plotting;
 import majic.script.acts.ActArguments;
 import majic.script.acts.RoleAssignment;
 import majic.script.record.SessionRecord;
@@ -45,15 +46,17 @@ final class SessionActs implements ActRunner {
     private final SessionState state;
     private final ActCatalog acts;
     private final ActOffers offers;
+    private final Plotting plotting;
     private final List<ActRun> running = new CopyOnWriteArrayList<>();
 
     /** By robot, the permit of all that was ordered since its last {@code act off} and may still wait for its turn. */
     private final Map<Member, Permit> ordered = new ConcurrentHashMap<>();
 
-    SessionActs(SessionState state, ActCatalog acts, ActOffers offers) {
+    SessionActs(SessionState state, ActCatalog acts, ActOffers offers, Plotting plotting) {
         this.state = state;
         this.acts = acts;
         this.offers = offers;
+        this.plotting = plotting;
     }
 
     /**
@@ -147,6 +150,7 @@ final class SessionActs implements ActRunner {
             Map<String, Value> values = values();
             MajicAct fresh = found.fresh(values);
             ActRun run = new ActRun(fresh, found.name(), found.titled(values), robots, permit);
+            run.usePlots(plotting::show);
             if (fresh instanceof ScriptAct script) {
                 script.enter(execution, actions, run.owner(), robots);
             }

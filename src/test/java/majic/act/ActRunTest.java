@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
+import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.FakeBot;
 import majic.team.Member;
 import majic.team.Owner;
@@ -59,6 +60,59 @@ class ActRunTest {
         assertThat(List.of(rig.follower, last))
                 .allSatisfy(robot -> assertThat(robot.sent()).startsWith("move 300"));
         assertThat(rig.said).contains("1 act: done");
+    }
+
+    /** Shows readings of its robots. */
+    private static final class Watch extends MajicAct {
+        private static final long serialVersionUID = 1;
+        private final String[] parameters;
+
+        Watch(String... parameters) {
+            this.parameters = parameters;
+        }
+
+        @Override
+        public List<Role> roles() {
+            return List.of(Role.any(Role.ME), Role.any("other"));
+        }
+
+        @Override
+        protected void behave() {
+            plot(parameters);
+        }
+    }
+
+    private ActRun watch(String... parameters) {
+        Map<String, List<Member>> cast = new LinkedHashMap<>();
+        cast.put(Role.ME, List.of(rig.first));
+        cast.put("other", List.of(rig.second));
+        return new ActRun(new Watch(parameters), "Watch", cast, rig.first.currentPermit());
+    }
+
+    @Test
+    void itShowsReadingsOfAllItsRobotsInOnePlot() throws InterruptedException {
+        List<String> plots = new CopyOnWriteArrayList<>();
+        ActRun run = watch("X", "y");
+        run.usePlots((robots, parameters) ->
+                plots.add(robots.stream().map(Member::number).toList() + " " + parameters));
+        rig.submit(run);
+        rig.awaitIdle();
+        assertThat(plots).containsExactly("[1, 2] [x, y]");
+        assertThat(rig.said).contains("1 act: done");
+    }
+
+    @Test
+    void aPlotThatCannotBeShownFailsTheActWithItsReason() throws InterruptedException {
+        rig.submit(watch("x"));
+        rig.awaitIdle();
+        assertThat(rig.said).anyMatch(line -> line.contains("a plot needs the window of MAJIC, which is not open"));
+        ActRun wrong = watch("nonsense");
+        wrong.usePlots((robots, parameters) -> {});
+        rig.submit(wrong);
+        rig.awaitIdle();
+        assertThat(rig.said)
+                .anyMatch(line -> line.contains(
+                        "nonsense: no robot of the act has a number or switch of this name that can be read"));
     }
 
     @Test

@@ -19,8 +19,14 @@ public final class Plotting {
         window = shows;
     }
 
-    /** Shows parameters of robots as curves; fails without a window. */
-    void show(List<Member> robots, List<String> parameters) {
+    /**
+     * Shows readings as curves, in one window.
+     *
+     * @param robots in this order
+     * @param parameters their names; those that a robot does not have are left out
+     * @throws BotException if there is no window
+     */
+    public void show(List<Member> robots, List<String> parameters) {
         BiConsumer<List<Integer>, List<String>> present = window;
         if (present == null) {
             throw new BotException("a plot needs the window of MAJIC, which is not open");
