@@ -14,7 +14,6 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.Paragraph;
-import majic.gui.plot.data.Computation;
 import majic.gui.plot.data.Computation.Operation;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
@@ -122,12 +121,7 @@ final class ComputeCurveDialog extends MajicDialog {
         List<Curve> operands = chosen.hasTwo()
                 ? List.of(first.getItemAt(first.getSelectedIndex()), second.getItemAt(second.getSelectedIndex()))
                 : List.of(first.getItemAt(first.getSelectedIndex()));
-        model.add(new Computation(
-                chosen,
-                operands.stream().map(Curve::name).toList(),
-                operands.stream().map(curve -> curve.quantity().unit()).toList(),
-                operands.stream().map(Curve::points).toList(),
-                value));
+        model.add(Curve.computed(chosen, operands, value));
         dispose();
     }
 

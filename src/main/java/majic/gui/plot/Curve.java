@@ -1,6 +1,9 @@
 package majic.gui.plot;
 
+import java.util.List;
 import majic.bot.Value;
+import majic.gui.plot.data.Computation;
+import majic.gui.plot.data.Computation.Operation;
 import majic.gui.plot.data.CurvePoints;
 import majic.gui.plot.data.PlotSource;
 import majic.gui.plot.data.Quantity;
@@ -17,6 +20,30 @@ import majic.panel.ReadingsPanel;
  * @param feed adds readings until it is closed
  */
 record Curve(Quantity quantity, String robotName, CurveStyle style, CurvePoints points, PlotSource.Feed feed) {
+    /**
+     * Returns the computation of a curve from others.
+     *
+     * @param operands one curve, or two for an operation that needs two
+     * @param number the number that the operation needs, 0 for none
+     */
+    static Computation computed(Operation operation, List<Curve> operands, double number) {
+        return new Computation(
+                operation,
+                operands.stream().map(curve -> curve.nameIn(operation)).toList(),
+                operands.stream().map(curve -> curve.quantity().unit()).toList(),
+                operands.stream().map(Curve::points).toList(),
+                number);
+    }
+
+    private String nameIn(Operation operation) {
+        return isComputed() && operation != Operation.DERIVATIVE ? "(" + name() + ")" : name();
+    }
+
+    /** Returns whether it is computed from others. */
+    boolean isComputed() {
+        return points instanceof Computation;
+    }
+
     /** Returns robot and parameter, for instance {@code 1 Rex sonar[3]}. */
     String name() {
         return robotName.isEmpty() ? quantity.title() : quantity.robot() + " " + robotName + " " + quantity.name();

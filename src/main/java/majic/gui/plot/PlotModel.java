@@ -75,9 +75,12 @@ final class PlotModel {
         changed();
     }
 
-    /** Returns whether its curves are those of some quantities, up to the maximum number. */
+    /**
+     * Returns whether its curves, without the computed ones, are those of some quantities, up to the maximum number.
+     */
     boolean shows(List<Quantity> quantities) {
         return curves.stream()
+                .filter(curve -> !curve.isComputed())
                 .map(Curve::quantity)
                 .toList()
                 .equals(quantities.stream().distinct().limit(MOST_CURVES).toList());

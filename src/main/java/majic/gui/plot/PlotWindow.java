@@ -43,6 +43,8 @@ final class PlotWindow extends JFrame {
     private final transient Settings settings;
     private final PlotView view;
     private final CurveList curves;
+    private final transient KeptComputations kept;
+    private transient List<Curve> computed = List.of();
     private final Timer values;
     private final JToggleButton pause = new JToggleButton(TEXTS.get("pause"));
     private final JButton compute = button("compute", TEXTS.get("compute.button"), TEXTS.get("compute.hint"));
@@ -59,6 +61,7 @@ final class PlotWindow extends JFrame {
         CloseKey.install(this);
         this.model = model;
         this.settings = settings;
+        kept = new KeptComputations(settings);
         view = new PlotView(model);
         curves = new CurveList(model);
         values = new Timer(VALUES_MS, tick -> curves.update());
@@ -140,7 +143,21 @@ final class PlotWindow extends JFrame {
         return side;
     }
 
+    /** Adds the computed curves that the plot of these readings had last. */
+    void restoreComputed() {
+        kept.restore(model);
+    }
+
+    private void keepComputed() {
+        List<Curve> now = model.curves().stream().filter(Curve::isComputed).toList();
+        if (!now.equals(computed)) {
+            computed = now;
+            kept.keep(model);
+        }
+    }
+
     private void modelChanged() {
+        keepComputed();
         reset.setEnabled(model.isZoomed());
         compute.setEnabled(ComputeCurveDialog.operands(model).findAny().isPresent());
         pause.setSelected(model.isPaused());

@@ -33,7 +33,7 @@ public final class Plots implements AutoCloseable {
      * Creates plots without windows.
      *
      * @param owner the window near which the plots are opened, and whose icons they have
-     * @param settings keep the folder of the last file
+     * @param settings keep the folder of the last file, and the computed curves
      * @param sources makes the source of the readings, at the first plot
      * @param stopButtons makes the STOP button of each window
      */
@@ -56,7 +56,7 @@ public final class Plots implements AutoCloseable {
         List<Quantity> quantities = readings(robot, parameters).quantities();
         windows.removeIf(window -> !window.isDisplayable());
         if (!quantities.isEmpty()) {
-            PlotWindow window = add && !windows.isEmpty() ? windows.get(windows.size() - 1) : open();
+            PlotWindow window = add && !windows.isEmpty() ? windows.get(windows.size() - 1) : open(true, quantities);
             window.model().add(quantities);
             window.toFront();
         }
@@ -81,7 +81,8 @@ public final class Plots implements AutoCloseable {
         PlotWindow window = windows.stream()
                 .filter(open -> open.model().shows(quantities))
                 .findFirst()
-                .orElseGet(() -> windows.size() < MOST_WINDOWS ? open(false) : windows.get(windows.size() - 1));
+                .orElseGet(() ->
+                        windows.size() < MOST_WINDOWS ? open(false, quantities) : windows.get(windows.size() - 1));
         window.model().add(quantities);
         window.toFront();
         return true;
@@ -99,7 +100,7 @@ public final class Plots implements AutoCloseable {
 
     /** Opens an empty plot and the dialog that adds curves to it. */
     public void openEmpty() {
-        open().addCurves();
+        open(true, List.of()).addCurves();
     }
 
     private PlotSource source() {
@@ -111,11 +112,7 @@ public final class Plots implements AutoCloseable {
         return made;
     }
 
-    private PlotWindow open() {
-        return open(true);
-    }
-
-    private PlotWindow open(boolean takesFocus) {
+    private PlotWindow open(boolean takesFocus, List<Quantity> quantities) {
         windows.removeIf(window -> !window.isDisplayable());
         PlotWindow window = new PlotWindow(new PlotModel(source()), settings, stopButtons.get());
         window.setIconImages(owner.getIconImages());
@@ -123,6 +120,8 @@ public final class Plots implements AutoCloseable {
         windows.add(window);
         window.addWindowListener(new LastUsed(window));
         window.setAutoRequestFocus(takesFocus);
+        window.model().add(quantities);
+        window.restoreComputed();
         window.setVisible(true);
         return window;
     }

@@ -12,6 +12,7 @@ import javax.swing.JComboBox;
 import majic.bot.Pose;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
+import majic.gui.plot.data.Computation.Operation;
 import majic.script.MajicParser;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -71,6 +72,44 @@ class PlotByCommandWindowTest {
         window.await(
                 "the difference",
                 () -> computed.points().at(plots().get(0).model().source().now()) == 40);
+    }
+
+    @Test
+    void aPlotOfTheSameReadingsHasItsComputedCurvesAgain() {
+        window.add("one");
+        window.command("1 plot x,y");
+        window.await("the plot", () -> plots().size() == 1);
+        PlotModel model = plots().get(0).model();
+        window.run(() -> model.add(Curve.computed(Operation.SUM, model.curves(), 0)));
+        window.run(
+                () -> model.add(Curve.computed(Operation.SCALE, model.curves().subList(2, 3), 2)));
+        List<String> all = List.of("1 x", "1 y", "1 x + 1 y", "2 \u00d7 (1 x + 1 y)");
+        assertThat(curves()).isEqualTo(all);
+        window.await(
+                "the setting",
+                () -> window.settings.get("plot.computed").orElse("").endsWith("SUM 0.0 0 1;SCALE 2.0 2"));
+        window.run(() -> plots().get(0).dispose());
+
+        window.command("1 plot x,y");
+        window.await("the plot", () -> curves().equals(all));
+        window.command("1 plot x");
+        window.await("the other plot", () -> plots().size() == 2);
+        assertThat(plots().get(1).model().curves()).hasSize(1);
+
+        PlotModel again = plots().get(0).model();
+        window.run(() -> again.curves().stream().filter(Curve::isComputed).forEach(again::remove));
+        window.await(
+                "the setting to go",
+                () -> window.settings.get("plot.computed").orElse("").isEmpty());
+    }
+
+    @Test
+    void damagedSettingsOfComputedCurvesAreLeftOut() {
+        window.add("one");
+        window.run(() -> window.settings.put(
+                "plot.computed", "1 x = SUM 0.0 0;MEAN 1 0;SCALE nan 0;SCALE 3.0 7;;DERIVATIVE 0.0 0\nnonsense"));
+        window.command("1 plot x");
+        window.await("the curves", () -> curves().equals(List.of("1 x", "d(1 x)/dt")));
     }
 
     private List<PlotWindow> plots() {
