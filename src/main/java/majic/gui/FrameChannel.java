@@ -4,6 +4,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import majic.gui.command.MessageArea;
 import majic.gui.kit.CommandChannel;
+import majic.gui.kit.ErrorWords;
 import majic.gui.kit.EventThread;
 import majic.log.Line;
 import majic.script.MajicParser;
@@ -37,7 +38,7 @@ final class FrameChannel implements CommandChannel {
     @Override
     public void showError(String sentence) {
         session.log().write("error", sentence);
-        messages.line(new Line(Line.Kind.ERROR, sentence));
+        messages.line(new Line(Line.Kind.ERROR, ErrorWords.of(sentence)));
     }
 
     /** Shows a message that reports no error; callable from any thread. */

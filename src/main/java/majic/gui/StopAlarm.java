@@ -18,6 +18,7 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
+import majic.gui.kit.ErrorWords;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.ScrolledPanel;
 import majic.gui.kit.StyledLabel;
@@ -155,7 +156,7 @@ final class StopAlarm extends JPanel implements TeamListener {
         unconfirmed.forEach((robot, reason) ->
                 robots.computeIfAbsent(reason, key -> new ArrayList<>()).add(robot));
         List<String> texts = new ArrayList<>();
-        robots.forEach((reason, which) -> texts.add(NumberList.of(which) + ": " + reason));
+        robots.forEach((reason, which) -> texts.add(NumberList.of(which) + ": " + ErrorWords.of(reason)));
         return String.join("   ", texts);
     }
 }

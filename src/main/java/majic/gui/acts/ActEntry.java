@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import majic.act.Role;
 import majic.bot.BotException;
+import majic.gui.kit.ErrorWords;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
 import majic.team.Member;
@@ -26,7 +27,7 @@ record ActEntry(String name, @Nullable ActOffer offer, String note) {
             ActOffer offer = offers.find(called);
             return new ActEntry(offer.details().name(), offer, note(offers, offer));
         } catch (BotException e) {
-            return new ActEntry(called, null, String.valueOf(e.getMessage()));
+            return new ActEntry(called, null, ErrorWords.of(String.valueOf(e.getMessage())));
         }
     }
 

@@ -11,6 +11,7 @@ import javax.swing.JPanel;
 import majic.bot.MajicBot;
 import majic.gui.acts.ActBar;
 import majic.gui.kit.BotStatus;
+import majic.gui.kit.ErrorWords;
 import majic.gui.kit.NamedLabel;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
@@ -127,7 +128,7 @@ final class StatusStrip extends JPanel {
 
     private void showStop() {
         Optional<String> problem = team.stopStatus().problem(member.number());
-        stopProblem.setText(TEXTS.get("strip.unconfirmed", problem.orElse("")));
+        stopProblem.setText(TEXTS.get("strip.unconfirmed", ErrorWords.of(problem.orElse(""))));
         stopProblem.setToolTipText(stopProblem.getText());
         stopProblem.setVisible(problem.isPresent());
     }

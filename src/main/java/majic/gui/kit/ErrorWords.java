@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
@@ -22,6 +23,9 @@ public final class ErrorWords {
 
     /** A gap is filled by a part of one sentence. */
     private static final String FILLING = "((?:(?![.?!;] ).)+?)";
+
+    /** A reason in brackets, behind a sentence that is in the language of the window already. */
+    private static final Pattern IN_BRACKETS = Pattern.compile("\\(([^()]+)\\)");
 
     private static final Pattern GAP = Pattern.compile("\\{(\\d)}");
 
@@ -57,7 +61,7 @@ public final class ErrorWords {
         }
     }
 
-    /** The list, read when the first error is shown. */
+    /** The list, longer sentences first, read when the first error is shown. */
     private static final class German {
         static final List<Sentence> SENTENCES = read();
 
@@ -66,11 +70,17 @@ public final class ErrorWords {
                 return new String(file.readAllBytes(), StandardCharsets.UTF_8)
                         .lines()
                         .filter(line -> line.contains(" => "))
+                        .sorted(Comparator.comparingInt(German::words).reversed())
                         .map(Sentence::of)
                         .toList();
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
+        }
+
+        /** Returns how many characters of a sentence are no gaps. */
+        private static int words(String line) {
+            return GAP.matcher(line.split(" => ", 2)[0]).replaceAll("").length();
         }
     }
 
@@ -104,6 +114,9 @@ public final class ErrorWords {
                 return english.substring(0, joint.end()) + last.get();
             }
         }
-        return english;
+        return IN_BRACKETS
+                .matcher(english)
+                .replaceAll(found ->
+                        Matcher.quoteReplacement("(" + sentence(found.group(1)).orElse(found.group(1)) + ")"));
     }
 }

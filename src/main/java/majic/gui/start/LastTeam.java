@@ -9,6 +9,7 @@ import javax.swing.Timer;
 import majic.bot.BotException;
 import majic.environment.Settings;
 import majic.gui.add.RecentRobots;
+import majic.gui.kit.ErrorWords;
 import majic.gui.kit.EventThread;
 import majic.script.SavedTeam;
 import majic.script.Session;
@@ -68,7 +69,7 @@ public final class LastTeam implements TeamListener {
             return Optional.of(SavedTeam.parse(script)).filter(team -> !team.isEmpty());
         } catch (BotException e) {
             keepDamaged(script);
-            String text = TEXTS.get("lastTeam.damaged", e.getMessage(), DAMAGED);
+            String text = TEXTS.get("lastTeam.damaged", ErrorWords.of(String.valueOf(e.getMessage())), DAMAGED);
             EventThread.later(() -> session.alarm(text));
             return Optional.empty();
         }

@@ -3,6 +3,16 @@ package majic.gui.kit;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
+import com.sun.source.tree.BinaryTree;
+import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.ConditionalExpressionTree;
+import com.sun.source.tree.ExpressionTree;
+import com.sun.source.tree.LiteralTree;
+import com.sun.source.tree.NewClassTree;
+import com.sun.source.tree.ParenthesizedTree;
+import com.sun.source.tree.Tree;
+import com.sun.source.util.JavacTask;
+import com.sun.source.util.TreeScanner;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -10,11 +20,17 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
 import majic.link.Links;
 import majic.pioneer.PioneerType;
 import majic.text.Advice;
@@ -80,6 +96,122 @@ class ErrorWordsTest {
                 .filter(part -> !isOfTheSystem(part))
                 .toList();
         assertThat(gone).isEmpty();
+    }
+
+    /**
+     * Exceptions of these files and packages reach dialogs and notices: a new one needs a German sentence. Messages
+     * that are not written in place of the exception are not found by this test.
+     */
+    private static final List<String> SHOWN = List.of(
+            "link/",
+            "file/",
+            "recorder/RecordingHead",
+            "recorder/RecordingReader",
+            "act/file/",
+            "act/make/",
+            "team/",
+            "vendor/",
+            "simulation/");
+
+    /** Errors of a program that embeds MAJIC or of its own code, and names for exceptions of files. */
+    private static final Set<String> NOT_SHOWN = Set.of(
+            "IllegalArgumentException",
+            "IllegalStateException",
+            "ClassNotFoundException",
+            "NoSuchFileException",
+            "UncheckedIOException",
+            "AssertionError");
+
+    /** What the owner of a robot does has sentences of its own. */
+    private static final String OWNED = "X is X; \"X stop\" ends it";
+
+    @Test
+    void everyErrorThatDialogsShowHasAGermanSentence() throws IOException {
+        Pattern english = Pattern.compile("\\b(the|is|it|has|not|there|which|and|of|cannot|no)\\b");
+        List<String> untranslated = new ArrayList<>();
+        for (String message : messages()) {
+            String german = ErrorWords.german(message);
+            if (!message.equals(OWNED) && english.matcher(german).find()) {
+                untranslated.add(message + " => " + german);
+            }
+        }
+        assertThat(untranslated).isEmpty();
+    }
+
+    /** Returns the messages of all exceptions that are made in the shown packages, with words in their gaps. */
+    private static List<String> messages() throws IOException {
+        List<Path> files;
+        try (Stream<Path> all = Files.walk(Path.of("src/main/java/majic"))) {
+            files = all.filter(file -> SHOWN.stream()
+                            .anyMatch(part -> file.toString().replace('\\', '/').contains("/majic/" + part)))
+                    .filter(file -> file.toString().endsWith(".java"))
+                    .toList();
+        }
+        JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        List<String> messages = new ArrayList<>();
+        try (StandardJavaFileManager manager = compiler.getStandardFileManager(null, null, null)) {
+            JavacTask task = (JavacTask) compiler.getTask(
+                    null,
+                    manager,
+                    error -> {},
+                    List.of("-proc:none"),
+                    null,
+                    manager.getJavaFileObjectsFromPaths(files));
+            for (CompilationUnitTree unit : task.parse()) {
+                new TreeScanner<Void, Void>() {
+                    @Override
+                    public Void visitNewClass(NewClassTree made, Void nothing) {
+                        String type = made.getIdentifier().toString();
+                        if (type.endsWith("Exception") && !NOT_SHOWN.contains(type)) {
+                            made.getArguments().stream()
+                                    .map(ErrorWordsTest::texts)
+                                    .filter(texts -> !texts.equals(List.of("X")))
+                                    .findFirst()
+                                    .ifPresent(texts -> texts.forEach(text ->
+                                            messages.add(type.equals("InvalidActException") ? "X " + text : text)));
+                        }
+                        return super.visitNewClass(made, nothing);
+                    }
+                }.scan(unit, null);
+            }
+        }
+        assertThat(messages).hasSizeGreaterThan(100);
+        return messages;
+    }
+
+    /** Returns the values that an expression can have, with X for its parts that are no texts. */
+    private static List<String> texts(ExpressionTree of) {
+        if (of instanceof LiteralTree literal && literal.getValue() instanceof String text) {
+            return List.of(text);
+        }
+        if (of instanceof ParenthesizedTree brackets) {
+            return texts(brackets.getExpression());
+        }
+        if (of instanceof ConditionalExpressionTree choice) {
+            return Stream.concat(
+                            texts(choice.getTrueExpression()).stream(), texts(choice.getFalseExpression()).stream())
+                    .distinct()
+                    .toList();
+        }
+        if (of instanceof BinaryTree sum && sum.getKind() == Tree.Kind.PLUS) {
+            List<String> ends = texts(sum.getRightOperand());
+            return texts(sum.getLeftOperand()).stream()
+                    .flatMap(begin -> ends.stream().map(end -> begin + end))
+                    .toList();
+        }
+        return List.of("X");
+    }
+
+    @Test
+    void theOwnerOfARobotIsNamedInGerman() {
+        assertThat(ErrorWords.german("2 is running Pair; \"2 stop\" ends it"))
+                .isEqualTo("2 führt Pair aus; „2 stop“ beendet das");
+    }
+
+    @Test
+    void aReasonInBracketsBehindAGermanSentenceIsTranslated() {
+        assertThat(ErrorWords.german("a.csv ließ sich nicht lesen (it is not allowed)"))
+                .isEqualTo("a.csv ließ sich nicht lesen (es ist nicht erlaubt)");
     }
 
     private static boolean isOfTheSystem(String part) {
