@@ -93,7 +93,7 @@ class ErrorWordsTest {
                 .map(String::strip)
                 .filter(part -> part.length() >= LEAST_LITERAL)
                 .filter(part -> !program.contains(part.replace("\"", "\\\"")))
-                .filter(part -> !isOfTheSystem(part))
+                .filter(part -> !isOfTheSystem(part) && !part.equals(COMPOSED))
                 .toList();
         assertThat(gone).isEmpty();
     }
@@ -213,6 +213,9 @@ class ErrorWordsTest {
         assertThat(ErrorWords.german("a.csv ließ sich nicht lesen (it is not allowed)"))
                 .isEqualTo("a.csv ließ sich nicht lesen (es ist nicht erlaubt)");
     }
+
+    /** The verb and the occupation are apart in the program. */
+    private static final String COMPOSED = "is driven by hand";
 
     private static boolean isOfTheSystem(String part) {
         return List.of("is a directory", "no space left on device", "read-only file system")
