@@ -64,7 +64,7 @@ final class FrameDialogs {
     }
 
     void addBot() {
-        open(AddBotDialog.class, this::newAddBot);
+        AddBotDialog.inPieces(frame, session, services, selection::select, dialog -> open(AddBotDialog.class, dialog));
     }
 
     private AddBotDialog newAddBot() {

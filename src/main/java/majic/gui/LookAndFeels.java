@@ -5,13 +5,16 @@ import com.formdev.flatlaf.FlatLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import com.formdev.flatlaf.util.SystemInfo;
 import java.awt.Font;
+import java.awt.Window;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.UIManager;
 import majic.environment.Settings;
 import majic.gui.kit.BackgroundSettings;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.PlainTextUi;
 
 /** Installs the light or the dark look and feel in a text size, and stores what is chosen. */
@@ -63,11 +66,18 @@ final class LookAndFeels {
                 .orElse(NORMAL);
     }
 
-    /** Changes the text size of all windows at once, and stores the choice. */
+    /** Changes the text size of all windows, in pieces, and stores the choice. */
     static void changeTextSize(int percent, Settings settings) {
-        setTextSize(percent);
-        FlatLaf.updateUI();
+        change(() -> setTextSize(percent));
         BackgroundSettings.put(settings, SIZE, "" + percent);
+    }
+
+    /** Changes the defaults, then in further pieces the components of all windows. */
+    private static void change(Runnable defaults) {
+        EventThread.piece(() -> {
+            defaults.run();
+            Stream.of(Window.getWindows()).forEach(ComponentUpdate::begin);
+        });
     }
 
     /** Every other font follows the default one. */
@@ -76,10 +86,17 @@ final class LookAndFeels {
         UIManager.put("defaultFont", percent == NORMAL ? null : usual.deriveFont(usual.getSize2D() * percent / 100));
     }
 
-    /** Changes the look and feel of all windows at once, and stores the choice. */
+    /** Loads both looks and updates all windows at once, without storing a choice. */
+    static void rehearse() {
+        for (boolean dark : List.of(true, false)) {
+            set(dark);
+            FlatLaf.updateUI();
+        }
+    }
+
+    /** Changes the look and feel of all windows, in pieces, and stores the choice. */
     static void change(boolean dark, Settings settings) {
-        set(dark);
-        FlatLaf.updateUI();
+        change(() -> set(dark));
         BackgroundSettings.put(settings, KEY, dark ? DARK : LIGHT);
     }
 

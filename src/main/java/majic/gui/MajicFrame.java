@@ -201,7 +201,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     private void listen(MajicParser parser) {
-        session.usePlots((robots, parameters) -> EventThread.later(() -> plot(robots, parameters)));
+        session.usePlots(
+                (robots, parameters) -> EventThread.later(() -> EventThread.piece(() -> plot(robots, parameters))));
         session.addListener(msgArea);
         session.addListener(alarmSound);
         RobotSharing sharing = services.sharing();
@@ -309,17 +310,16 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     }
 
     /**
-     * Paints the window, its dialogs and the other look and feel without showing them, so that the Java machine can
-     * record the classes that they need, and keeps the place of the window, with which the next rehearsal begins. Must
-     * be called on the event dispatch thread.
+     * Paints the window, its dialogs, a plot and the other look and feel without showing them, so that the Java machine
+     * can record the classes that they need, and keeps the place of the window, with which the next rehearsal begins.
+     * Must be called on the event dispatch thread.
      */
     public void rehearse() {
         paintUnseen(this);
         dialogs.rehearse();
+        plots.rehearse(MajicFrame::paintUnseen);
         memory.keep();
-        for (boolean dark : List.of(true, false)) {
-            LookAndFeels.change(dark, Settings.inMemory());
-        }
+        LookAndFeels.rehearse();
     }
 
     /** Paints a window that has a size but is not shown. */

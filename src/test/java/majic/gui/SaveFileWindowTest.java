@@ -62,7 +62,9 @@ class SaveFileWindowTest {
         JFileChooser chooser = window.awaitShowing("files", JFileChooser.class);
         try {
             window.run(() -> LookAndFeels.change(true, window.settings));
-            window.run(() -> assertThat(labels(chooser)).anyMatch(text -> text.startsWith("Save In")));
+            window.await(
+                    "the labels of the new look",
+                    () -> labels(chooser).stream().anyMatch(text -> text.startsWith("Save In")));
         } finally {
             window.run(() -> LookAndFeels.change(false, window.settings));
         }

@@ -24,7 +24,7 @@ class TextSizeWindowTest {
             Component line = window.find("commandLine", Component.class);
             float before = line.getFont().getSize2D();
             window.run(() -> LookAndFeels.changeTextSize(150, window.settings));
-            assertThat(line.getFont().getSize2D()).isGreaterThan(1.3f * before);
+            window.await("the larger text", () -> line.getFont().getSize2D() > 1.3f * before);
             assertThat(Icons.of(Pictogram.ADD, 20).getIconHeight()).isGreaterThan(26);
             window.await("the choice", () -> LookAndFeels.textSize(window.settings) == 150);
         }

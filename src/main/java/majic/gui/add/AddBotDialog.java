@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import javax.swing.JButton;
 import javax.swing.JComboBox;
 import javax.swing.JPanel;
@@ -13,6 +14,7 @@ import javax.swing.JProgressBar;
 import javax.swing.Timer;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.LoginDialog;
 import majic.gui.kit.MajicDialog;
@@ -60,15 +62,43 @@ public final class AddBotDialog extends MajicDialog {
      */
     public AddBotDialog(
             Window owner, Session session, ProgramServices services, Consumer<Member> joined, int giveUpMs) {
+        this(owner, session, services, joined, giveUpMs, AddressInputFactory.all(session.factory(), services));
+    }
+
+    private AddBotDialog(
+            Window owner,
+            Session session,
+            ProgramServices services,
+            Consumer<Member> joined,
+            int giveUpMs,
+            Map<String, AddressInput> inputs) {
         super(owner, TEXTS.get("addBot"));
         HelpTopic.set(getRootPane(), "adding-a-robot");
         this.session = session;
         this.services = services;
         this.joined = joined;
-        this.inputs = AddressInputFactory.all(session.factory(), services);
+        this.inputs = inputs;
         this.giveUp = new Timer(giveUpMs, event -> giveUp());
         giveUp.setRepeats(false);
         fill(content(), ok, closing(TEXTS.get("cancel")));
+    }
+
+    /**
+     * Creates a dialog in two pieces of the event dispatch thread: first the fields of all types, then the dialog.
+     *
+     * @param open receives, in the second piece, what creates the dialog
+     */
+    public static void inPieces(
+            Window owner,
+            Session session,
+            ProgramServices services,
+            Consumer<Member> joined,
+            Consumer<Supplier<AddBotDialog>> open) {
+        EventThread.piece(() -> {
+            Map<String, AddressInput> inputs = AddressInputFactory.all(session.factory(), services);
+            EventThread.piece(
+                    () -> open.accept(() -> new AddBotDialog(owner, session, services, joined, GIVE_UP_MS, inputs)));
+        });
     }
 
     private JPanel content() {

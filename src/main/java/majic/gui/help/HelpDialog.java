@@ -17,6 +17,7 @@ import javax.swing.JTextField;
 import javax.swing.RowFilter;
 import javax.swing.table.TableModel;
 import javax.swing.table.TableRowSorter;
+import majic.gui.kit.EventThread;
 import majic.gui.kit.MajicDialog;
 import majic.gui.kit.MemberChoice;
 import majic.gui.kit.TextChange;
@@ -136,17 +137,29 @@ public final class HelpDialog extends MajicDialog {
 
     private JPanel parameters(List<Member> members, Optional<Member> current) {
         MemberChoice choice = new MemberChoice(members, current);
-        JScrollPane rows = scrolled("parameters", HelpTables.of(choice.chosen()));
+        JScrollPane rows = scrolled("parameters", HelpTables.noParameters());
         JTable table = (JTable) rows.getViewport().getView();
-        choice.addActionListener(event -> {
-            show(table, HelpTables.of(choice.chosen()));
-            search();
-        });
+        choice.addActionListener(event -> list(choice, table));
+        list(choice, table);
         JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0", "[][grow, fill]", "[][grow, fill]"));
         panel.add(label(TEXTS.get("robot"), choice));
         panel.add(choice, "grow 0, wmin 220, wrap");
         panel.add(rows, "spanx 2, grow");
         return panel;
+    }
+
+    /** Makes the rows in the background; shows them if the robot is still the chosen one then. */
+    private void list(MemberChoice choice, JTable table) {
+        Member member = choice.chosen();
+        EventThread.background("listing parameters", () -> {
+            TableModel rows = HelpTables.of(member);
+            EventThread.later(() -> {
+                if (choice.chosen() == member) {
+                    show(table, rows);
+                    search();
+                }
+            });
+        });
     }
 
     private static TableModel file(String name, String left) {

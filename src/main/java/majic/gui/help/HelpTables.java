@@ -34,9 +34,17 @@ final class HelpTables {
         return table;
     }
 
-    /** Lists the parameters that can be read and set on a robot, and the commands that only this robot has. */
+    /** Returns the table of parameters without rows. */
+    static DefaultTableModel noParameters() {
+        return new Table(TEXTS.get("name"), TEXTS.get("values"), TEXTS.get("access"), TEXTS.get("meaning"));
+    }
+
+    /**
+     * Lists the parameters that can be read and set on a robot, and the commands that only this robot has. Callable
+     * from any thread.
+     */
     static TableModel of(Member member) {
-        Table table = new Table(TEXTS.get("name"), TEXTS.get("values"), TEXTS.get("access"), TEXTS.get("meaning"));
+        DefaultTableModel table = noParameters();
         for (ParameterGroup group : ParameterGroup.of(member.bot().parameters())) {
             Parameter parameter = group.first();
             table.addRow(new Object[] {group.name(), values(parameter), access(parameter), parameter.help()});

@@ -3,6 +3,8 @@ package majic.gui.kit;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.file.InvalidPathException;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
@@ -14,11 +16,37 @@ public final class EventThread {
     private static final Logger LOG = LateLogger.of(EventThread.class);
     private static final Texts TEXTS = Texts.of(EventThread.class);
 
+    /** Used on the event dispatch thread only; the first one is running or has its event. */
+    private static final Deque<Runnable> PIECES = new ArrayDeque<>();
+
     private EventThread() {}
 
     /** Schedules a task on the event dispatch thread; callable from any thread, keeps the order of each caller. */
     public static void later(Runnable change) {
         SwingUtilities.invokeLater(change);
+    }
+
+    /**
+     * Runs a piece of longer work in an event of its own, after the pieces added before. Events that arrive meanwhile,
+     * such as the key of STOP, are handled between two pieces. A piece may add further ones. Must be called on the
+     * event dispatch thread.
+     */
+    public static void piece(Runnable work) {
+        PIECES.add(work);
+        if (PIECES.size() == 1) {
+            later(EventThread::runPiece);
+        }
+    }
+
+    private static void runPiece() {
+        try {
+            PIECES.element().run();
+        } finally {
+            PIECES.remove();
+            if (!PIECES.isEmpty()) {
+                later(EventThread::runPiece);
+            }
+        }
     }
 
     /**

@@ -8,8 +8,10 @@ import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
+import javax.swing.JFrame;
 import majic.environment.Settings;
 import majic.gui.kit.ClearOfStop;
 import majic.gui.plot.data.PlotSource;
@@ -136,6 +138,19 @@ public final class Plots implements AutoCloseable {
                 Math.max(screen.x, Math.min(owner.getX() + offset, right)),
                 Math.max(screen.y, Math.min(owner.getY() + offset, bottom)));
         ClearOfStop.place(window, owner);
+    }
+
+    /**
+     * Builds a plot of the first robot, if there is one, without showing it.
+     *
+     * @param paint paints the window
+     */
+    public void rehearse(Consumer<JFrame> paint) {
+        PlotWindow window = new PlotWindow(new PlotModel(source()), settings, stopButtons.get());
+        window.model().add(readings(1, List.of("x", "heading")).quantities());
+        place(window);
+        paint.accept(window);
+        window.dispose();
     }
 
     /** Closes all windows. */

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JPanel;
 import majic.bot.Parameter;
+import majic.gui.kit.EventThread;
 import majic.gui.plot.data.Quantity;
 import majic.panel.PlotHost;
 import org.jspecify.annotations.Nullable;
@@ -41,7 +42,7 @@ public class PlottedPanel extends JPanel implements PlotHost {
 
     @Override
     public final void plot(List<String> names, boolean add) {
-        plots.plot(robot, names, add);
+        EventThread.piece(() -> plots.plot(robot, names, add));
     }
 
     @Override
