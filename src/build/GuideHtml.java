@@ -32,8 +32,8 @@ final class GuideHtml {
     /**
      * Makes the pages.
      *
-     * @param args the folder of the documents, the folder for the pages, and the names of documents without ending or of
-     *     folders of documents
+     * @param args the folder of the documents, the folder for the pages, and the names of documents without ending or
+     *     of folders of documents
      * @throws IOException if a document cannot be read or a page not be written
      */
     public static void main(String[] args) throws IOException {

@@ -10,7 +10,10 @@ import java.util.stream.Stream;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Tests the links between the pages of the documentation, and those of the change log: each leads to a file, and to a heading if it names one. */
+/**
+ * Tests the links between the pages of the documentation, and those of the change log: each leads to a file, and to a
+ * heading if it names one.
+ */
 class LinksOnPagesTest {
     private static final Pattern BLOCK = Pattern.compile("(?ms)^ *```.*?^ *```$");
     private static final Pattern LINK = Pattern.compile("]\\((?!https?:)([^)#\\s]*)(?:#([^)\\s]+))?\\)");

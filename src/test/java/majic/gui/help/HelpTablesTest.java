@@ -63,7 +63,8 @@ class HelpTablesTest {
                 .matcher(dependencies)
                 .results()
                 .map(MatchResult::group)
-                .filter(dependency -> !dependency.contains("<scope>test</scope>") && !dependency.contains("<scope>provided</scope>"))
+                .filter(dependency ->
+                        !dependency.contains("<scope>test</scope>") && !dependency.contains("<scope>provided</scope>"))
                 .map(dependency -> dependency.replaceAll("(?s).*<artifactId>(.*?)</artifactId>.*", "$1"))
                 .toList();
         assertThat(used).isNotEmpty();
