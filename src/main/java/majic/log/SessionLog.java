@@ -7,7 +7,6 @@ import java.nio.channels.SeekableByteChannel;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.time.LocalDateTime;
-import java.time.format.DateTimeFormatter;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
@@ -33,7 +32,6 @@ public final class SessionLog implements AutoCloseable {
     private static final int MOST_UNWRITTEN = 10_000;
     private static final long CLOSE_BOUND_MS = 1000;
     private static final long RETRY_MS = 1000;
-    private static final DateTimeFormatter TIME = DateTimeFormatter.ofPattern("yyyy-MM-dd HH:mm:ss.SSS", Locale.ROOT);
     private static final String END = "";
 
     /** Takes the place of a line when it is time to try again. */
@@ -278,7 +276,7 @@ public final class SessionLog implements AutoCloseable {
 
     /** Returns a line with its time and its end. */
     private String stamped(String kind, String text) {
-        return String.format(
-                Locale.ROOT, "%s %-7s %s%n", TIME.format(LocalDateTime.now(clock.get())), kind, VisibleText.of(text));
+        LocalDateTime time = LocalDateTime.now(clock.get());
+        return String.format(Locale.ROOT, "%tF %<tT.%<tL %-7s %s%n", time, kind, VisibleText.of(text));
     }
 }
