@@ -133,30 +133,16 @@ final class SerialLink implements Link {
 
     @Override
     public void write(byte[] message) throws IOException {
-        try (WriteDeadline deadline = WriteDeadline.start(this)) {
-            write(message, deadline);
+        SerialPort open = port;
+        if (open == null) {
+            throw new IOException("the serial port " + name + " is closed");
         }
-    }
-
-    private void write(byte[] message, WriteDeadline deadline) throws IOException {
-        writing.lock();
-        try {
-            SerialPort open = port;
-            if (open == null) {
-                throw new IOException("the serial port " + name + " is closed");
-            }
+        WriteDeadline.write(this, writing, "the serial port " + name, () -> {
             counter.writing(message.length);
-            int count = open.writeBytes(message, message.length);
-            if (count != message.length) {
-                abort();
-                throw new IOException(
-                        deadline.passed()
-                                ? "the serial port " + name + " takes no more data"
-                                : "the serial port " + name + " is gone");
+            if (open.writeBytes(message, message.length) != message.length) {
+                throw new IOException("the serial port " + name + " is gone");
             }
-        } finally {
-            writing.unlock();
-        }
+        });
     }
 
     @Override

@@ -120,28 +120,14 @@ final class TcpLink implements Link {
 
     @Override
     public void write(byte[] message) throws IOException {
-        try (WriteDeadline deadline = WriteDeadline.start(this)) {
-            write(message, deadline);
+        Socket open = socket;
+        if (open == null) {
+            throw new IOException("the connection is closed");
         }
-    }
-
-    private void write(byte[] message, WriteDeadline deadline) throws IOException {
-        writing.lock();
-        try {
-            Socket open = socket;
-            if (open == null) {
-                throw new IOException("the connection is closed");
-            }
+        WriteDeadline.write(this, writing, host + " port " + port, () -> {
             counter.writing(message.length);
-            try {
-                open.getOutputStream().write(message);
-            } catch (IOException e) {
-                abort();
-                throw deadline.passed() ? new IOException(host + " port " + port + " takes no more data", e) : e;
-            }
-        } finally {
-            writing.unlock();
-        }
+            open.getOutputStream().write(message);
+        });
     }
 
     @Override

@@ -1,10 +1,12 @@
 package majic.link;
 
+import java.io.IOException;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.locks.Lock;
 
 /**
  * Aborts a link whose write does not return in time, which wakes the writer. One thread monitors all writes; the abort,
@@ -37,6 +39,38 @@ final class WriteDeadline implements AutoCloseable {
     WriteDeadline(Link link, long nowNanos) {
         this.link = link;
         this.dueNanos = nowNanos + FIRST_LOOK_NANOS;
+    }
+
+    /** Writes one message. */
+    interface Output {
+        /**
+         * Writes it, or throws why it cannot be written: a failed write ends the link.
+         *
+         * @throws IOException with the reason
+         */
+        void write() throws IOException;
+    }
+
+    /**
+     * Writes a message within the deadline, the wait for other writers of the link included.
+     *
+     * @param writing held while a message is written
+     * @param place the peer, as a message names it
+     * @param output writes the message
+     * @throws IOException if it cannot be written; the link was aborted
+     */
+    static void write(Link link, Lock writing, String place, Output output) throws IOException {
+        try (WriteDeadline deadline = start(link)) {
+            writing.lock();
+            try {
+                output.write();
+            } catch (IOException e) {
+                link.abort();
+                throw deadline.passed() ? new IOException(place + " takes no more data", e) : e;
+            } finally {
+                writing.unlock();
+            }
+        }
     }
 
     static WriteDeadline start(Link link) {
