@@ -11,22 +11,35 @@ final class UrbiBodyScan {
     private int depth;
     private int elementStart = -1;
 
-    /** Takes the byte at an index of a body that starts at another. */
-    void take(byte next, int index, int bodyStart) {
-        if (index == bodyStart) {
-            structured = next == '"' || next == '[';
+    /**
+     * Takes further bytes of a body, up to the first closing bracket inside quotes.
+     *
+     * @param bodyStart the index at which the body starts
+     * @return the index behind the last byte that was taken
+     */
+    int take(byte[] bytes, int from, int to, int bodyStart) {
+        if (from == bodyStart && from < to) {
+            structured = bytes[from] == '"' || bytes[from] == '[';
         }
-        if (structured) {
-            track(next, index);
+        if (!structured) {
+            return to;
         }
+        for (int index = from; index < to; index++) {
+            byte next = bytes[index];
+            if (!quoted) {
+                track(next, index);
+            } else {
+                quoted = escaped || next != '"';
+                escaped = !escaped && next == '\\';
+                if (next == ']') {
+                    return index + 1;
+                }
+            }
+        }
+        return to;
     }
 
     private void track(byte next, int index) {
-        if (quoted) {
-            quoted = escaped || next != '"';
-            escaped = !escaped && next == '\\';
-            return;
-        }
         switch (next) {
             case '"' -> quoted = true;
             case '[' -> {

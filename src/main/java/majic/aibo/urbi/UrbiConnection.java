@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * One connection to an URBI server: writes commands, passes each answer to its request, and all other messages to the
  * owner. The server runs the commands of one connection in order, so each purpose has its own. Thread-safe.
  */
-public final class UrbiConnection {
+public final class UrbiConnection implements UrbiTransport.Receiver {
     private static final Logger LOG = System.getLogger(UrbiConnection.class.getName());
 
     /** The largest binary that fits with its header into the server's queue of 32 KiB (URBI sheet 2). */
@@ -50,25 +50,18 @@ public final class UrbiConnection {
 
     /** Connects; messages are delivered from then on. */
     public void open(int timeoutMs) throws IOException {
-        transport.open(timeoutMs, "aibo " + purpose, new Messages());
+        transport.open(timeoutMs, "aibo " + purpose, this);
     }
 
-    /** Handles the messages of the server. */
-    private final class Messages implements UrbiTransport.Receiver {
-        @Override
-        public void received(UrbiMessage message) {
-            handle(message);
-        }
-
-        @Override
-        public void ended(IOException cause) {
-            ended = true;
-            waiting.changes().raise();
-            breakDown(String.valueOf(cause.getMessage()));
-        }
+    @Override
+    public void ended(IOException cause) {
+        ended = true;
+        waiting.changes().raise();
+        breakDown(String.valueOf(cause.getMessage()));
     }
 
-    private void handle(UrbiMessage message) {
+    @Override
+    public void received(UrbiMessage message) {
         lastTimeMs = Math.max(lastTimeMs, message.timeMs());
         UrbiRequest answered = pending.answer(message, version);
         if (answered != null) {

@@ -22,8 +22,14 @@ public final class UrbiDecoder {
 
     private static final Pattern BINARY_HEADER = Pattern.compile("BIN (\\d{1,9})(?: .*)?");
 
+    private static final byte BINARY_MARK = 'B';
+
     private byte[] bytes = new byte[1024];
     private int length;
+
+    /** Up to where the text has been searched for its prefix, quotes and brackets. */
+    private int scanned;
+
     private @Nullable UrbiPrefix prefix;
     private boolean prefixDecided;
     private int bodyStart;
@@ -45,7 +51,7 @@ public final class UrbiDecoder {
                 takeBinary(chunk, at, taken);
                 at += taken;
             } else {
-                takeText(chunk[at++]);
+                at = takeText(chunk, at, count);
             }
         }
         return found;
@@ -71,62 +77,88 @@ public final class UrbiDecoder {
     }
 
     private void takeBinary(byte[] chunk, int from, int count) {
-        reserve(count);
-        System.arraycopy(chunk, from, bytes, length, count);
-        length += count;
+        append(chunk, from, count);
         binaryLeft -= count;
         if (binaryLeft == 0) {
             binaryEnds();
         }
     }
 
-    private void takeText(byte next) {
-        if (skipping) {
-            skipping = next != '\n';
-            return;
+    /** Takes bytes of text up to the end of a line, or those that there are; returns the index behind them. */
+    private int takeText(byte[] chunk, int from, int end) {
+        int to = from;
+        while (to < end && chunk[to] != '\n') {
+            to++;
         }
-        reserve(1);
-        bytes[length++] = next;
-        if (next == '\n' && !scan.isQuoted()) {
+        boolean ends = to < end;
+        if (skipping) {
+            skipping = !ends;
+            return ends ? to + 1 : to;
+        }
+        int most = MAX_TEXT + 1 - (length - binaryBytes);
+        int taken = Math.min(most, (ends ? to + 1 : to) - from);
+        append(chunk, from, taken);
+        if (prefix == null && !prefixDecided) {
+            decidePrefix();
+        }
+        if (prefix != null) {
+            scanBody();
+        }
+        textTaken();
+        return from + taken;
+    }
+
+    /** Ends a line, or drops a text that is too long. */
+    private void textTaken() {
+        boolean lineFeed = length > 0 && bytes[length - 1] == '\n';
+        if (lineFeed && !scan.isQuoted()) {
             lineEnds();
         } else if (length - binaryBytes > MAX_TEXT) {
-            skipping = next != '\n';
+            skipping = !lineFeed;
             reset();
-        } else if (prefix != null) {
-            takeBody(next);
-            restartAtPrefix(next);
-        } else if (next == ']' && !prefixDecided) {
-            prefixDecided = true;
-            prefix = UrbiPrefix.parse(bytes, length);
-            bodyStart = length;
         }
     }
 
-    private void takeBody(byte next) {
-        boolean blankBehindPrefix = length - 1 == bodyStart && next == ' ' && bytes[bodyStart - 1] == ']';
-        if (blankBehindPrefix) {
+    /** Reads the prefix at the first closing bracket of a line. */
+    private void decidePrefix() {
+        while (scanned < length && !prefixDecided) {
+            prefixDecided = bytes[scanned++] == ']';
+        }
+        if (prefixDecided) {
+            prefix = UrbiPrefix.parse(bytes, scanned);
+            bodyStart = scanned;
+        }
+    }
+
+    private void scanBody() {
+        boolean blankBehindPrefix = scanned == bodyStart && scanned < length && bytes[scanned] == ' ';
+        if (blankBehindPrefix && bytes[bodyStart - 1] == ']') {
             bodyStart++;
-        } else {
-            scan.take(next, length - 1, bodyStart);
+            scanned++;
+        }
+        while (scanned < length) {
+            scanned = scan.take(bytes, scanned, length, bodyStart);
+            if (scan.isQuoted() && bytes[scanned - 1] == ']' && restartAtPrefix()) {
+                return;
+            }
         }
     }
 
     /** A quote that never closed hides the messages behind it, until one of them begins a line. */
-    private void restartAtPrefix(byte next) {
-        if (next != ']' || !scan.isQuoted()) {
-            return;
-        }
-        int lineStart = length;
+    private boolean restartAtPrefix() {
+        int lineStart = scanned;
         while (lineStart > bodyStart && bytes[lineStart - 1] != '\n') {
             lineStart--;
         }
-        if (lineStart > bodyStart && UrbiPrefix.find(bytes, lineStart, length) == lineStart) {
-            byte[] rest = Arrays.copyOfRange(bytes, lineStart, length);
-            reset();
-            for (byte again : rest) {
-                takeText(again);
-            }
+        if (lineStart == bodyStart || UrbiPrefix.find(bytes, lineStart, scanned) != lineStart) {
+            return false;
         }
+        byte[] rest = Arrays.copyOfRange(bytes, lineStart, length);
+        reset();
+        append(rest, 0, rest.length);
+        decidePrefix();
+        scanBody();
+        return true;
     }
 
     private void lineEnds() {
@@ -151,6 +183,9 @@ public final class UrbiDecoder {
     /** The number of raw bytes that follow the line just ended, or −1 if none do. */
     private int binarySize() {
         int from = scan.elementStart(bodyStart);
+        if (from >= length || bytes[from] != BINARY_MARK) {
+            return -1;
+        }
         String element = text(from, length);
         Matcher header = BINARY_HEADER.matcher(element);
         return header.matches() ? Integer.parseInt(header.group(1)) : -1;
@@ -158,6 +193,7 @@ public final class UrbiDecoder {
 
     private void binaryEnds() {
         if (scan.isInList()) {
+            scanned = length;
             scan.elementStarts(length);
         } else {
             emit();
@@ -167,7 +203,7 @@ public final class UrbiDecoder {
     private void emit() {
         UrbiPrefix known = prefix;
         if (known != null) {
-            UrbiMessage.Body body = UrbiBodies.parse(bytes, bodyStart, length);
+            UrbiMessage.Body body = UrbiMessage.Body.parse(bytes, bodyStart, length);
             found.add(new UrbiMessage(known.timeMs(), known.tag(), body));
             lastInfoTag = body instanceof UrbiMessage.Info ? known.tag() : lastInfoTag;
             lastTimeMs = known.timeMs();
@@ -189,6 +225,7 @@ public final class UrbiDecoder {
             bytes = new byte[1024];
         }
         length = 0;
+        scanned = 0;
         prefix = null;
         prefixDecided = false;
         binaryBytes = 0;
@@ -196,9 +233,11 @@ public final class UrbiDecoder {
         scan.reset();
     }
 
-    private void reserve(int more) {
-        if (length + more > bytes.length) {
-            bytes = Arrays.copyOf(bytes, Math.max(bytes.length * 2, length + more));
+    private void append(byte[] chunk, int from, int count) {
+        if (length + count > bytes.length) {
+            bytes = Arrays.copyOf(bytes, Math.max(bytes.length * 2, length + count));
         }
+        System.arraycopy(chunk, from, bytes, length, count);
+        length += count;
     }
 }

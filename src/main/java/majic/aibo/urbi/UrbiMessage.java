@@ -23,7 +23,7 @@ public record UrbiMessage(long timeMs, String tag, Body body) {
      */
     public static UrbiMessage of(long timeMs, @Nullable String tag, String text) {
         byte[] bytes = text.getBytes(StandardCharsets.ISO_8859_1);
-        return new UrbiMessage(timeMs, tagOf(tag), UrbiBodies.parse(bytes, 0, bytes.length));
+        return new UrbiMessage(timeMs, tagOf(tag), Body.parse(bytes, 0, bytes.length));
     }
 
     /** Makes a message of a value; as {@link #of(long, String, String)}. */
@@ -40,8 +40,23 @@ public record UrbiMessage(long timeMs, String tag, Body body) {
         return tag.equals("error");
     }
 
-    /** The content of a message. */
-    public sealed interface Body {}
+    /** The content of a message: information, an error, or a value (URBI sheet 4). */
+    public sealed interface Body {
+        /** Reads the body between two indices; the line feed at its end may be there or not. */
+        static Body parse(byte[] bytes, int from, int to) {
+            String mark = new String(bytes, from, Math.min(3, to - from), StandardCharsets.ISO_8859_1);
+            return switch (mark) {
+                case "***" -> new Info(rest(bytes, from, to));
+                case "!!!" -> new Failure(rest(bytes, from, to));
+                default -> new Result(new UrbiValueParser(bytes, from, to).parse());
+            };
+        }
+
+        private static String rest(byte[] bytes, int from, int to) {
+            String text = new String(bytes, from + 3, to - from - 3, StandardCharsets.ISO_8859_1).stripTrailing();
+            return text.startsWith(" ") ? text.substring(1) : text;
+        }
+    }
 
     /**
      * {@code *** …}: begin, end, pong, banner, echo.

@@ -3,16 +3,19 @@ package majic.aibo.urbi;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.List;
 import majic.drivertest.TestClock;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
+import org.mockito.Mockito;
 
-class UrbiReaderTest {
+class LinkTransportTest {
     @AutoClose
     private final TestClock clock = new TestClock();
 
-    private final UrbiReader reader = new UrbiReader(clock.time());
+    private final LinkTransport.Decoding decoding =
+            new LinkTransport.Decoding("sensors", Mockito.mock(UrbiTransport.Receiver.class), clock.time());
 
     @Test
     void losesPatienceWithACutBinaryAfterASecond() throws InterruptedException {
@@ -50,6 +53,8 @@ class UrbiReaderTest {
 
     private List<UrbiMessage> read(String wire) {
         byte[] bytes = wire.getBytes(StandardCharsets.ISO_8859_1);
-        return reader.read(bytes, bytes.length);
+        List<UrbiMessage> messages = new ArrayList<>();
+        decoding.decode(bytes, bytes.length, messages::add);
+        return messages;
     }
 }
