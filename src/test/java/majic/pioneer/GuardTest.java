@@ -76,6 +76,22 @@ class GuardTest {
     }
 
     @Test
+    void aRobotThatDoesNotComeToRestAfterItsGuardHasFailed() {
+        Guard guard = () -> {
+            boolean reached = stage.bot.state().pose().xMm() > 100;
+            if (reached) {
+                robot.governor = speed -> 250;
+            }
+            return reached;
+        };
+
+        assertThatThrownBy(() -> stage.bot.move(1000, guard))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("it does not come to rest after ");
+        robot.governor = speed -> speed;
+    }
+
+    @Test
     void readingInAListenerDoesNotBlock() {
         List<Value> read = new ArrayList<>();
         stage.bot.addListener(new BotListener() {

@@ -111,8 +111,11 @@ public final class Maneuver {
             throw failed("no report from the robot", motion);
         }
         motion.send(motors::stop);
-        state.awaitStationary(STOP_S);
+        boolean stationary = state.awaitStationary(STOP_S);
         motion.check();
+        if (!stationary) {
+            throw failed("it does not come to rest", motion);
+        }
         return target.value(state.get());
     }
 }
