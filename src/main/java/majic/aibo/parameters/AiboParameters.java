@@ -17,12 +17,12 @@ public final class AiboParameters {
 
     public AiboParameters(ParameterTable table, DogState dog, AiboAccess access, Volume volume) {
         this.table = table;
+        SensorValueParameters sensors = new SensorValueParameters(access, dog);
         this.themes = List.of(
-                new RangeParameters(dog),
+                sensors::ranges,
                 new BodyParameters(access),
-                new SensorValueParameters(access),
-                new JointParameters(access),
-                new LoadParameters(access, dog),
+                sensors::others,
+                new JointParameters(access, dog),
                 new EarParameters(access),
                 new LedParameters(access),
                 new CameraParameters(access),

@@ -4,7 +4,9 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
+import majic.aibo.body.DogState;
 import majic.aibo.body.Joint;
+import majic.aibo.urbi.UrbiCommands;
 import majic.aibo.urbi.UrbiVersion;
 import majic.bot.Parameter;
 import majic.bot.Range;
@@ -14,7 +16,10 @@ import majic.driver.Motion;
 import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 
-/** The joints, alone and by limbs: read as measured, set with an optional time that the motion is to take. */
+/**
+ * The joints, alone and by limbs: read as measured, set with an optional time that the motion is to take; and how stiff
+ * each is. A dog whose legs go loose falls over, so setting that is a motion, too.
+ */
 final class JointParameters implements ParameterTheme<UrbiVersion> {
     private static final double LONGEST_MS = 30_000;
     private static final double FASTEST_DEG_PER_S = 500;
@@ -22,12 +27,14 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
             Parameter.number("time", Unit.MS, "how long it takes").within(0, LONGEST_MS);
 
     private final AiboAccess access;
+    private final DogState dog;
 
     /** Of joints that are given no time; slower than an assignment without a time. */
     private volatile double degPerSec = 120;
 
-    JointParameters(AiboAccess access) {
+    JointParameters(AiboAccess access, DogState dog) {
         this.access = access;
+        this.dog = dog;
     }
 
     @Override
@@ -48,6 +55,22 @@ final class JointParameters implements ParameterTheme<UrbiVersion> {
                         () -> Value.of(degPerSec, Unit.DEG_PER_S))
                 .kept()
                 .writes(values -> degPerSec = values.get(0).number());
+        for (Joint joint : Joint.values()) {
+            String variable = joint.urbiName() + ".load";
+            table.add(
+                            Parameter.number(joint.urbiName() + "Load", Unit.NONE, "its stiffness; 0 loose, 1 stiff")
+                                    .within(0, 1),
+                            access.asked(variable, load -> Value.of(load, Unit.NONE)))
+                    .moves((values, motion) ->
+                            stiffen(joint, variable, values.get(0).number(), motion));
+        }
+    }
+
+    private void stiffen(Joint joint, String variable, double load, Motion motion) {
+        access.open().joints().perform(List.of(UrbiCommands.assign(variable, load)), 0, motion);
+        if (joint.isInALeg()) {
+            dog.setStanding(false);
+        }
     }
 
     private static Parameter angle(Joint joint, UrbiVersion version) {

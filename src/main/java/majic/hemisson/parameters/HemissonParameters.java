@@ -41,9 +41,7 @@ public final class HemissonParameters {
                 new InfraredParameters(access),
                 new LedAndBuzzerParameters(leds),
                 new MotorParameters(access, calibration),
-                new RobotParameters(access, robot),
-                new AnswerParameters(quality),
-                new AbsentParameters(),
+                new RobotParameters(access, robot, quality),
                 new PinParameters(access, pins),
                 (fresh, modules) -> modules.describe(fresh, access));
     }

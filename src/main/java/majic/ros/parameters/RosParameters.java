@@ -45,13 +45,14 @@ public final class RosParameters {
             DoubleSupplier radiusMm,
             Supplier<BotState> state) {
         this.table = table;
+        RosReportedParameters reported = new RosReportedParameters(access);
         this.themes = List.of(
                 new RosRangingParameters(access, radiusMm),
-                new RosContactParameters(access),
-                new RosPowerParameters(access),
-                new RosInertialParameters(access),
+                reported::contacts,
+                reported::power,
+                reported::inertial,
                 new RosJointParameters(access),
-                new RosCameraParameters(access));
+                reported::camera);
         this.topics = new TopicCommands(access);
         this.call = new CallCommand(access, changes);
         this.goals = new GoalCommands(access, navigation, state);
