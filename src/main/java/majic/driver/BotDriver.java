@@ -37,6 +37,7 @@ public abstract class BotDriver extends MovingRobot {
     private final Settings settings;
     private final ParameterTable parameters = new ParameterTable();
     private final CommandTable commands = new CommandTable();
+    private final Readings readings = readings();
     private final ReadingRule rule = new ReadingRule(this, waiting(), this::longestAgeS);
     private final Listeners listeners;
     private final ConnectionLife life;
@@ -89,7 +90,7 @@ public abstract class BotDriver extends MovingRobot {
                 listeners.start(time(), type.name());
                 timer().start(type.name());
             }
-            readings().reconnecting();
+            readings.reconnecting();
             listeners.deliver();
             openOrExplain();
         } catch (RuntimeException | Error e) {
@@ -255,19 +256,19 @@ public abstract class BotDriver extends MovingRobot {
 
     @Override
     public final BotState state() {
-        return readings().state();
+        return readings.state();
     }
 
     @Override
     public final void place(Pose pose) {
         Objects.requireNonNull(pose, "pose");
-        readings().place(pose);
+        readings.place(pose);
         listeners.stateChanged();
     }
 
     @Override
     public final Optional<Pose> placedAt() {
-        return readings().placedAt();
+        return readings.placedAt();
     }
 
     @Override
@@ -357,7 +358,7 @@ public abstract class BotDriver extends MovingRobot {
      * @param newState what was read
      */
     protected final void publish(BotState newState) {
-        readings().report(newState);
+        readings.report(newState);
         listeners.stateChanged();
     }
 
@@ -376,7 +377,7 @@ public abstract class BotDriver extends MovingRobot {
      * rechecked.
      */
     protected final void news() {
-        readings().news();
+        readings.news();
     }
 
     /**
@@ -437,12 +438,12 @@ public abstract class BotDriver extends MovingRobot {
 
     @Override
     public final void addWatcher(Runnable watcher) {
-        readings().addWatcher(Objects.requireNonNull(watcher, "watcher"));
+        readings.addWatcher(Objects.requireNonNull(watcher, "watcher"));
     }
 
     @Override
     public final void removeWatcher(Runnable watcher) {
-        readings().removeWatcher(watcher);
+        readings.removeWatcher(watcher);
     }
 
     private ParameterTable.Entry entry(String parameter) {

@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.Objects;
 import majic.inlab.LabRig;
 import majic.pioneer.arcos.Batteries;
+import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.state.EncoderTicks;
 import majic.pioneer.state.PioneerState;
-import majic.pioneer.state.RequestedReport;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -47,7 +47,7 @@ class PacketsInLabTest {
     }
 
     private EncoderTicks encoders() {
-        session().subscriptions().read(RequestedReport.ENCODERS);
+        session().subscriptions().read(ReportKind.ENCODERS);
         assertThat(session().reported().await(state -> state.encoders().isPresent(), 2))
                 .isTrue();
         return state().encoders().orElseThrow();

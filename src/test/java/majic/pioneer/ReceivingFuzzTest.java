@@ -15,7 +15,7 @@ import majic.pioneer.arcos.FrameDecoder;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.Report;
-import majic.pioneer.arcos.ReportDecoder;
+import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
@@ -86,7 +86,7 @@ class ReceivingFuzzTest {
         PioneerState state = tracker.track(Objects.requireNonNull(Sip.decode(GOOD)), CYCLE_NANOS);
         for (Packet packet : decode(new FrameDecoder(), packets(plan), 512)) {
             assertThat(Config.decode(packet).frontBumpers()).isNotNegative();
-            Report report = ReportDecoder.decode(packet);
+            Report report = ReportKind.decode(packet);
             state = report == null ? state : state.with(tracker.add(report));
             Sip sip = Sip.decode(packet);
             state = sip == null ? state : tracker.track(sip, state.atNanos() + CYCLE_NANOS);

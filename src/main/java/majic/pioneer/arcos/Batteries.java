@@ -9,8 +9,6 @@ import java.util.List;
  * @param cells in the robot's order
  */
 public record Batteries(List<Cell> cells) implements Report {
-    static final int TYPE = 0xFA;
-
     /**
      * One battery. What did not come is zero. Immutable.
      *

@@ -171,10 +171,10 @@ public enum ConfigField {
         return switch (kind) {
             case STRING -> fields.string();
             case UBYTE -> (long) fields.ubyte();
-            case SBYTE -> (long) fields.sbyteOr(0);
+            case SBYTE -> (long) fields.sbyte();
             case UINT -> (long) fields.uint();
             case INT -> (long) fields.sint();
-            case UINT32 -> fields.uint32Or(0);
+            case UINT32 -> fields.uint32();
         };
     }
 }

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Reads a packet's data field by field, low byte first (ARCOS sheet 3). Fields beyond the end read as zero or as what
- * the caller names, so a short packet is not an error.
+ * Reads a packet's data field by field, low byte first (ARCOS sheet 3). Fields beyond the end read as zero, so a short
+ * packet is not an error.
  */
 final class FieldReader {
     private final byte[] data;
@@ -21,63 +21,56 @@ final class FieldReader {
     }
 
     int ubyte() {
-        return ubyteOr(0);
+        return at < data.length ? data[at++] & 0xFF : 0;
     }
 
-    int ubyteOr(int missing) {
-        return remaining() >= 1 ? data[at++] & 0xFF : missing(missing);
-    }
-
-    int sbyteOr(int missing) {
-        return remaining() >= 1 ? data[at++] : missing(missing);
+    int sbyte() {
+        return (byte) ubyte();
     }
 
     int uint() {
-        return uintOr(0);
-    }
-
-    int uintOr(int missing) {
-        if (remaining() < 2) {
-            return missing(missing);
-        }
-        at += 2;
-        return data[at - 2] & 0xFF | (data[at - 1] & 0xFF) << 8;
+        return (int) number(2);
     }
 
     int sint() {
-        return (short) uint();
+        return (short) number(2);
     }
 
-    int sintOr(int missing) {
-        return remaining() >= 2 ? sint() : missing(missing);
-    }
-
-    long uint32Or(long missing) {
-        if (remaining() < 4) {
-            missing(0);
-            return missing;
-        }
-        return uint() | (long) uint() << 16;
+    long uint32() {
+        return number(4);
     }
 
     int sint32() {
-        return (int) uint32Or(0);
+        return (int) number(4);
+    }
+
+    /** A number of so many bytes; half a field at the end belongs to no field. */
+    private long number(int bytes) {
+        int from = at;
+        at = Math.min(data.length, at + bytes);
+        long value = 0;
+        if (from + bytes <= data.length) {
+            for (int index = bytes - 1; index >= 0; index--) {
+                value = value << 8 | data[from + index] & 0xFF;
+            }
+        }
+        return value;
     }
 
     /** As many bytes as that, or as there are. */
     List<Integer> ubytes(int count) {
-        Integer[] values = new Integer[Math.min(count, remaining())];
+        Integer[] values = new Integer[Math.min(count, data.length - at)];
         for (int index = 0; index < values.length; index++) {
-            values[index] = ubyte();
+            values[index] = data[at++] & 0xFF;
         }
         return List.of(values);
     }
 
     /** As many numbers of 16 bits as that, or as there are. */
     List<Integer> uints(int count) {
-        Integer[] values = new Integer[Math.min(count, remaining() / 2)];
+        Integer[] values = new Integer[Math.min(count, (data.length - at) / 2)];
         for (int index = 0; index < values.length; index++) {
-            values[index] = uint();
+            values[index] = data[at++] & 0xFF | (data[at++] & 0xFF) << 8;
         }
         return List.of(values);
     }
@@ -97,11 +90,5 @@ final class FieldReader {
         String text = new String(data, at, end - at, StandardCharsets.ISO_8859_1);
         at = Math.min(end + 1, data.length);
         return text;
-    }
-
-    /** Half a field at the end belongs to no field. */
-    private int missing(int value) {
-        at = data.length;
-        return value;
     }
 }

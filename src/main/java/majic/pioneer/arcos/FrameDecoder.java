@@ -12,6 +12,9 @@ public final class FrameDecoder {
     /** Type and checksum. */
     private static final int SMALLEST_COUNT = 3;
 
+    /** Where a packet has the number of bytes behind it, from its header on. */
+    private static final int COUNT_AT = 2;
+
     private byte[] bytes = new byte[2048];
     private int filled;
     private long packets;
@@ -45,12 +48,16 @@ public final class FrameDecoder {
 
     private void scan(int from, Consumer<Packet> sink) {
         int at = header(from);
-        while (isWhole(at)) {
-            int count = count(at);
-            if (isIntact(at, count)) {
+        while (filled - at > COUNT_AT) {
+            int count = bytes[at + COUNT_AT] & 0xFF;
+            int end = at + COUNT_AT + 1 + count;
+            if (count >= SMALLEST_COUNT && end > filled) {
+                break;
+            }
+            if (count >= SMALLEST_COUNT && isIntact(at, end)) {
                 packets++;
-                sink.accept(new Packet(bytes[at + 3] & 0xFF, bytes, at + 4, at + count + 1));
-                at = header(at + count + 3);
+                sink.accept(new Packet(bytes[at + COUNT_AT + 1] & 0xFF, bytes, at + COUNT_AT + 2, end - 2));
+                at = header(end);
             } else {
                 damagedPackets += count < SMALLEST_COUNT ? 0 : 1;
                 skippedBytes += 2;
@@ -65,32 +72,19 @@ public final class FrameDecoder {
     /** The next place where a packet may begin; a last FA may be the first half of a header. */
     private int header(int from) {
         int at = from;
-        while (at < filled && !mayBegin(at)) {
+        while (at < filled
+                && ((bytes[at] & 0xFF) != Packet.HEADER_1
+                        || at + 1 < filled && (bytes[at + 1] & 0xFF) != Packet.HEADER_2)) {
             at++;
             skippedBytes++;
         }
         return at;
     }
 
-    private boolean mayBegin(int at) {
-        return (bytes[at] & 0xFF) == Packet.HEADER_1 && (at + 1 == filled || (bytes[at + 1] & 0xFF) == Packet.HEADER_2);
-    }
-
-    private boolean isWhole(int at) {
-        return filled - at >= 3 && (count(at) < SMALLEST_COUNT || filled - at >= count(at) + 3);
-    }
-
-    private int count(int at) {
-        return bytes[at + 2] & 0xFF;
-    }
-
-    private boolean isIntact(int at, int count) {
-        if (count < SMALLEST_COUNT) {
-            return false;
-        }
-        int sumAt = at + count + 1;
-        int sum = (bytes[sumAt] & 0xFF) << 8 | bytes[sumAt + 1] & 0xFF;
-        return Packet.checksum(bytes, at + 3, sumAt) == sum;
+    /** Whether the sum at the end of a packet is that over its type and data. */
+    private boolean isIntact(int at, int end) {
+        int sum = (bytes[end - 2] & 0xFF) << 8 | bytes[end - 1] & 0xFF;
+        return Packet.checksum(bytes, at + COUNT_AT + 1, end - 2) == sum;
     }
 
     /** The counts so far; from any thread. */

@@ -11,8 +11,6 @@ import java.util.List;
  * @param analog 0 to 1023 for 0 to 5 V
  */
 public record InputsOutputs(List<Integer> digitalIn, List<Integer> digitalOut, List<Integer> analog) implements Report {
-    static final int TYPE = 0xF0;
-
     /** Keeps copies. */
     public InputsOutputs {
         digitalIn = List.copyOf(digitalIn);

@@ -1,7 +1,5 @@
 package majic.pioneer.arcos;
 
-import org.jspecify.annotations.Nullable;
-
 /**
  * The joystick that is plugged into the robot (ARCOS sheet 11.4). Immutable.
  *
@@ -12,12 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param throttle 0 to 1023
  */
 public record Joystick(boolean button1, boolean button2, int x, int y, int throttle) implements Report {
-    static final int TYPE = 0xF8;
-    private static final int BYTES = 8;
-
-    static @Nullable Joystick read(FieldReader fields) {
-        return fields.remaining() < BYTES
-                ? null
-                : new Joystick(fields.ubyte() != 0, fields.ubyte() != 0, fields.uint(), fields.uint(), fields.uint());
+    static Joystick read(FieldReader fields) {
+        return new Joystick(fields.ubyte() != 0, fields.ubyte() != 0, fields.uint(), fields.uint(), fields.uint());
     }
 }

@@ -22,8 +22,10 @@ public final class Packet {
     private static final int STRING = 0x2B;
     private static final int RESET_FROM = 0xFE;
 
-    private final int type;
-    private final byte[] data;
+    final int type;
+
+    /** The bytes after the type; not to be changed. */
+    final byte[] data;
 
     /**
      * Copies the data from a larger buffer.

@@ -14,11 +14,11 @@ import majic.bot.LinkLost;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.Report;
+import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.PioneerConnection;
 import majic.pioneer.session.RobotLine;
-import majic.pioneer.state.RequestedReport;
 import majic.time.SuspendDetector;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
@@ -231,8 +231,8 @@ final class AriaConnection implements PioneerConnection, RobotLine {
     }
 
     @Override
-    public boolean delivers(RequestedReport kind) {
-        return kind == RequestedReport.PORTS || kind == RequestedReport.ENCODERS;
+    public boolean delivers(ReportKind kind) {
+        return kind == ReportKind.PORTS || kind == ReportKind.ENCODERS;
     }
 
     @Override

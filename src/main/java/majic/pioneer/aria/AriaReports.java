@@ -18,8 +18,7 @@ import majic.pioneer.arcos.InputsOutputs;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
-import majic.pioneer.arcos.SipTail;
-import majic.pioneer.arcos.SonarReadings;
+import majic.pioneer.arcos.SipField;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.Scaling;
 
@@ -28,6 +27,7 @@ import majic.pioneer.state.Scaling;
  * with ARIA's lock held. For one thread and one session.
  */
 final class AriaReports {
+    private static final int STATIONARY = 0x32;
     private static final int BYTE = 0xFF;
     private static final int COUNTER = 0x10000;
     private static final int NO_CHARGE_STATE = 255;
@@ -83,7 +83,7 @@ final class AriaReports {
     }
 
     private static int told(Supplier<Integer> getter) {
-        return told(getter, SipTail.ABSENT);
+        return told(getter, Sip.ABSENT);
     }
 
     boolean hasNewSip(long nowNanos) {
@@ -92,21 +92,21 @@ final class AriaReports {
 
     Sip sip() {
         int stall = robot.getStallValue();
-        return new Sip(
-                0x32,
-                counter(robot.getX() / scaling.mmPerCount()),
-                counter(robot.getY() / scaling.mmPerCount()),
-                rounded(robot.getTh() / scaling.degPerCount()),
-                rounded(robot.getLeftVel() / scaling.mmPerSecPerCount()),
-                rounded(robot.getRightVel() / scaling.mmPerSecPerCount()),
-                rounded(robot.getBatteryVoltageNow() * 10),
-                stall & BYTE,
-                stall >> 8 & BYTE,
-                told(() -> rounded(robot.getControl() / scaling.degPerCount()), 0),
-                robot.getFlags(),
-                told(() -> rounded(robot.getCompass() / DEG_PER_COMPASS_STEP), 0),
-                sonar(),
-                tail());
+        Map<SipField, Integer> fields = new EnumMap<>(SipField.class);
+        fields.put(SipField.TYPE, STATIONARY);
+        fields.put(SipField.X_POS, counter(robot.getX() / scaling.mmPerCount()));
+        fields.put(SipField.Y_POS, counter(robot.getY() / scaling.mmPerCount()));
+        fields.put(SipField.TH_POS, rounded(robot.getTh() / scaling.degPerCount()));
+        fields.put(SipField.L_VEL, rounded(robot.getLeftVel() / scaling.mmPerSecPerCount()));
+        fields.put(SipField.R_VEL, rounded(robot.getRightVel() / scaling.mmPerSecPerCount()));
+        fields.put(SipField.BATTERY, rounded(robot.getBatteryVoltageNow() * 10));
+        fields.put(SipField.STALL_REAR, stall & BYTE);
+        fields.put(SipField.STALL_FRONT, stall >> 8 & BYTE);
+        fields.put(SipField.CONTROL, told(() -> rounded(robot.getControl() / scaling.degPerCount()), 0));
+        fields.put(SipField.FLAGS, robot.getFlags());
+        fields.put(SipField.COMPASS, told(() -> rounded(robot.getCompass() / DEG_PER_COMPASS_STEP), 0));
+        addTail(fields);
+        return Sip.of(fields, sonar());
     }
 
     private static int rounded(double value) {
@@ -117,27 +117,24 @@ final class AriaReports {
         return Math.floorMod(Math.round(counts), COUNTER);
     }
 
-    private SipTail tail() {
-        return new SipTail(
-                SipTail.ABSENT,
-                told(robot::getAnalogPortSelected),
-                told(() -> robot.getAnalog() & BYTE),
-                told(() -> robot.getDigIn() & BYTE),
-                told(() -> robot.getDigOut() & BYTE),
-                told(this::batteryTenths),
-                told(this::chargeState),
-                rounded(robot.getRotVel() * 10),
-                told(() -> robot.hasFaultFlags() ? robot.getFaultFlags() : SipTail.ABSENT),
-                SipTail.ABSENT,
-                told(robot::getTemperature),
-                told(() -> robot.haveStateOfCharge() ? rounded(robot.getStateOfCharge()) : 0, 0),
-                SipTail.ABSENT,
-                SipTail.ABSENT);
+    private void addTail(Map<SipField, Integer> fields) {
+        fields.put(SipField.ANALOG_PORT, told(robot::getAnalogPortSelected));
+        fields.put(SipField.ANALOG, told(() -> robot.getAnalog() & BYTE));
+        fields.put(SipField.DIG_IN, told(() -> robot.getDigIn() & BYTE));
+        fields.put(SipField.DIG_OUT, told(() -> robot.getDigOut() & BYTE));
+        fields.put(SipField.BATTERY_TENTHS, told(this::batteryTenths));
+        fields.put(SipField.CHARGE_STATE, told(this::chargeState));
+        fields.put(SipField.TURN_RATE_TENTHS, rounded(robot.getRotVel() * 10));
+        fields.put(SipField.FAULT_FLAGS, told(() -> robot.hasFaultFlags() ? robot.getFaultFlags() : Sip.ABSENT));
+        fields.put(SipField.TEMPERATURE, told(robot::getTemperature));
+        fields.put(
+                SipField.CHARGE_PERCENT,
+                told(() -> robot.haveStateOfCharge() ? rounded(robot.getStateOfCharge()) : 0, 0));
     }
 
     private int batteryTenths() {
         double volts = robot.getRealBatteryVoltageNow();
-        return volts > 0 ? rounded(volts * 10) : SipTail.ABSENT;
+        return volts > 0 ? rounded(volts * 10) : Sip.ABSENT;
     }
 
     private int chargeState() {
@@ -145,7 +142,7 @@ final class AriaReports {
         return charging < 0 ? NO_CHARGE_STATE : charging;
     }
 
-    private SonarReadings sonar() {
+    private Map<Integer, Integer> sonar() {
         Map<Integer, Integer> fresh = new LinkedHashMap<>();
         for (int disc = 0; disc < robot.getNumSonar(); disc++) {
             int rangeMm = robot.getSonarRange(disc);
@@ -153,7 +150,7 @@ final class AriaReports {
                 fresh.put(disc, rounded(rangeMm / scaling.mmPerRangeCount()));
             }
         }
-        return SonarReadings.of(fresh);
+        return fresh;
     }
 
     /** Whether a disc has a newer reading than before; always, if this ARIA does not tell in which cycle it came. */

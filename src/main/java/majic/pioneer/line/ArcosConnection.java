@@ -10,7 +10,7 @@ import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.Report;
-import majic.pioneer.arcos.ReportDecoder;
+import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.PioneerConnection;
@@ -32,10 +32,12 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
     private final ConnectWait wait;
     private final TimeSource time;
     private final PacketInbox inbox;
-    private final SipCounter sips;
     private final Autobaud autobaud;
     private volatile @Nullable Listener listener;
     private volatile @Nullable Config config;
+
+    /** Counted by the reader thread. */
+    private volatile int sips;
 
     /**
      * Creates a connection; opens nothing.
@@ -45,11 +47,10 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
      */
     public ArcosConnection(Link link, ConnectWait wait) {
         this.time = wait.waiting().time();
-        this.line = new ArcosLine(link, time);
+        this.line = new ArcosLine(link, time, this);
         this.wait = wait;
         this.inbox = new PacketInbox(wait);
-        this.sips = new SipCounter(wait.waiting());
-        this.autobaud = new Autobaud(line, sips);
+        this.autobaud = new Autobaud(line, () -> sips, wait.waiting());
     }
 
     /**
@@ -59,7 +60,7 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
      */
     @Override
     public void open(Listener opened) {
-        line.open(this);
+        line.open();
         BaudRates rates = new BaudRates(line);
         opened.identified(new ArcosHandshake(line, inbox, rates, time).run());
         listener = opened;
@@ -71,7 +72,7 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
     /** Requests the first CONFIG together with OPEN, so that its answer comes while the first SIP is awaited. */
     private void startSips() {
         line.send(ArcosCommand.OPEN.packet(1), ArcosCommand.CONFIG.packet(1));
-        if (!await(() -> sips.count() > 0, FIRST_SIP_S)) {
+        if (!await(() -> sips > 0, FIRST_SIP_S)) {
             throw new ConnectFailed(
                     Reason.NO_ANSWER, address() + " answered the handshake, but sends no data within 2 s");
         }
@@ -94,7 +95,20 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
         if (receiver == null) {
             inbox.put(packet);
         } else if (packet.isSip()) {
-            receive(Sip.decode(packet), receiver);
+            Sip sip = Sip.decode(packet);
+            if (sip != null) {
+                sips = sips + 1;
+                receiver.reported(sip);
+            }
+        } else {
+            receiveOther(packet, receiver);
+        }
+    }
+
+    private void receiveOther(Packet packet, Listener receiver) {
+        Report report = ReportKind.decode(packet);
+        if (report != null) {
+            receiver.reported(report);
         } else if (packet.type() == Config.TYPE) {
             Config decoded = Config.decode(packet);
             config = decoded;
@@ -103,21 +117,6 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
             LinkLost cause = new LinkLost("connection lost: the robot's controller was reset");
             line.abort(cause);
             receiver.ended(cause);
-        } else {
-            receive(ReportDecoder.decode(packet), receiver);
-        }
-    }
-
-    private void receive(@Nullable Sip sip, Listener receiver) {
-        if (sip != null) {
-            sips.add();
-            receiver.reported(sip);
-        }
-    }
-
-    private static void receive(@Nullable Report report, Listener receiver) {
-        if (report != null) {
-            receiver.reported(report);
         }
     }
 
@@ -151,7 +150,7 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
             autobaud.restore();
             line.sendIfPossible(ArcosCommand.CLOSE.packet(1));
             // Gives the robot time to act, or to close the connection.
-            sips.await(line::hasEnded, CLOSING_S);
+            autobaud.await(line::hasEnded, CLOSING_S);
         }
         line.close();
     }

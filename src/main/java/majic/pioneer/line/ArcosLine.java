@@ -22,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * Sends and receives the packets of one connection. Any thread may send, each packet in one write; packets are received
  * one after the other on the reader thread, which also reports the end, once.
  */
-final class ArcosLine implements RobotLine {
+final class ArcosLine implements RobotLine, LinkHandler<Packet> {
     private static final Logger LOG = System.getLogger(ArcosLine.class.getName());
     private static final int OPEN_TIMEOUT_MS = 5000;
 
@@ -34,6 +34,11 @@ final class ArcosLine implements RobotLine {
     private final FrameDecoder decoder = new FrameDecoder();
     private final FirstBytes firstBytes = new FirstBytes();
     private final SuspendDetector suspend = new SuspendDetector();
+    private final Listener listener;
+
+    /** When bytes last came; for the reader thread. */
+    private long lastNanos;
+
     private volatile int baud = BaudRates.POWER_UP;
     private volatile long sentNanos;
     private volatile @Nullable LinkLost end;
@@ -47,9 +52,10 @@ final class ArcosLine implements RobotLine {
         void ended(LinkLost cause);
     }
 
-    ArcosLine(Link link, TimeSource time) {
+    ArcosLine(Link link, TimeSource time, Listener listener) {
         this.link = link;
         this.time = time;
+        this.listener = listener;
     }
 
     /**
@@ -57,46 +63,37 @@ final class ArcosLine implements RobotLine {
      *
      * @throws ConnectFailed if it cannot be opened; the message says why
      */
-    void open(Listener listener) {
+    void open() {
         try {
             link.open(OPEN_TIMEOUT_MS);
         } catch (IOException e) {
             throw ConnectFailed.of(e);
         }
-        new LinkReader<>(link, "the robot closed it", new Packets(listener)).start("pioneer reader " + link.address());
+        lastNanos = time.nanos();
+        new LinkReader<>(link, "the robot closed it", this).start("pioneer reader " + link.address());
     }
 
-    /** Decodes and passes on what the robot sends. */
-    private final class Packets implements LinkHandler<Packet> {
-        private final Listener listener;
-        private long lastNanos = time.nanos();
-
-        Packets(Listener listener) {
-            this.listener = listener;
+    @Override
+    public void decode(byte[] bytes, int count, Consumer<Packet> messages) {
+        if (time.secondsSince(lastNanos) > FRAGMENT_S) {
+            decoder.dropFragment(messages);
         }
+        lastNanos = time.nanos();
+        firstBytes.received(bytes, count);
+        decoder.feed(bytes, count, messages);
+    }
 
-        @Override
-        public void decode(byte[] bytes, int count, Consumer<Packet> messages) {
-            if (time.secondsSince(lastNanos) > FRAGMENT_S) {
-                decoder.dropFragment(messages);
-            }
-            lastNanos = time.nanos();
-            firstBytes.received(bytes, count);
-            decoder.feed(bytes, count, messages);
-        }
+    @Override
+    public void received(Packet packet) {
+        trace("< ", packet);
+        listener.received(packet);
+    }
 
-        @Override
-        public void received(Packet packet) {
-            trace("< ", packet);
-            listener.received(packet);
-        }
-
-        @Override
-        public void ended(IOException cause) {
-            LinkLost first = end(new LinkLost("connection lost: " + cause.getMessage(), cause));
-            link.close();
-            listener.ended(first);
-        }
+    @Override
+    public void ended(IOException cause) {
+        LinkLost first = end(new LinkLost("connection lost: " + cause.getMessage(), cause));
+        link.close();
+        listener.ended(first);
     }
 
     /** Sends packets, each in a write of its own. */

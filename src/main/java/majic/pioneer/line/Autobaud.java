@@ -2,11 +2,15 @@ package majic.pioneer.line;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.function.BooleanSupplier;
+import java.util.function.IntSupplier;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
+import majic.driver.RobotWait;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Config;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -33,12 +37,20 @@ final class Autobaud {
     private static final double FALL_BACK_S = 1;
 
     private final ArcosLine line;
-    private final SipCounter sips;
+    private final IntSupplier sips;
+    private final RobotWait waiting;
     private volatile boolean raised;
 
-    Autobaud(ArcosLine line, SipCounter sips) {
+    /**
+     * For one connection.
+     *
+     * @param sips returns how many SIPs have come
+     * @param waiting woken after each SIP
+     */
+    Autobaud(ArcosLine line, IntSupplier sips, RobotWait waiting) {
         this.line = line;
         this.sips = sips;
+        this.waiting = waiting;
     }
 
     /**
@@ -89,26 +101,32 @@ final class Autobaud {
     }
 
     private void settle() {
-        sips.await(() -> false, SETTLE_S);
+        await(() -> false, SETTLE_S);
     }
 
     /** Sends pulses: any valid packet confirms the new speed to the robot. */
     private boolean isConfirmed() {
         int proofs = 0;
         for (int pulse = 0; pulse < PULSES && proofs < PROOFS; pulse++) {
-            int before = sips.count();
+            int before = sips.getAsInt();
             line.send(ArcosCommand.PULSE.packet());
-            if (sips.awaitMoreThan(before, PULSE_S)) {
+            if (await(() -> sips.getAsInt() > before, PULSE_S)) {
                 proofs++;
             }
         }
         return proofs == PROOFS;
     }
 
+    /** Waits until a condition holds; a thread that must not wait, or is interrupted, only tests it. */
+    boolean await(BooleanSupplier condition, double seconds) {
+        return waiting.awaitClosing(condition, WaitPolicy.isAllowed() ? seconds : 0);
+    }
+
     private void fallBack() {
         LOG.log(Level.DEBUG, () -> line.address() + " does not follow to " + BaudRates.FAST + " baud");
         line.setBaud(BaudRates.POWER_UP);
-        if (!sips.awaitMoreThan(sips.count(), FALL_BACK_S)) {
+        int before = sips.getAsInt();
+        if (!await(() -> sips.getAsInt() > before, FALL_BACK_S)) {
             throw new ConnectFailed(
                     Reason.NO_ANSWER,
                     line.address() + " is not heard any more since its speed was to change from " + BaudRates.POWER_UP

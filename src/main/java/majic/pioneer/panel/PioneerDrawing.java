@@ -23,7 +23,7 @@ final class PioneerDrawing extends EchoContent<PioneerScene> {
     /** Adds a pose to the path, and its echoes. */
     void record(Model model, PioneerState state) {
         poseReported(state.pose());
-        if (state.sip().sonar().count() > 0) {
+        if (state.sip().readings() > 0) {
             model.discs().stream()
                     .filter(disc -> state.sonar().atNanos(disc.number()) == state.atNanos())
                     .filter(disc -> state.sonar().rangeMm(disc.number()) < SonarScan.NOTHING_MM)

@@ -12,7 +12,7 @@ import majic.bot.BotType.ReplayDisplay;
 import majic.bot.MajicBot;
 import majic.bot.Range;
 import majic.pioneer.arcos.PacketCounts;
-import majic.pioneer.arcos.SipText;
+import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Hull;
 import majic.pioneer.state.Model;
@@ -55,7 +55,7 @@ public final class PioneerReplay implements ReplayDisplay {
         Map<String, String> texts = new LinkedHashMap<>();
         texts.put(MODEL, scene.model().subclass());
         texts.putAll(differences(scene.model()));
-        texts.put(SIP, state.atNanos() / NANOS_PER_MS + " " + SipText.of(state.sip()));
+        texts.put(SIP, state.atNanos() / NANOS_PER_MS + " " + state.sip().text());
         texts.put(
                 BUMPERS, words(scene.bumpers().frontSegments(), scene.bumpers().rearSegments()));
         texts.put(PACKET_RATE, words(scene.packetRate()));
@@ -151,7 +151,7 @@ public final class PioneerReplay implements ReplayDisplay {
             following = new StateTracker(model, bot.state().pose());
             tracker = following;
         }
-        return following.track(SipText.parse(sip.substring(sip.indexOf(' ') + 1)), nanos);
+        return following.track(Sip.parse(sip.substring(sip.indexOf(' ') + 1)), nanos);
     }
 
     private PioneerScene scene(Model model, PioneerState state, Map<String, String> texts) {

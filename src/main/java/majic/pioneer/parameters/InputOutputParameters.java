@@ -11,8 +11,8 @@ import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.state.Equipment;
-import majic.pioneer.state.RequestedReport;
 
 /**
  * The controller's digital and analog ports, for equipment of a lab. Setting them moves no part of the robot itself.
@@ -46,7 +46,7 @@ final class InputOutputParameters implements ParameterTheme<Equipment> {
         table.add(
                 Parameter.list("analogs", Unit.V, "all analog inputs, 0 to 5 V, the battery last; requested when read"),
                 access.report(
-                        RequestedReport.PORTS,
+                        ReportKind.PORTS,
                         state -> all(state.ports().allAnalogVolts().stream()
                                 .map(volts -> Value.of(volts, Unit.V))
                                 .toList())));
@@ -54,7 +54,7 @@ final class InputOutputParameters implements ParameterTheme<Equipment> {
                 Parameter.list(
                         "digitalIns", Unit.NONE, "all bytes of digital inputs, the user's first; requested when read"),
                 access.report(
-                        RequestedReport.PORTS,
+                        ReportKind.PORTS,
                         state -> all(state.ports().allDigitalIn().stream()
                                 .map(bits -> Value.of(bits, Unit.NONE))
                                 .toList())));

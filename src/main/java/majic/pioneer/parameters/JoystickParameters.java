@@ -9,8 +9,8 @@ import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Joystick;
+import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.state.Equipment;
-import majic.pioneer.state.RequestedReport;
 
 /** The joystick that can be plugged into the robot itself. */
 final class JoystickParameters implements ParameterTheme<Equipment> {
@@ -69,7 +69,6 @@ final class JoystickParameters implements ParameterTheme<Equipment> {
     private void add(ParameterTable table, Parameter parameter, Function<Joystick, Value> reader) {
         table.add(
                 parameter,
-                access.report(
-                        RequestedReport.JOYSTICK, state -> state.joystick().map(reader)));
+                access.report(ReportKind.JOYSTICK, state -> state.joystick().map(reader)));
     }
 }

@@ -12,10 +12,10 @@ import majic.driver.AssumedSetting;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.session.PioneerSession;
 import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.PioneerState;
-import majic.pioneer.state.RequestedReport;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
@@ -86,7 +86,7 @@ public final class PioneerAccess {
      * Reads from a report that comes beside the SIPs. Without a recent report one is requested and, if the thread may
      * wait, awaited.
      */
-    Supplier<Value> report(RequestedReport kind, Function<PioneerState, Optional<Value>> reader) {
+    Supplier<Value> report(ReportKind kind, Function<PioneerState, Optional<Value>> reader) {
         return session(open -> {
             if (!open.hasReported()) {
                 return NOTHING_YET;
@@ -98,7 +98,7 @@ public final class PioneerAccess {
         });
     }
 
-    private static boolean hasFresh(PioneerSession open, RequestedReport kind) {
+    private static boolean hasFresh(PioneerSession open, ReportKind kind) {
         Subscriptions subscriptions = open.subscriptions();
         subscriptions.read(kind);
         return !subscriptions.isMissing(kind) && open.reported().await(state -> subscriptions.isFresh(kind), REPORT_S);
@@ -174,6 +174,11 @@ public final class PioneerAccess {
         if (WaitPolicy.isAllowed() && !open.reported().await(done, CONFIRM_S)) {
             throw new BotException(complaint + " within " + Value.plain(CONFIRM_S) + " s");
         }
+    }
+
+    /** The complaint about a switch without effect, behind the name of what was to be switched. */
+    static String didNotSwitch(boolean on) {
+        return "did not switch " + (on ? "on" : "off");
     }
 
     /** Reads a setting that the robot does not report. */

@@ -24,21 +24,20 @@ public final class PioneerParameters {
 
     /** All themes. */
     public static List<ParameterTheme<Equipment>> themes(BotDriver bot, PioneerAccess access, RampParameters pace) {
-        PowerSwitches switches = new PowerSwitches(access);
+        ReportedParameters reported = new ReportedParameters(access);
         return List.of(
                 new PoseParameters(access, () -> bot.state().pose(), bot::place),
                 pace,
-                new HealthParameters(access, switches),
-                new PowerParameters(access),
+                reported::power,
                 new ContactParameters(access),
-                new SonarParameters(access, switches),
-                new SensorParameters(access),
+                new SonarParameters(access),
+                reported::motion,
                 new GripperParameters(access),
                 new InputOutputParameters(access),
                 new BuzzerParameters(access, bot.time()),
                 new JoystickParameters(access),
-                new IdentityParameters(access),
-                new LinkParameters(access));
+                reported::identity,
+                reported::link);
     }
 
     /** Describes what a robot with this equipment has, and nothing else. */

@@ -7,11 +7,12 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.ParameterTable;
 import majic.driver.ParameterTheme;
+import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Ramps;
 
-/** Highest speeds, accelerations and decelerations, which are sent to the robot and hold for all motions. */
+/** The motors: their highest speeds, accelerations and decelerations, which hold for all motions, and their power. */
 public final class RampParameters implements ParameterTheme<Equipment> {
     private final PioneerAccess access;
     private final Consumer<UnaryOperator<Ramps>> change;
@@ -53,6 +54,20 @@ public final class RampParameters implements ParameterTheme<Equipment> {
                 Ramps::topTurnDegPerSec,
                 Ramps::withTopTurn);
         addRamps(table, limits);
+        table.add(
+                        Parameter.yesNo("motors", "whether the motors are on"),
+                        access.state(state -> Value.yesNo(state.motorsOn())))
+                .writes(values -> power(values.get(0).isYes()));
+    }
+
+    private void power(boolean on) {
+        if (on) {
+            access.open().motors().announceOn();
+        }
+        access.sendAndConfirm(
+                ArcosCommand.ENABLE.packet(on ? 1 : 0),
+                state -> state.motorsOn() == on,
+                "the motors " + PioneerAccess.didNotSwitch(on));
     }
 
     private void addRamps(ParameterTable table, Limits limits) {

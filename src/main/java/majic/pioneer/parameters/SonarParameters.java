@@ -23,12 +23,10 @@ final class SonarParameters implements ParameterTheme<Equipment> {
     private static final int SLOWEST_MS = 1000;
 
     private final PioneerAccess access;
-    private final PowerSwitches switches;
     private final AssumedSetting cycle = new AssumedSetting();
 
-    SonarParameters(PioneerAccess access, PowerSwitches switches) {
+    SonarParameters(PioneerAccess access) {
         this.access = access;
-        this.switches = switches;
     }
 
     @Override
@@ -65,12 +63,12 @@ final class SonarParameters implements ParameterTheme<Equipment> {
         table.add(
                         Parameter.onOff("sonarPower", "whether the sonars fire"),
                         access.state(state -> Value.onOff(state.sonarOn())))
-                .writes(values -> switches.sonar(values.get(0).isYes()));
+                .writes(values -> power(values.get(0).isYes()));
         if (arrays.size() > 1) {
             arrays.forEach(array -> table.add(
                             Parameter.onOff("sonarPower" + array, "whether this array of eight discs fires"),
                             access.state(state -> Value.onOff(state.sonarOn(array))))
-                    .writes(values -> switches.sonar(array, values.get(0).isYes())));
+                    .writes(values -> power(array, values.get(0).isYes())));
         }
         table.add(
                         Parameter.number("sonarCycle", Unit.MS, "from one disc of an array to the next")
@@ -86,6 +84,21 @@ final class SonarParameters implements ParameterTheme<Equipment> {
                         cycle,
                         ArcosCommand.SONARCYCLE.packet((int) values.get(0).number()),
                         values.get(0)));
+    }
+
+    private void power(boolean on) {
+        access.sendAndConfirm(
+                ArcosCommand.SONAR.packet(on ? 1 : 0),
+                state -> state.sonarOn() == on,
+                "the sonars " + PioneerAccess.didNotSwitch(on));
+    }
+
+    /** One array, 1 to 4: bit 0 switches, a bit above chooses the array, none all of them (ARCOS sheet 6.1). */
+    private void power(int array, boolean on) {
+        access.sendAndConfirm(
+                ArcosCommand.SONAR.packet(1 << array | (on ? 1 : 0)),
+                state -> state.sonarOn(array) == on,
+                "sonar array " + array + " " + PioneerAccess.didNotSwitch(on));
     }
 
     private static Value range(int disc, PioneerState state) {

@@ -17,13 +17,11 @@ import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Equipment;
-import majic.pioneer.state.LatestReports;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
-import majic.pioneer.state.StateTracker;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -57,7 +55,6 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private volatile Ramps ramps = Ramps.careful(equipment.limits());
     private volatile @Nullable PioneerIdentity identity;
     private volatile @Nullable Config config;
-    private volatile @Nullable StateTracker tracker;
     private volatile long openedNanos;
 
     /** Is notified of what happens in a session. */
@@ -155,55 +152,47 @@ public final class PioneerSession implements PioneerConnection.Listener {
 
     @Override
     public void identified(PioneerIdentity known) {
-        identity = known;
         Model found = models.apply(known.subclass());
         model = connection.scales() ? found.scaledByLibrary() : found;
         equipment = Equipment.of(model, null);
-        tracker = new StateTracker(model, start);
+        reported.begin(model, start);
+        identity = known;
     }
 
     @Override
     public void configured(Config reportedConfig) {
-        StateTracker tracking = tracker;
         equipment = Equipment.of(model, reportedConfig);
         config = reportedConfig;
-        if (tracking != null) {
-            tracking.use(equipment.model());
-        }
+        reported.use(equipment.model());
         roundTrip.answered();
         listener.otherReported();
     }
 
     @Override
     public void reported(Report report) {
-        StateTracker tracking = tracker;
-        if (tracking != null) {
-            LatestReports reports = tracking.add(report);
-            PioneerState now = reported.last();
-            if (now != null) {
-                reported.set(now.with(reports));
-            }
-            // Last: a thread that waits for a fresh report reads the state next.
-            subscriptions.received(report);
-            listener.otherReported();
+        if (identity == null) {
+            return;
         }
+        reported.take(report);
+        // Last: a thread that waits for a fresh report reads the state next.
+        subscriptions.received(report);
+        listener.otherReported();
     }
 
     @Override
     public void reported(Sip sip) {
-        StateTracker tracking = tracker;
-        if (tracking != null) {
-            PioneerState now = tracking.track(sip, time.nanos());
-            reported.set(now);
-            motors.reported(now);
-            driving.check(now);
-            listener.stateReported(this, now);
+        if (identity == null) {
+            return;
         }
+        PioneerState now = reported.take(sip);
+        motors.reported(now);
+        driving.check(now);
+        listener.stateReported(this, now);
     }
 
     @Override
     public void ended(LinkLost cause) {
-        if (tracker != null && !lost.getAndSet(true)) {
+        if (identity != null && !lost.getAndSet(true)) {
             listener.lost(this, cause);
         }
     }
@@ -242,7 +231,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
      * most.
      */
     public void close() {
-        if (tracker != null) {
+        if (identity != null) {
             line.sendIfPossible(
                     ArcosCommand.STOP.packet(),
                     ArcosCommand.VEL.packet(0),

@@ -5,19 +5,26 @@ import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MotionStopped;
+import majic.bot.Pose;
 import majic.driver.RobotWait;
+import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
+import majic.pioneer.state.LatestReports;
+import majic.pioneer.state.Model;
+import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
+import majic.pioneer.state.StateTracker;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The last state that the robot reported in one session, and waiting for later ones. Set by the line's reader thread;
- * read and awaited from any thread.
+ * The last state that the robot reported in one session, and waiting for later ones. Reports are taken on the line's
+ * reader thread; the state is read and awaited from any thread.
  */
 public final class ReportedState {
     private final RobotLine line;
     private final RobotWait waiting;
+    private volatile StateTracker tracker = new StateTracker(Models.USUAL, Pose.START);
     private volatile @Nullable PioneerState last;
 
     /**
@@ -30,8 +37,30 @@ public final class ReportedState {
         this.waiting = waiting;
     }
 
-    void set(PioneerState state) {
-        last = state;
+    /** Begins to track a robot that has been identified; its reports come afterwards. */
+    void begin(Model model, Pose start) {
+        tracker = new StateTracker(model, start);
+    }
+
+    /** Goes on with the sonars that the robot has. */
+    void use(Model fitted) {
+        tracker.use(fitted);
+    }
+
+    /** Takes a SIP; returns the state that it makes. */
+    PioneerState take(Sip sip) {
+        PioneerState now = tracker.track(sip, waiting.time().nanos());
+        last = now;
+        return now;
+    }
+
+    /** Takes another report. */
+    void take(Report report) {
+        LatestReports reports = tracker.add(report);
+        PioneerState now = last;
+        if (now != null) {
+            last = now.with(reports);
+        }
     }
 
     /** The last state; null before the first. */

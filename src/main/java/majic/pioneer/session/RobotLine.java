@@ -4,7 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import majic.bot.LinkLost;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.state.RequestedReport;
+import majic.pioneer.arcos.ReportKind;
 import org.jspecify.annotations.Nullable;
 
 /** Carries commands to one robot, by packets or by a library. Any thread may send. */
@@ -34,7 +34,7 @@ public interface RobotLine {
     boolean isFast();
 
     /** Whether the reports of a kind come over this line. */
-    default boolean delivers(RequestedReport kind) {
+    default boolean delivers(ReportKind kind) {
         return true;
     }
 

@@ -5,7 +5,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import majic.driver.LastTimes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Report;
-import majic.pioneer.state.RequestedReport;
+import majic.pioneer.arcos.ReportKind;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
@@ -37,13 +37,13 @@ public final class Subscriptions {
     private static final int TRIES = 5;
 
     /** Once: each call of {@code values()} makes a copy. */
-    private static final RequestedReport[] KINDS = RequestedReport.values();
+    private static final ReportKind[] KINDS = ReportKind.values();
 
     private final RobotLine line;
-    private final LastTimes<RequestedReport> read;
-    private final LastTimes<RequestedReport> received;
-    private final LastTimes<RequestedReport> requested;
-    private final Map<RequestedReport, Integer> unanswered = new ConcurrentHashMap<>();
+    private final LastTimes<ReportKind> read;
+    private final LastTimes<ReportKind> received;
+    private final LastTimes<ReportKind> requested;
+    private final Map<ReportKind, Integer> unanswered = new ConcurrentHashMap<>();
 
     Subscriptions(RobotLine line, TimeSource time) {
         this.line = line;
@@ -54,7 +54,7 @@ public final class Subscriptions {
 
     /** Requests the reports that the robot has, on a fast line; to be called once, after CONFIG. */
     void begin(@Nullable Config config) {
-        for (RequestedReport kind : KINDS) {
+        for (ReportKind kind : KINDS) {
             if (line.isFast() && line.delivers(kind) && kind.isRequestedAtStart(config)) {
                 request(kind);
             }
@@ -65,7 +65,7 @@ public final class Subscriptions {
      * Notes that a report is being read, unless the thread only observes; to be called with each reading. Sends
      * nothing.
      */
-    public void read(RequestedReport kind) {
+    public void read(ReportKind kind) {
         if (!WaitPolicy.isObserving()) {
             read.record(kind);
         }
@@ -73,16 +73,13 @@ public final class Subscriptions {
 
     /** Notes that a report came. */
     void received(Report report) {
-        for (RequestedReport kind : KINDS) {
-            if (kind.brings(report)) {
-                received.record(kind);
-                unanswered.remove(kind);
-            }
-        }
+        ReportKind kind = ReportKind.of(report);
+        received.record(kind);
+        unanswered.remove(kind);
     }
 
     /** Whether the last report of a kind is less than 2 s old. */
-    public boolean isFresh(RequestedReport kind) {
+    public boolean isFresh(ReportKind kind) {
         return received.secondsSince(kind) < STALE_S;
     }
 
@@ -90,7 +87,7 @@ public final class Subscriptions {
      * Whether the line does not deliver the report, or the robot left so many requests unanswered that it counts as
      * missing.
      */
-    public boolean isMissing(RequestedReport kind) {
+    public boolean isMissing(ReportKind kind) {
         return !line.delivers(kind) || unanswered.getOrDefault(kind, 0) >= TRIES;
     }
 
@@ -99,24 +96,24 @@ public final class Subscriptions {
      * robot reports.
      */
     void requestDue() {
-        for (RequestedReport kind : KINDS) {
+        for (ReportKind kind : KINDS) {
             if (isRead(kind) && isDue(kind) && !isMissing(kind)) {
                 request(kind);
             }
         }
     }
 
-    private boolean isRead(RequestedReport kind) {
+    private boolean isRead(ReportKind kind) {
         return read.secondsSince(kind) < READ_S;
     }
 
-    private boolean isDue(RequestedReport kind) {
+    private boolean isDue(ReportKind kind) {
         boolean waiting = requested.secondsSince(kind) < REPEAT_S;
         boolean flowing = line.isFast() && isFresh(kind);
         return !waiting && !flowing;
     }
 
-    private void request(RequestedReport kind) {
+    private void request(ReportKind kind) {
         requested.record(kind);
         unanswered.merge(kind, 1, Integer::sum);
         line.send(line.isFast() ? kind.stream() : kind.once());

@@ -1,7 +1,5 @@
 package majic.pioneer.state;
 
-import majic.pioneer.arcos.SipTail;
-
 /** The state of charging (ARCOS sheet 8, CHARGESTATE). */
 public enum Charging {
     /** Not charging. */
@@ -24,8 +22,7 @@ public enum Charging {
     }
 
     /** Codes that are not in the sheet count as unknown. */
-    static Charging of(SipTail tail) {
-        int code = tail.chargeState();
+    static Charging of(int code) {
         return code >= 0 && code < UNKNOWN.ordinal() ? values()[code] : UNKNOWN;
     }
 

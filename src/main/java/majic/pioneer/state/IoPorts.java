@@ -4,7 +4,8 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import majic.pioneer.arcos.InputsOutputs;
-import majic.pioneer.arcos.SipTail;
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipField;
 
 /**
  * The controller's inputs and outputs for equipment (ARCOS sheet 8, 11.2). The user's eight digital ones are in every
@@ -30,21 +31,21 @@ public record IoPorts(
     private static final double IO_STEPS = 1023;
 
     static IoPorts of(PioneerState state) {
-        SipTail tail = state.sip().tail();
+        Sip sip = state.sip();
         InputsOutputs all =
                 state.reports().latest(InputsOutputs.class).orElse(new InputsOutputs(List.of(), List.of(), List.of()));
         return new IoPorts(
-                optional(tail.digIn()),
-                optional(tail.digOut()),
-                optional(tail.analogPort()),
-                tail.analog() == SipTail.ABSENT
-                        ? OptionalDouble.empty()
-                        : OptionalDouble.of(tail.analog() * FULL_V / SIP_STEPS),
+                optional(sip, SipField.DIG_IN),
+                optional(sip, SipField.DIG_OUT),
+                optional(sip, SipField.ANALOG_PORT),
+                sip.has(SipField.ANALOG)
+                        ? OptionalDouble.of(sip.get(SipField.ANALOG) * FULL_V / SIP_STEPS)
+                        : OptionalDouble.empty(),
                 all.digitalIn(),
                 all.analog().stream().map(steps -> steps * FULL_V / IO_STEPS).toList());
     }
 
-    private static OptionalInt optional(int field) {
-        return field == SipTail.ABSENT ? OptionalInt.empty() : OptionalInt.of(field);
+    private static OptionalInt optional(Sip sip, SipField field) {
+        return sip.has(field) ? OptionalInt.of(sip.get(field)) : OptionalInt.empty();
     }
 }

@@ -1,27 +1,30 @@
 package majic.pioneer.state;
 
+import java.util.Arrays;
 import java.util.Optional;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Report;
+import majic.pioneer.arcos.ReportKind;
+import org.jspecify.annotations.Nullable;
 
 /** The latest report of each kind that came beside the SIPs. Immutable. */
 public final class LatestReports {
-    static final LatestReports NONE = new LatestReports(new Report[0], new EncoderTicks(0, 0));
+    static final LatestReports NONE = new LatestReports(new Report[ReportKind.values().length], new EncoderTicks(0, 0));
 
-    private final Report[] latest;
+    /** By the ordinal of their kind; null before the first. */
+    private final @Nullable Report[] latest;
+
     private final EncoderTicks ticks;
 
-    private LatestReports(Report[] latest, EncoderTicks ticks) {
+    private LatestReports(@Nullable Report[] latest, EncoderTicks ticks) {
         this.latest = latest;
         this.ticks = ticks;
     }
 
     /** These with a newer report in place of the last of its kind. */
     LatestReports with(Report report) {
-        int place = place(report.getClass());
-        Report[] now = new Report[Math.max(latest.length, place + 1)];
-        System.arraycopy(latest, 0, now, 0, latest.length);
-        now[place] = report;
+        @Nullable Report[] now = latest.clone();
+        now[ReportKind.of(report).ordinal()] = report;
         return new LatestReports(now, report instanceof Encoders encoders ? counted(encoders) : ticks);
     }
 
@@ -33,17 +36,7 @@ public final class LatestReports {
 
     /** The last one of a kind; empty before the first. */
     public <R extends Report> Optional<R> latest(Class<R> kind) {
-        int place = place(kind);
-        return place < latest.length ? Optional.of(kind.cast(latest[place])) : Optional.empty();
-    }
-
-    /** Where the last report of a kind is; behind the others if there is none. */
-    private int place(Class<? extends Report> kind) {
-        int place = 0;
-        while (place < latest.length && latest[place].getClass() != kind) {
-            place++;
-        }
-        return place;
+        return Arrays.stream(latest).filter(kind::isInstance).map(kind::cast).findFirst();
     }
 
     /** What the wheels' encoders have counted, without the roll-over. */

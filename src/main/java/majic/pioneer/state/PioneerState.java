@@ -8,7 +8,7 @@ import majic.bot.Pose;
 import majic.pioneer.arcos.Gyro;
 import majic.pioneer.arcos.Joystick;
 import majic.pioneer.arcos.Sip;
-import majic.pioneer.arcos.SipTail;
+import majic.pioneer.arcos.SipField;
 
 /**
  * The state that a Pioneer last reported: its latest SIP in usual units, and the latest of each report that comes
@@ -20,8 +20,7 @@ import majic.pioneer.arcos.SipTail;
  * @param turnedDeg all turning so far, counterclockwise positive, not reduced to one turn
  * @param speedMmPerSec from the wheels, ahead positive
  * @param turnRateDegPerSec counterclockwise positive
- * @param sonar the last reading of every disc
- * @param obstacles the recent echoes of the sonars
+ * @param sonar the last reading of every disc, and the recent echoes
  * @param sipsPerSec SIPs per second, 0 before the second SIP
  * @param longestSilenceS between two SIPs of this session, seconds
  * @param atNanos when this came, on the driver's clock
@@ -34,7 +33,6 @@ public record PioneerState(
         double speedMmPerSec,
         double turnRateDegPerSec,
         SonarScan sonar,
-        ObstacleMemory obstacles,
         double sipsPerSec,
         double longestSilenceS,
         long atNanos) {
@@ -62,7 +60,6 @@ public record PioneerState(
                 speedMmPerSec,
                 turnRateDegPerSec,
                 sonar,
-                obstacles,
                 sipsPerSec,
                 longestSilenceS,
                 atNanos);
@@ -70,7 +67,7 @@ public record PioneerState(
 
     /** From the hull to the nearest obstacle on each known side, mm; infinite if none is in range. Unmodifiable. */
     public Map<Side, Double> gaps() {
-        return obstacles.gaps();
+        return sonar.gaps();
     }
 
     public boolean isMoving() {
@@ -108,15 +105,15 @@ public record PioneerState(
     }
 
     private boolean hasFlag(int bits) {
-        return (sip.flags() & bits) != 0;
+        return (sip.get(SipField.FLAGS) & bits) != 0;
     }
 
     public boolean stallLeft() {
-        return (sip.stallRear() & MOTOR_STALL) != 0;
+        return (sip.get(SipField.STALL_REAR) & MOTOR_STALL) != 0;
     }
 
     public boolean stallRight() {
-        return (sip.stallFront() & MOTOR_STALL) != 0;
+        return (sip.get(SipField.STALL_FRONT) & MOTOR_STALL) != 0;
     }
 
     public boolean stalled() {
@@ -125,18 +122,17 @@ public record PioneerState(
 
     /** The front bumper's segments as bits, segment 1 lowest (ARCOS sheet 8, 17). */
     int frontBumpers() {
-        return sip.stallFront() >> 1;
+        return sip.get(SipField.STALL_FRONT) >> 1;
     }
 
     /** The rear bumper's segments as bits, segment 1 lowest. */
     int rearBumpers() {
-        return sip.stallRear() >> 1;
+        return sip.get(SipField.STALL_REAR) >> 1;
     }
 
     /** Volts, from the field that also holds more than 25.5 V where the robot sends it. */
     public double volts() {
-        int exact = sip.tail().batteryTenths();
-        return (exact == SipTail.ABSENT ? sip.battery() : exact) / 10.0;
+        return sip.get(sip.has(SipField.BATTERY_TENTHS) ? SipField.BATTERY_TENTHS : SipField.BATTERY) / 10.0;
     }
 
     /** Battery and charger. */
@@ -151,30 +147,29 @@ public record PioneerState(
 
     /** Gripper and lift; valid only if CONFIG reports a gripper. */
     public Optional<Gripper> gripper() {
-        int bits = sip.tail().gripState();
-        return bits == SipTail.ABSENT ? Optional.empty() : Optional.of(Gripper.of(bits));
+        return sip.has(SipField.GRIP_STATE) ? Optional.of(Gripper.of(sip.get(SipField.GRIP_STATE))) : Optional.empty();
     }
 
     /** The heading of the compass, 0 to 358 in steps of 2; empty without a compass. */
     public OptionalInt compassDeg() {
-        return sip.compass() == 0 ? OptionalInt.empty() : OptionalInt.of(sip.compass() * DEG_PER_COMPASS_STEP);
+        int steps = sip.get(SipField.COMPASS);
+        return steps == 0 ? OptionalInt.empty() : OptionalInt.of(steps * DEG_PER_COMPASS_STEP);
     }
 
     /** The turn rate by the gyro, deg/s, counterclockwise positive; empty before the first report. */
     public OptionalDouble gyroDegPerSec() {
-        return reports.latest(Gyro.class).map(GyroRate::degPerSec).orElse(OptionalDouble.empty());
+        return reports.latest(Gyro.class).map(Gyro::degPerSec).orElse(OptionalDouble.empty());
     }
 
     /** Of the controller, °C; empty without a thermometer. */
     public OptionalInt temperatureC() {
-        int sent = sip.tail().temperature();
+        int sent = sip.get(SipField.TEMPERATURE);
         return sent <= NO_TEMPERATURE ? OptionalInt.empty() : OptionalInt.of(sent);
     }
 
     /** FAULT_FLAGS, 0 when all is well; empty on older firmware (ARCOS sheet 8). */
     public OptionalInt faults() {
-        int sent = sip.tail().faultFlags();
-        return sent == SipTail.ABSENT ? OptionalInt.empty() : OptionalInt.of(sent);
+        return sip.has(SipField.FAULT_FLAGS) ? OptionalInt.of(sip.get(SipField.FAULT_FLAGS)) : OptionalInt.empty();
     }
 
     /** The robot's plugged-in joystick; empty before the first report. */

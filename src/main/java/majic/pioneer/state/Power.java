@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import majic.pioneer.arcos.Batteries;
+import majic.pioneer.arcos.SipField;
 
 /**
  * Battery and charger (ARCOS sheet 8, 8.1, 11.3). Immutable.
@@ -25,9 +26,9 @@ public record Power(
                 state.reports().latest(Batteries.class).map(Batteries::cells).orElse(List.of());
         return new Power(
                 state.volts(),
-                percent(state.sip().tail().chargePercent(), cells),
-                Charging.of(state.sip().tail()),
-                (state.sip().flags() & CHARGER_GOOD) != 0,
+                percent(state.sip().get(SipField.CHARGE_PERCENT), cells),
+                Charging.of(state.sip().get(SipField.CHARGE_STATE)),
+                (state.sip().get(SipField.FLAGS) & CHARGER_GOOD) != 0,
                 cells);
     }
 

@@ -1,7 +1,7 @@
 package majic.pioneer.state;
 
 import majic.pioneer.arcos.Sip;
-import majic.pioneer.arcos.SipTail;
+import majic.pioneer.arcos.SipField;
 
 /**
  * The units of the counts in a SIP (ARCOS sheet 9.1). Immutable.
@@ -53,22 +53,23 @@ public record Scaling(
     }
 
     public double leftMmPerSec(Sip sip) {
-        return sip.lVel() * mmPerSecPerCount;
+        return sip.get(SipField.L_VEL) * mmPerSecPerCount;
     }
 
     public double rightMmPerSec(Sip sip) {
-        return sip.rVel() * mmPerSecPerCount;
+        return sip.get(SipField.R_VEL) * mmPerSecPerCount;
     }
 
     double speedMmPerSec(Sip sip) {
-        return (sip.lVel() + sip.rVel()) / 2.0 * mmPerSecPerCount;
+        return (sip.get(SipField.L_VEL) + sip.get(SipField.R_VEL)) / 2.0 * mmPerSecPerCount;
     }
 
     /** From the SIP's own field where it has one, else from the wheels. */
     double turnRateDegPerSec(Sip sip) {
-        if (sip.tail().turnRateTenths() != SipTail.ABSENT) {
-            return sip.tail().turnRateTenths() / 10.0;
+        int tenths = sip.get(SipField.TURN_RATE_TENTHS);
+        if (tenths != Sip.ABSENT) {
+            return tenths / 10.0;
         }
-        return Math.toDegrees((sip.rVel() - sip.lVel()) / 2.0 * mmPerSecPerCount * radPerMm);
+        return Math.toDegrees((sip.get(SipField.R_VEL) - sip.get(SipField.L_VEL)) / 2.0 * mmPerSecPerCount * radPerMm);
     }
 }

@@ -3,58 +3,108 @@ package majic.pioneer.state;
 import majic.bot.Pose;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipField;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Makes a state of each SIP of one session: adds up odometry, keeps sonar readings, measures the SIP rate. For one
- * thread.
+ * Makes a state of each SIP of one session: adds up the odometry, keeps sonar readings and other reports, measures the
+ * SIP rate. The counters of the odometry roll over; their differences do not (ARCOS sheet 9.2). For one thread.
  */
 public final class StateTracker {
     /** The weight of a new interval in the SIP rate. */
     private static final double RATE_SMOOTHING = 0.1;
 
-    private Model model;
-    private final Odometry odometry;
-    private ObstacleMemory obstacles;
-    private SonarScan scan = SonarScan.EMPTY;
+    /** The low bits of x and y that count; the top one is unreliable. */
+    private static final int COUNTER = 0x8000;
+
+    /** More counts than any robot covers between two SIPs: the controller has reset its odometry. */
+    private static final int LONGEST_STEP = 0x1000;
+
+    private final Scaling scaling;
+    private SonarScan sonar;
     private LatestReports reports = LatestReports.NONE;
-    private int lastFlags;
+    private @Nullable Sip last;
+    private double xMm;
+    private double yMm;
+    private double headingDeg;
+
+    /** From the robot's own frame, which its controller may reset, to that of the pose. */
+    private double rotationDeg;
+
     private double periodS;
     private double longestSilenceS;
     private long lastNanos;
 
+    /**
+     * Creates a tracker before the first SIP.
+     *
+     * @param start the pose at the first SIP
+     */
     public StateTracker(Model model, Pose start) {
-        this.model = model;
-        this.odometry = new Odometry(model.scaling(), start);
-        this.obstacles = new ObstacleMemory(model);
+        this.scaling = model.scaling();
+        this.sonar = new SonarScan(model);
+        this.xMm = start.xMm();
+        this.yMm = start.yMm();
+        this.headingDeg = start.headingDeg();
     }
 
     /** Goes on with the model with other sonars; the obstacles detected by those before are dropped. */
     public void use(Model newModel) {
-        if (!newModel.equals(model)) {
-            model = newModel;
-            obstacles = new ObstacleMemory(newModel);
-        }
+        sonar = sonar.of(newModel);
     }
 
+    /**
+     * Adds a SIP.
+     *
+     * @param nanos when it came, on the driver's clock
+     */
     public PioneerState track(Sip sip, long nanos) {
-        odometry.add(sip);
-        Pose pose = odometry.pose();
-        forgetSwitchedOff(sip.flags());
-        scan = scan.with(sip.sonar(), model.scaling().mmPerRangeCount(), nanos);
-        obstacles = obstacles.with(scan, sip.sonar(), pose, nanos);
-        time(nanos);
+        Sip before = last;
+        last = sip;
+        if (before == null) {
+            beginFrame(sip);
+        } else {
+            move(before, sip);
+            forgetSwitchedOff(before.get(SipField.FLAGS) & ~sip.get(SipField.FLAGS));
+        }
+        Pose pose = new Pose(xMm, yMm, headingDeg);
+        sonar = sonar.with(sip, pose, nanos);
+        measure(nanos);
         return new PioneerState(
                 sip,
                 reports,
                 pose,
-                odometry.turnedDeg(),
-                model.scaling().speedMmPerSec(sip),
-                model.scaling().turnRateDegPerSec(sip),
-                scan,
-                obstacles,
+                headingDeg,
+                scaling.speedMmPerSec(sip),
+                scaling.turnRateDegPerSec(sip),
+                sonar,
                 periodS > 0 ? 1 / periodS : 0,
                 longestSilenceS,
                 nanos);
+    }
+
+    private void beginFrame(Sip sip) {
+        rotationDeg = headingDeg - sip.get(SipField.TH_POS) * scaling.degPerCount();
+    }
+
+    private void move(Sip before, Sip now) {
+        int dx = difference(before, now, SipField.X_POS, COUNTER);
+        int dy = difference(before, now, SipField.Y_POS, COUNTER);
+        if (Math.abs(dx) > LONGEST_STEP || Math.abs(dy) > LONGEST_STEP) {
+            beginFrame(now);
+            return;
+        }
+        double cos = Math.cos(Math.toRadians(rotationDeg));
+        double sin = Math.sin(Math.toRadians(rotationDeg));
+        xMm += (dx * cos - dy * sin) * scaling.mmPerCount();
+        yMm += (dx * sin + dy * cos) * scaling.mmPerCount();
+        headingDeg += difference(before, now, SipField.TH_POS, scaling.countsPerTurn()) * scaling.degPerCount();
+    }
+
+    /** The shorter way from one reading of a counter to the next. */
+    private static int difference(Sip before, Sip now, SipField counter, int modulus) {
+        int ahead = Math.floorMod(now.get(counter) - before.get(counter), modulus);
+        return ahead < modulus / 2 ? ahead : ahead - modulus;
     }
 
     /**
@@ -62,27 +112,25 @@ public final class StateTracker {
      * without these flags.
      */
     private void forgetSwitchedOff(int flags) {
-        int switchedOff = lastFlags & ~flags;
-        for (int array = 1; array <= Equipment.SONAR_ARRAYS; array++) {
-            if ((switchedOff & 1 << array) != 0) {
-                scan = scan.without((array - 1) * Equipment.DISCS_OF_AN_ARRAY, Equipment.DISCS_OF_AN_ARRAY);
+        for (int array = 1; flags != 0 && array <= Equipment.SONAR_ARRAYS; array++) {
+            if ((flags & 1 << array) != 0) {
+                sonar = sonar.without((array - 1) * Equipment.DISCS_OF_AN_ARRAY, Equipment.DISCS_OF_AN_ARRAY);
             }
         }
-        lastFlags = flags;
     }
 
-    /** Adds a report, for this state and all later ones. */
-    public LatestReports add(Report report) {
-        reports = reports.with(report);
-        return reports;
-    }
-
-    private void time(long nanos) {
+    private void measure(long nanos) {
         if (lastNanos != 0) {
             double interval = (nanos - lastNanos) / 1e9;
             longestSilenceS = Math.max(longestSilenceS, interval);
             periodS = periodS == 0 ? interval : periodS + RATE_SMOOTHING * (interval - periodS);
         }
         lastNanos = nanos;
+    }
+
+    /** Adds a report, for this state and all later ones. */
+    public LatestReports add(Report report) {
+        reports = reports.with(report);
+        return reports;
     }
 }

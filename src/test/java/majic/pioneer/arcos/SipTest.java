@@ -1,8 +1,11 @@
 package majic.pioneer.arcos;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -12,51 +15,71 @@ class SipTest {
     private static final String LONGEST_TAIL =
             "21 03 80 F0 0F 1C 01 01 6A FF 02 00 F6 FF E2 4A 01 02 03 84 05 06 07 88";
 
+    private static final Set<SipField> TAIL = EnumSet.range(SipField.GRIP_STATE, SipField.FLAGS3);
+
     @Test
     void aRobotAtRestReportsZeroVelocities() {
         Sip sip = Bytes.sip(Bytes.AT_REST);
 
-        assertThat(sip.flags()).isEqualTo(0x1F);
-        assertThat(sip.battery()).isEqualTo(130);
-        assertThat(sip.sonar().count()).isEqualTo(16);
-        assertThat(sip.sonar().disc(2)).isEqualTo(2);
-        assertThat(sip.sonar().range(2)).isEqualTo(4447);
-        assertThat(sip.sonar().range(12)).isEqualTo(1752);
-        assertThat(sip.tail().digIn()).isEqualTo(0xFF);
-        assertThat(sip.tail().batteryTenths()).isEqualTo(130);
-        assertThat(sip.tail().temperature()).isEqualTo(-127);
-        assertThat(sip.tail().chargePercent()).isZero();
-        assertThat(sip.tail().flags3()).isEqualTo(SipTail.ABSENT);
+        assertThat(sip.get(SipField.FLAGS)).isEqualTo(0x1F);
+        assertThat(sip.get(SipField.BATTERY)).isEqualTo(130);
+        assertThat(sip.readings()).isEqualTo(16);
+        assertThat(sip.disc(2)).isEqualTo(2);
+        assertThat(sip.range(2)).isEqualTo(4447);
+        assertThat(sip.range(12)).isEqualTo(1752);
+        assertThat(sip.get(SipField.DIG_IN)).isEqualTo(0xFF);
+        assertThat(sip.get(SipField.BATTERY_TENTHS)).isEqualTo(130);
+        assertThat(sip.get(SipField.TEMPERATURE)).isEqualTo(-127);
+        assertThat(sip.get(SipField.CHARGE_PERCENT)).isZero();
+        assertThat(sip.has(SipField.FLAGS3)).isFalse();
     }
 
     @Test
     void aMovingRobotReportsPoseAndVelocities() {
         Sip sip = Bytes.sip(Bytes.TURNING_RIGHT);
 
-        assertThat(sip.xPos()).isEqualTo(519);
-        assertThat((short) sip.yPos()).isEqualTo((short) -107);
-        assertThat(sip.thPos()).isEqualTo(-238);
-        assertThat(sip.lVel()).isEqualTo(296);
-        assertThat(sip.rVel()).isEqualTo(203);
-        assertThat(sip.tail().turnRateTenths()).isEqualTo(-150);
+        assertThat(sip.get(SipField.X_POS)).isEqualTo(519);
+        assertThat((short) sip.get(SipField.Y_POS)).isEqualTo((short) -107);
+        assertThat(sip.get(SipField.TH_POS)).isEqualTo(-238);
+        assertThat(sip.get(SipField.L_VEL)).isEqualTo(296);
+        assertThat(sip.get(SipField.R_VEL)).isEqualTo(203);
+        assertThat(sip.get(SipField.TURN_RATE_TENTHS)).isEqualTo(-150);
     }
 
     @Test
     void bothMotorsOfAStalledRobotShow() {
         Sip sip = Bytes.sip(Bytes.STALLED);
 
-        assertThat(sip.stallRear()).isEqualTo(1);
-        assertThat(sip.stallFront()).isEqualTo(1);
-        assertThat(sip.sonar().range(3)).isEqualTo(100);
+        assertThat(sip.get(SipField.STALL_REAR)).isEqualTo(1);
+        assertThat(sip.get(SipField.STALL_FRONT)).isEqualTo(1);
+        assertThat(sip.range(3)).isEqualTo(100);
     }
 
     @Test
     void theNewestFirmwareSendsAllFieldsOfTheTail() {
-        SipTail tail = new SipBytes().sonar(3, 1000).tail(LONGEST_TAIL).sip().tail();
+        Sip sip = new SipBytes().sonar(3, 1000).tail(LONGEST_TAIL).sip();
 
-        assertThat(tail)
-                .isEqualTo(new SipTail(
-                        0x21, 3, 0x80, 0xF0, 0x0F, 284, 1, -150, 2, -10, -30, 74, 0x84030201L, 0x88070605L));
+        assertThat(TAIL.stream().map(sip::number))
+                .containsExactly(
+                        0x21L, 3L, 0x80L, 0xF0L, 0x0FL, 284L, 1L, -150L, 2L, -10L, -30L, 74L, 0x84030201L, 0x88070605L);
+    }
+
+    @Test
+    void aLineOfTextHoldsAllOfASip() {
+        Sip sip = new SipBytes()
+                .sonar(3, 1000)
+                .sonar(7, 60_000)
+                .tail(LONGEST_TAIL)
+                .sip();
+        Sip older = Bytes.sip(Bytes.AT_REST);
+
+        assertThat(Sip.parse(sip.text())).isEqualTo(sip);
+        assertThat(Sip.parse(older.text())).isEqualTo(older);
+    }
+
+    @Test
+    void aTextWithTooFewFieldsIsRefused() {
+        assertThatThrownBy(() -> Sip.parse("50 1 2 3")).hasMessage("the SIP is too short");
     }
 
     @Test
@@ -66,11 +89,11 @@ class SipTest {
             Sip sip = Sip.decode(new Packet(0x33, whole, 0, length));
 
             assertThat(sip).isNotNull();
-            assertThat(sip.sonar().range(0)).isEqualTo(1000);
-            assertThat(sip.tail().batteryTenths()).isEqualTo(length < 22 + 7 ? SipTail.ABSENT : 284);
-            assertThat(sip.tail().turnRateTenths()).isEqualTo(length < 22 + 10 ? SipTail.ABSENT : -150);
-            assertThat(sip.tail().temperature()).isEqualTo(length < 22 + 15 ? SipTail.ABSENT : -30);
-            assertThat(sip.tail().clockMicros()).isEqualTo(length < 22 + 20 ? SipTail.ABSENT : 0x84030201L);
+            assertThat(sip.range(0)).isEqualTo(1000);
+            assertThat(sip.get(SipField.BATTERY_TENTHS)).isEqualTo(length < 22 + 7 ? Sip.ABSENT : 284);
+            assertThat(sip.get(SipField.TURN_RATE_TENTHS)).isEqualTo(length < 22 + 10 ? Sip.ABSENT : -150);
+            assertThat(sip.get(SipField.TEMPERATURE)).isEqualTo(length < 22 + 15 ? Sip.ABSENT : -30);
+            assertThat(sip.number(SipField.CLOCK_MICROS)).isEqualTo(length < 22 + 20 ? Sip.ABSENT : 0x84030201L);
         }
     }
 
@@ -78,7 +101,7 @@ class SipTest {
     void whatIsLongerThanKnownIsIgnored() {
         Sip known = new SipBytes().tail(LONGEST_TAIL).sip();
 
-        assertThat(new SipBytes().tail(LONGEST_TAIL + "01 02 03").sip().tail()).isEqualTo(known.tail());
+        assertThat(new SipBytes().tail(LONGEST_TAIL + "01 02 03").sip()).isEqualTo(known);
     }
 
     @Test
@@ -87,7 +110,7 @@ class SipTest {
         Sip sip = Sip.decode(new Packet(0x32, data, 0, data.length));
 
         assertThat(sip).isNotNull();
-        assertThat(sip.sonar().count()).isZero();
+        assertThat(sip.readings()).isZero();
     }
 
     @ParameterizedTest

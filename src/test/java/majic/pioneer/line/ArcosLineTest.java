@@ -25,7 +25,7 @@ class ArcosLineTest {
     @Test
     void everyPacketIsOneWrite() {
         RecordingLink link = new RecordingLink();
-        ArcosLine line = new ArcosLine(link, TimeSource.system());
+        ArcosLine line = new ArcosLine(link, TimeSource.system(), mock());
 
         line.send(Ramps.careful(Limits.of(Models.USUAL, null)).packets());
         line.sendIfPossible(ArcosCommand.VEL.packet(0), ArcosCommand.RVEL.packet(0));
@@ -42,7 +42,7 @@ class ArcosLineTest {
         doThrow(new LinkageError("made up")).when(listener).received(any());
         ReplayLink link = new ReplayLink(Bytes.wire(0x32, new byte[1]), Bytes.wire(0x33, new byte[1]));
 
-        new ArcosLine(link, TimeSource.system()).open(listener);
+        new ArcosLine(link, TimeSource.system(), listener).open();
 
         verify(listener, timeout(WaitLimit.MS)).ended(any());
         InOrder order = inOrder(listener);

@@ -10,7 +10,7 @@ import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.Encoders;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.state.RequestedReport;
+import majic.pioneer.arcos.ReportKind;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -105,8 +105,8 @@ class SubscriptionsTest {
         read(subscriptions, 60, false);
 
         assertThat(requests()).hasSize(5);
-        assertThat(subscriptions.isMissing(RequestedReport.ENCODERS)).isTrue();
-        assertThat(subscriptions.isMissing(RequestedReport.JOYSTICK)).isFalse();
+        assertThat(subscriptions.isMissing(ReportKind.ENCODERS)).isTrue();
+        assertThat(subscriptions.isMissing(ReportKind.JOYSTICK)).isFalse();
     }
 
     private List<String> requests() {
@@ -143,7 +143,7 @@ class SubscriptionsTest {
     /** Reads the encoders for a while; the robot answers or does not. */
     private void read(Subscriptions subscriptions, double seconds, boolean answers) throws InterruptedException {
         for (double passed = 0; passed < seconds; passed += Subscriptions.PERIOD_S) {
-            subscriptions.read(RequestedReport.ENCODERS);
+            subscriptions.read(ReportKind.ENCODERS);
             pass(subscriptions, Subscriptions.PERIOD_S);
             if (answers) {
                 subscriptions.received(TICKS);

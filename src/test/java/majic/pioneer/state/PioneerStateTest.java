@@ -8,7 +8,7 @@ import majic.bot.Pose;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Joystick;
 import majic.pioneer.arcos.Packet;
-import majic.pioneer.arcos.ReportDecoder;
+import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.arcos.SipBytes;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -140,7 +140,7 @@ class PioneerStateTest {
     private PioneerState receive(String type, String data) {
         byte[] bytes = Bytes.of(data);
         Packet packet = new Packet(Integer.parseInt(type, 16), bytes, 0, bytes.length);
-        tracker.add(Objects.requireNonNull(ReportDecoder.decode(packet)));
+        tracker.add(Objects.requireNonNull(ReportKind.decode(packet)));
         return tracker.track(new SipBytes().sip(), 1);
     }
 }

@@ -8,6 +8,7 @@ import java.util.Objects;
 import majic.pioneer.arcos.Bytes;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.Sip;
+import majic.pioneer.arcos.SipField;
 import org.junit.jupiter.api.Test;
 
 class ScalingTest {
@@ -17,8 +18,8 @@ class ScalingTest {
     void aMovingRobotIsScaledByItsModel() {
         Sip sip = Bytes.sip(Bytes.TURNING_RIGHT);
 
-        assertThat(sip.xPos() * P3DX.mmPerCount()).isCloseTo(251.7, within(0.1));
-        assertThat(sip.thPos() * Scaling.DEG_PER_UNIT).isCloseTo(-20.9, within(0.1));
+        assertThat(sip.get(SipField.X_POS) * P3DX.mmPerCount()).isCloseTo(251.7, within(0.1));
+        assertThat(sip.get(SipField.TH_POS) * Scaling.DEG_PER_UNIT).isCloseTo(-20.9, within(0.1));
         assertThat(P3DX.speedMmPerSec(sip)).isEqualTo(249.5);
         assertThat(P3DX.turnRateDegPerSec(sip)).isEqualTo(-15.0);
     }

@@ -9,18 +9,18 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class ReportDecoderTest {
+class ReportKindTest {
 
     @Test
     void encodersCountBothWays() {
-        assertThat(ReportDecoder.decode(Bytes.packet("FA FB 0B 90 00 F4 01 00 00 06 FF FF 8B FF")))
+        assertThat(ReportKind.decode(Bytes.packet("FA FB 0B 90 00 F4 01 00 00 06 FF FF 8B FF")))
                 .isEqualTo(new Encoders(128_000, -64_000));
     }
 
     @Test
     void portsAreAsManyAsReported() {
         InputsOutputs ports = (InputsOutputs)
-                ReportDecoder.decode(Bytes.packet("FA FB 0F F0 04 FF FF FF FF 01 00 02 00 02 BC 02 F5 BC"));
+                ReportKind.decode(Bytes.packet("FA FB 0F F0 04 FF FF FF FF 01 00 02 00 02 BC 02 F5 BC"));
 
         assertThat(ports).isNotNull();
         assertThat(ports.digitalIn()).containsExactly(255, 255, 255, 255);
@@ -71,12 +71,12 @@ class ReportDecoderTest {
         Arrays.fill(full, (byte) 0xFF);
         for (int length = 0; length <= full.length; length++) {
             Packet packet = new Packet(type, full, 0, length);
-            assertThat(String.valueOf(ReportDecoder.decode(packet))).hasSizeLessThan(300);
+            assertThat(String.valueOf(ReportKind.decode(packet))).hasSizeLessThan(300);
         }
     }
 
     private static @Nullable Report decode(int type, String data) {
         byte[] bytes = Bytes.of(data);
-        return ReportDecoder.decode(new Packet(type, bytes, 0, bytes.length));
+        return ReportKind.decode(new Packet(type, bytes, 0, bytes.length));
     }
 }

@@ -7,7 +7,7 @@ import majic.bot.Pose;
 import majic.pioneer.arcos.SipBytes;
 import org.junit.jupiter.api.Test;
 
-class ObstacleMemoryTest {
+class SonarScanTest {
     private static final int NOTHING = 5000;
     private static final long SECOND = 1_000_000_000;
 
