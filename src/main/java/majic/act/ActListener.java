@@ -1,6 +1,7 @@
 package majic.act;
 
 import java.util.List;
+import majic.bot.BotException;
 
 /** Receives the events of a running act, on the act's thread. */
 interface ActListener {
@@ -12,12 +13,14 @@ interface ActListener {
     void said(String words);
 
     /**
-     * Shows readings of the act's robots as curves.
+     * Shows readings of the act's robots as curves; without a window it is refused.
      *
      * @param parameters their names
-     * @throws majic.bot.BotException if they cannot be shown
+     * @throws BotException if they cannot be shown
      */
-    void plot(List<String> parameters);
+    default void plot(List<String> parameters) {
+        throw new BotException("a plot needs the window of MAJIC, which is not open");
+    }
 
     /** Receives the end of the act, after its clean-up; the act can no longer use a robot. */
     void ended();

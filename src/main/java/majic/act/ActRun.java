@@ -49,9 +49,7 @@ public final class ActRun {
     private final Owner owner;
     private final Permit permit;
     private final AtomicReference<Phase> phase = new AtomicReference<>(Phase.RUNNING);
-    private volatile BiConsumer<List<Member>, List<String>> plots = (its, parameters) -> {
-        throw new BotException("a plot needs the window of MAJIC, which is not open");
-    };
+    private volatile @Nullable BiConsumer<List<Member>, List<String>> plots;
     private volatile boolean calledOff;
     private volatile boolean halted;
     private volatile boolean over;
@@ -248,8 +246,11 @@ public final class ActRun {
 
         @Override
         public void plot(List<String> parameters) {
-            if (!isCutShort()) {
-                plots.accept(members, parameters.stream().map(this::plotted).toList());
+            BiConsumer<List<Member>, List<String>> window = plots;
+            if (window == null) {
+                ActListener.super.plot(parameters);
+            } else if (!isCutShort()) {
+                window.accept(members, parameters.stream().map(this::plotted).toList());
             }
         }
 

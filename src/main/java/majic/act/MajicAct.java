@@ -205,11 +205,6 @@ public abstract class MajicAct extends Thread implements Serializable {
             }
 
             @Override
-            public void plot(List<String> parameters) {
-                throw new BotException("a plot needs the window of MAJIC, which is not open");
-            }
-
-            @Override
             public void ended() {
                 warn(failure, " failed");
                 warn(endingFailure, " failed in its ended()");
