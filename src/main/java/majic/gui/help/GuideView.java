@@ -4,6 +4,8 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.Rectangle;
 import java.awt.geom.Rectangle2D;
+import java.io.IOException;
+import java.io.StringReader;
 import java.util.List;
 import javax.swing.BorderFactory;
 import javax.swing.JEditorPane;
@@ -18,16 +20,20 @@ import majic.gui.kit.EventThread;
 import majic.gui.kit.Palette;
 import org.jspecify.annotations.Nullable;
 
-/** Shows pages of the documents, one below the other; reads them in the background when they are to be shown first. */
+/**
+ * Shows pages of the documents, one below the other. They are read and their HTML is parsed in the background, which
+ * takes most of the time, each time when they are to be shown with another search or in other colours.
+ */
 final class GuideView extends JScrollPane {
     private static final long serialVersionUID = 1L;
 
     private final transient List<String> names;
     private final String title;
     private final JEditorPane text = new JEditorPane();
-    private transient @Nullable GuidePage page;
-    private String wanted = "";
+    private transient volatile @Nullable GuidePage page;
+    private @Nullable String wanted;
     private String section = "";
+    private transient @Nullable HTMLEditorKit newest;
 
     /**
      * Creates an empty view.
@@ -47,16 +53,7 @@ final class GuideView extends JScrollPane {
     /** Shows the parts of the pages that contain a text; all of them for an empty text. */
     void search(String newWanted) {
         wanted = newWanted;
-        if (page == null) {
-            EventThread.background("reading the guide", () -> {
-                GuidePage read = GuidePage.read(names);
-                EventThread.later(() -> {
-                    page = read;
-                    render();
-                });
-            });
-        }
-        render();
+        render(newWanted);
     }
 
     /** Shows a section at the top whenever all sections are shown. */
@@ -64,27 +61,55 @@ final class GuideView extends JScrollPane {
         section = newSection;
     }
 
-    /** Renders the page again in the colours of the look and feel. */
+    /** Renders the pages again in the colours of the look and feel. */
     @Override
     public void updateUI() {
         super.updateUI();
-        if (text != null) {
-            render();
+        if (text != null && wanted != null) {
+            render(wanted);
         }
     }
 
-    private void render() {
+    private void render(String words) {
+        HTMLEditorKit kit = new HTMLEditorKit();
+        newest = kit;
+        EventThread.background("reading the guide", () -> {
+            HTMLDocument document = document(kit, pages().html(words));
+            EventThread.later(() -> {
+                if (kit == newest) {
+                    show(kit, document, words.isEmpty());
+                }
+            });
+        });
+    }
+
+    private GuidePage pages() {
         GuidePage known = page;
-        if (known != null) {
-            HTMLEditorKit kit = new HTMLEditorKit();
-            kit.setStyleSheet(styles(kit.getStyleSheet()));
-            text.setEditorKit(kit);
-            text.getAccessibleContext().setAccessibleName(title);
-            text.setText("<html><body>" + known.html(wanted) + "</body></html>");
-            text.setCaretPosition(0);
-            if (wanted.isEmpty()) {
-                EventThread.later(this::scroll);
-            }
+        if (known == null) {
+            known = GuidePage.read(names);
+            page = known;
+        }
+        return known;
+    }
+
+    private static HTMLDocument document(HTMLEditorKit kit, String html) {
+        kit.setStyleSheet(styles(kit.getStyleSheet()));
+        HTMLDocument document = (HTMLDocument) kit.createDefaultDocument();
+        try {
+            kit.read(new StringReader("<html><body>" + html + "</body></html>"), document, 0);
+        } catch (IOException | BadLocationException e) {
+            throw new IllegalStateException(e);
+        }
+        return document;
+    }
+
+    private void show(HTMLEditorKit kit, HTMLDocument document, boolean isWhole) {
+        text.setEditorKit(kit);
+        text.getAccessibleContext().setAccessibleName(title);
+        text.setDocument(document);
+        text.setCaretPosition(0);
+        if (isWhole) {
+            EventThread.later(this::scroll);
         }
     }
 
