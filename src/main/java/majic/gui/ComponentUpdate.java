@@ -8,7 +8,6 @@ import java.util.Deque;
 import java.util.List;
 import javax.swing.JComponent;
 import javax.swing.JMenu;
-import javax.swing.JPopupMenu;
 import majic.gui.kit.EventThread;
 
 /**
@@ -21,12 +20,27 @@ final class ComponentUpdate {
 
     private final Window window;
 
-    /** Each before its children, which it may replace when it is updated. */
+    /** Each behind its children, so that what it sets on them stays. */
     private final Deque<Component> waiting = new ArrayDeque<>();
 
     private ComponentUpdate(Window window) {
         this.window = window;
-        waiting.add(window);
+        collect(window);
+    }
+
+    private void collect(Component component) {
+        waiting.push(component);
+        if (component instanceof JComponent updated && updated.getComponentPopupMenu() != null) {
+            collect(updated.getComponentPopupMenu());
+        }
+        children(component).forEach(this::collect);
+    }
+
+    private static List<Component> children(Component component) {
+        if (component instanceof JMenu menu) {
+            return List.of(menu.getMenuComponents());
+        }
+        return component instanceof Container container ? List.of(container.getComponents()) : List.of();
     }
 
     /** Begins to update a window; must be called on the event dispatch thread. */
@@ -37,27 +51,11 @@ final class ComponentUpdate {
     private void continued() {
         long beganNanos = System.nanoTime();
         while (!waiting.isEmpty() && System.nanoTime() - beganNanos < PIECE_NANOS) {
-            update(waiting.pop());
-        }
-        EventThread.piece(waiting.isEmpty() ? this::show : this::continued);
-    }
-
-    private void update(Component component) {
-        if (component instanceof JComponent updated) {
-            updated.updateUI();
-            JPopupMenu menu = updated.getComponentPopupMenu();
-            if (menu != null) {
-                waiting.push(menu);
+            if (waiting.pop() instanceof JComponent component) {
+                component.updateUI();
             }
         }
-        children(component).forEach(waiting::push);
-    }
-
-    private static List<Component> children(Component component) {
-        if (component instanceof JMenu menu) {
-            return List.of(menu.getMenuComponents());
-        }
-        return component instanceof Container container ? List.of(container.getComponents()) : List.of();
+        EventThread.piece(waiting.isEmpty() ? this::show : this::continued);
     }
 
     private void show() {

@@ -193,8 +193,9 @@ class ScriptEditorWindowTest {
         Font font = area.getFont();
         Color light = area.getBackground();
         window.run(window.entry("Dark")::doClick);
-        window.await("a dark text", () -> area.getBackground().getRed() < 128);
-        assertThat(area.getFont()).isEqualTo(font);
+        window.await(
+                "a dark text in its font",
+                () -> area.getBackground().getRed() < 128 && area.getFont().equals(font));
         window.run(window.entry("Light")::doClick);
         window.await("a light text", () -> area.getBackground().equals(light));
     }
