@@ -7,7 +7,6 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.text.Texts;
 
@@ -54,13 +53,13 @@ record GuidePage(List<Section> sections) {
         }
     }
 
-    /** Returns the HTML of the sections that contain a text, whatever its case; of all for an empty text. */
-    String html(String wanted) {
+    /** Returns the HTML of each section that contains a text, whatever its case; of all for an empty text. */
+    List<String> html(String wanted) {
         String lower = wanted.toLowerCase(Locale.ROOT);
-        String found = sections.stream()
+        List<String> found = sections.stream()
                 .filter(section -> section.words().toLowerCase(Locale.ROOT).contains(lower))
                 .map(Section::html)
-                .collect(Collectors.joining());
-        return found.isEmpty() ? "<p>" + TEXTS.get("guide.nothing") + "</p>" : found;
+                .toList();
+        return found.isEmpty() ? List.of("<p>" + TEXTS.get("guide.nothing") + "</p>") : found;
     }
 }

@@ -13,6 +13,8 @@ import javax.swing.JScrollPane;
 import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Element;
+import javax.swing.text.StyleConstants;
+import javax.swing.text.html.HTML;
 import javax.swing.text.html.HTMLDocument;
 import javax.swing.text.html.HTMLEditorKit;
 import javax.swing.text.html.StyleSheet;
@@ -21,8 +23,8 @@ import majic.gui.kit.Palette;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows pages of the documents, one below the other. They are read and their HTML is parsed in the background, which
- * takes most of the time, each time when they are to be shown with another search or in other colours.
+ * Shows pages of the documents, one below the other. They are read in the background, and their sections are added one
+ * by one in pieces of the event dispatch thread, because their layout takes a second.
  */
 final class GuideView extends JScrollPane {
     private static final long serialVersionUID = 1L;
@@ -48,6 +50,8 @@ final class GuideView extends JScrollPane {
         text.setName("guide " + names.get(0));
         text.setBorder(BorderFactory.createEmptyBorder(4, 12, 8, 12));
         setViewportView(text);
+        // Without it, the text becomes narrower while it grows, and all of it is laid out again.
+        setVerticalScrollBarPolicy(VERTICAL_SCROLLBAR_ALWAYS);
     }
 
     /** Shows the parts of the pages that contain a text; all of them for an empty text. */
@@ -74,10 +78,12 @@ final class GuideView extends JScrollPane {
         HTMLEditorKit kit = new HTMLEditorKit();
         newest = kit;
         EventThread.background("reading the guide", () -> {
-            HTMLDocument document = document(kit, pages().html(words));
+            kit.setStyleSheet(styles(kit.getStyleSheet()));
+            List<String> sections = pages().html(words);
+            HTMLDocument document = document(kit, sections.get(0));
             EventThread.later(() -> {
                 if (kit == newest) {
-                    show(kit, document, words.isEmpty());
+                    show(kit, document, sections);
                 }
             });
         });
@@ -93,7 +99,6 @@ final class GuideView extends JScrollPane {
     }
 
     private static HTMLDocument document(HTMLEditorKit kit, String html) {
-        kit.setStyleSheet(styles(kit.getStyleSheet()));
         HTMLDocument document = (HTMLDocument) kit.createDefaultDocument();
         try {
             kit.read(new StringReader("<html><body>" + html + "</body></html>"), document, 0);
@@ -103,14 +108,33 @@ final class GuideView extends JScrollPane {
         return document;
     }
 
-    private void show(HTMLEditorKit kit, HTMLDocument document, boolean isWhole) {
+    private void show(HTMLEditorKit kit, HTMLDocument document, List<String> sections) {
         text.setEditorKit(kit);
         text.getAccessibleContext().setAccessibleName(title);
         text.setDocument(document);
         text.setCaretPosition(0);
-        if (isWhole) {
-            EventThread.later(this::scroll);
+        addFrom(1, kit, document, sections);
+    }
+
+    /** Adds the sections from one on, as long as nothing else is to be shown. */
+    private void addFrom(int first, HTMLEditorKit kit, HTMLDocument document, List<String> sections) {
+        if (kit != newest) {
+            return;
         }
+        if (first == sections.size()) {
+            if (wanted != null && wanted.isEmpty()) {
+                scroll();
+            }
+            return;
+        }
+        Element body =
+                document.getElement(document.getDefaultRootElement(), StyleConstants.NameAttribute, HTML.Tag.BODY);
+        try {
+            document.insertBeforeEnd(body, sections.get(first));
+        } catch (IOException | BadLocationException e) {
+            throw new IllegalStateException(e);
+        }
+        EventThread.piece(() -> addFrom(first + 1, kit, document, sections));
     }
 
     private void scroll() {
