@@ -7,6 +7,7 @@ import com.sun.jna.Native;
 import com.sun.jna.Platform;
 import java.lang.System.Logger.Level;
 import java.util.Arrays;
+import java.util.function.IntSupplier;
 
 /**
  * A pseudo-terminal in raw mode. Its client side is kept open here too, so that it stays raw and usable while clients
@@ -23,6 +24,7 @@ final class PseudoTerminal {
     private static final int POLLFD_BYTES = 8;
     private static final int POLLIN = 1;
     private static final int EINTR = 4;
+    private static final int EAGAIN = Platform.isMac() ? 35 : 11;
 
     private final CLibrary c;
     private final int master;
@@ -99,15 +101,22 @@ final class PseudoTerminal {
             }
         }
         byte[] chunk = new byte[1024];
-        return Arrays.copyOf(chunk, Math.max(0, c.read(master, chunk, chunk.length)));
+        return Arrays.copyOf(chunk, Math.max(0, tried(() -> c.read(master, chunk, chunk.length))));
     }
 
-    /** A signal to the process ends the wait early; that is no failure. */
     private int poll(Memory descriptor, int timeoutMs) throws LastErrorException {
+        return tried(() -> c.poll(descriptor, 1, timeoutMs));
+    }
+
+    /**
+     * Returns what a call of the C library returns, or 0 if it is to be repeated: a signal to the process ends a wait
+     * early, and a system may report bytes that it has not yet got (poll(2), "Bugs").
+     */
+    private static int tried(IntSupplier call) throws LastErrorException {
         try {
-            return c.poll(descriptor, 1, timeoutMs);
+            return call.getAsInt();
         } catch (LastErrorException e) {
-            if (e.getErrorCode() == EINTR) {
+            if (e.getErrorCode() == EINTR || e.getErrorCode() == EAGAIN) {
                 return 0;
             }
             throw e;
