@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.locks.LockSupport;
 import majic.bot.Pose;
 import majic.inlab.LabRig;
 import majic.inlab.acts.ActLabs;
@@ -30,6 +31,7 @@ class NativeProgramsTest {
     private static final Path PROGRAMS = Path.of("examples", "native");
     private static final double LONGEST_S = 600;
     private static final double STEP_S = 0.02;
+    private static final long LOOK_AGAIN_NANOS = 100_000;
 
     @Test
     void theAiboWandersByItsScriptAndTurnsAtTheWall() throws Exception {
@@ -99,12 +101,12 @@ class NativeProgramsTest {
 
     /**
      * Waits until the program has asked for readings and set the speeds twice, so that the speeds are by the readings
-     * of now.
+     * of now. Leaves the processor to the program and the robot meanwhile, which have 1 s of real time for an answer.
      */
     private static void awaitCommands(LabRig rig, String port, Process program) {
         long enough = consumed(rig, port) + 2 * "N?D,2,4?".length();
         while (consumed(rig, port) < enough && program.isAlive()) {
-            Thread.onSpinWait();
+            LockSupport.parkNanos(LOOK_AGAIN_NANOS);
         }
     }
 
