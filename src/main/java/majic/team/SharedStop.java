@@ -1,8 +1,16 @@
 package majic.team;
 
 /** The programs that share the STOP of a team: its STOP latches them, and theirs latches the team. */
-@FunctionalInterface
 public interface SharedStop {
+    /**
+     * Receives that STOP of the team was latched or released. A STOP has been written to the robots then. Calls of this
+     * method and of {@link #release} come one at a time, in the order of the changes, whatever the listeners of the
+     * team do. Returns at once.
+     *
+     * @param latched true after STOP
+     */
+    void latchChanged(boolean latched);
+
     /**
      * Releases STOP for all of these programs, by {@link Team#releaseAlone} for the team, or reports to the listeners
      * of the team why it stays latched. Returns at once.

@@ -12,6 +12,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.driver.BotDriver;
+import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
@@ -45,6 +46,9 @@ public final class Team implements AutoCloseable {
     private volatile boolean latched;
     private volatile @Nullable StopOrigin stopOrigin;
     private volatile @Nullable SharedStop sharedStop;
+
+    /** What the programs that share STOP have not received yet. */
+    private final OrderedEvents sharing = new OrderedEvents();
 
     /**
      * Creates an empty team of at most {@link #MAX_BOTS} robots.
@@ -296,6 +300,7 @@ public final class Team implements AutoCloseable {
      */
     private void notifyAfterStop(List<Leases.Stopped> stopped, Runnable afterwards) {
         List<Runnable> callbacks = new ArrayList<>();
+        callbacks.add(sharing::deliver);
         stopped.forEach(one -> one.ended().forEach(owner -> callbacks.add(owner::endLoggingErrors)));
         callbacks.add(() -> {
             stopped.forEach(Leases.Stopped::answer);
@@ -330,10 +335,14 @@ public final class Team implements AutoCloseable {
             return;
         }
         AtomicBoolean decided = new AtomicBoolean();
-        shared.release(() -> {
+        Runnable release = () -> shared.release(() -> {
             decided.set(true);
             changes.raise();
         });
+        synchronized (latching) {
+            sharing.put(release);
+        }
+        sharing.deliver();
         if (!WaitPolicy.isAllowed()) {
             return;
         }
@@ -349,6 +358,7 @@ public final class Team implements AutoCloseable {
         latch(false, null);
         members().forEach(Member::release);
         stopReceipts.released();
+        sharing.deliver();
         events.deliver();
     }
 
@@ -358,6 +368,10 @@ public final class Team implements AutoCloseable {
             stopOrigin = origin;
             latched = on;
             events.put(listener -> listener.latchChanged(on));
+            SharedStop shared = sharedStop;
+            if (shared != null) {
+                sharing.put(() -> shared.latchChanged(on));
+            }
         }
     }
 

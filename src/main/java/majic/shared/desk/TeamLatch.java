@@ -18,7 +18,6 @@ import majic.shared.message.Sender;
 import majic.team.SharedStop;
 import majic.team.StopOrigin;
 import majic.team.Team;
-import majic.team.TeamListener;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,7 +26,7 @@ import org.jspecify.annotations.Nullable;
  * that has joined a site. Thread-safe; calls no listener and stops nothing while it holds its lock, but publishes, so
  * that each broker receives STOPs and releases in the order of the changes.
  */
-final class TeamLatch implements TeamListener, SharedStop {
+final class TeamLatch implements SharedStop {
     private static final Map<Team, TeamLatch> LATCHES = new HashMap<>();
     private static final int MOST_KNOWN = 1000;
 
@@ -104,7 +103,6 @@ final class TeamLatch implements TeamListener, SharedStop {
             if (latch == null) {
                 latch = new TeamLatch(team);
                 LATCHES.put(team, latch);
-                team.addListener(latch);
                 team.shareStop(latch);
                 latch.adoptPresentLatch();
             }
@@ -118,7 +116,6 @@ final class TeamLatch implements TeamListener, SharedStop {
             sites.remove(site);
             if (sites.isEmpty() && LATCHES.remove(team, this)) {
                 team.shareStop(null);
-                team.removeListener(this);
             }
         }
     }

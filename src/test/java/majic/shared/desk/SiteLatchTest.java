@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.FakeBot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -21,6 +22,7 @@ import majic.shared.message.Sender;
 import majic.team.StopOrigin;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.time.Signal;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -153,6 +155,39 @@ class SiteLatchTest {
         assertThat(stop.by()).isEqualTo("Bob at desk3");
         assertThat(stop.time()).isNotNull();
         connection.restore();
+    }
+
+    /** A listener that blocks keeps the others from events for as long as it likes, but not the site from STOP. */
+    @Test
+    void aBlockedListenerDelaysNeitherStopNorReleaseOfTheSite() {
+        Team slow = new Team(rig.clock.time());
+        Signal never = rig.clock.time().signal();
+        AtomicBoolean blocked = new AtomicBoolean(true);
+        slow.addListener(new TeamListener() {
+            @Override
+            public void latchChanged(boolean latched) {
+                try {
+                    never.await(() -> !blocked.get(), Signal.FOR_EVER);
+                } catch (InterruptedException e) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+        });
+        try (DeskSharing third = rig.sharing("desk4", slow)) {
+            third.start();
+            slow.stopAll();
+            bothLatched(true);
+            rig.clock.aside(slow::release);
+            bothLatched(false);
+
+            rig.team.stopAll();
+            rig.clock.until(slow::isLatched);
+            rig.clock.aside(slow::release);
+            bothLatched(false);
+            blocked.set(false);
+            never.raise();
+        }
+        slow.close();
     }
 
     private FakeConnection open(String clientId) {
