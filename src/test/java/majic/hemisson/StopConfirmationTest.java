@@ -32,7 +32,7 @@ class StopConfirmationTest {
         HemissonSession session = sessions.open(mock());
         session.start();
         conversation = session.conversation();
-        conversation.mayBeDeafened(false);
+        conversation.setDeafenable(false);
         conversation.stop();
         robot.clock().until(conversation::isStopped);
     }

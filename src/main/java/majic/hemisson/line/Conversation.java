@@ -57,23 +57,23 @@ public final class Conversation {
     }
 
     /** Sets whether more than two characters may deafen the robot; true at first. */
-    public void mayBeDeafened(boolean now) {
+    public void setDeafenable(boolean now) {
         synchronized (lock) {
-            state.stops().mayBeDeafened(now);
+            state.stops().setDeafenable(now);
         }
     }
 
     /** Sets whether the robot's running mode overrides the speeds that were sent. */
-    public void setsItsOwnSpeeds(boolean now) {
+    public void setOwnSpeeds(boolean now) {
         synchronized (lock) {
-            state.stops().setsItsOwnSpeeds(now);
+            state.stops().setOwnSpeeds(now);
         }
     }
 
     /** Whether the robot's running mode overrides the speeds that were sent. */
-    boolean setsItsOwnSpeeds() {
+    boolean hasOwnSpeeds() {
         synchronized (lock) {
-            return state.stops().setsItsOwnSpeeds();
+            return state.stops().hasOwnSpeeds();
         }
     }
 

@@ -102,7 +102,7 @@ final class ConversationState {
         if (question.purpose() == Purpose.MOTION && motion.isDoubtful() && isStopping()) {
             return "it has not yet confirmed the stop";
         }
-        if (stops.mayBeDeafened() && !question.isBrief()) {
+        if (stops.isDeafenable() && !question.isBrief()) {
             return DEAFENING;
         }
         return question.isLong() && motion.mayMove() ? SendOrder.TOO_LONG : null;

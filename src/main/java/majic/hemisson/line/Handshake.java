@@ -72,8 +72,8 @@ public final class Handshake {
      */
     private void stop(Identity identity, @Nullable Reply speeds) {
         boolean speedsAreZero = speeds != null && speeds.numbers().stream().allMatch(speed -> speed == 0);
-        session.conversation().mayBeDeafened(speedsAreZero && !identity.listens());
-        session.conversation().setsItsOwnSpeeds(identity.setsItsOwnSpeeds());
+        session.conversation().setDeafenable(speedsAreZero && !identity.listens());
+        session.conversation().setOwnSpeeds(identity.hasOwnSpeeds());
         if (speedsAreZero && !identity.listens()) {
             return;
         }

@@ -37,7 +37,7 @@ public record Identity(String version, List<Integer> switches, boolean tellsSpee
     }
 
     /** Whether its running mode overrides the motor values that are sent. Other firmware may have no modes. */
-    public boolean setsItsOwnSpeeds() {
+    public boolean hasOwnSpeeds() {
         return listens() && !isRemoteControlled();
     }
 

@@ -63,7 +63,7 @@ public final class StopConfirmation {
         }
         Conversation conversation = open.conversation();
         double seconds = 2 * open.timeoutSeconds() + BESIDE_ANSWERS_S;
-        seconds += conversation.setsItsOwnSpeeds() ? OWN_SPEEDS_S : 0;
+        seconds += conversation.hasOwnSpeeds() ? OWN_SPEEDS_S : 0;
         long before = conversation.confirmations();
         BooleanSupplier stopped = () -> conversation.isStopped() || conversation.confirmations() > before;
         waiting.awaitClosing(() -> stopped.getAsBoolean() || conversation.isOverridden() || isOver(open), seconds);

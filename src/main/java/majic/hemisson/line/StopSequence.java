@@ -14,7 +14,7 @@ final class StopSequence {
     private static final long OWN_SPEEDS_NANOS = 950_000_000;
 
     private final MotionState motion;
-    private boolean mayBeDeafened = true;
+    private boolean deafenable = true;
     private boolean ownSpeeds;
     private long stoppedNanos;
     private int disobeyed;
@@ -45,19 +45,19 @@ final class StopSequence {
      * Whether the robot may be in a state in which its motors are off and more than two characters deafen it (Hemisson
      * sheet 7).
      */
-    boolean mayBeDeafened() {
-        return mayBeDeafened;
+    boolean isDeafenable() {
+        return deafenable;
     }
 
-    void mayBeDeafened(boolean now) {
-        mayBeDeafened = now;
+    void setDeafenable(boolean now) {
+        deafenable = now;
     }
 
-    boolean setsItsOwnSpeeds() {
+    boolean hasOwnSpeeds() {
         return ownSpeeds;
     }
 
-    void setsItsOwnSpeeds(boolean now) {
+    void setOwnSpeeds(boolean now) {
         ownSpeeds = now;
     }
 
@@ -68,7 +68,7 @@ final class StopSequence {
 
     /** The command that stops the robot; a robot that may be deafened is asked for its speeds instead. */
     Question stop() {
-        return mayBeDeafened ? Question.VERIFY : Question.STOP;
+        return deafenable ? Question.VERIFY : Question.STOP;
     }
 
     /**
@@ -98,7 +98,7 @@ final class StopSequence {
 
     private Next speedsAnswered(Reply reply, long nowNanos) {
         if (reply.numbers().stream().anyMatch(speed -> speed != 0)) {
-            mayBeDeafened = false;
+            deafenable = false;
             disobeyed++;
             return disobeyed == 1 ? Next.STOP : Next.STOP_LATER;
         }
@@ -123,6 +123,6 @@ final class StopSequence {
     void wasReset() {
         motion.wasReset();
         disobeyed = 0;
-        mayBeDeafened = true;
+        deafenable = true;
     }
 }

@@ -39,7 +39,7 @@ public final class MotorCheck {
             return null;
         }
         String set = speeds.numbers().stream().map(String::valueOf).collect(Collectors.joining(" and "));
-        if (identity.setsItsOwnSpeeds()) {
+        if (identity.hasOwnSpeeds()) {
             return "it runs in the mode \"" + RunningMode.of(identity.switches()) + "\" (switches "
                     + identity.switches() + "), which sets its wheels to " + set + "; " + Identity.REMEDY;
         }

@@ -57,8 +57,8 @@ final class RestartCheck {
         }
         modeUnknown = false;
         identity = identity.restarted(reply.numbers());
-        conversation.mayBeDeafened(!identity.listens());
-        conversation.setsItsOwnSpeeds(identity.setsItsOwnSpeeds());
+        conversation.setDeafenable(!identity.listens());
+        conversation.setOwnSpeeds(identity.hasOwnSpeeds());
         warnOfMode();
     }
 

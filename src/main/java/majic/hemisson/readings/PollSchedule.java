@@ -29,7 +29,7 @@ public final class PollSchedule {
      */
     public Question next(long nowNanos, boolean inMotion, Identity identity) {
         turn = (turn + 1) % ROUND;
-        if (inMotion && turn % 2 == 1 && identity.setsItsOwnSpeeds() && identity.tellsSpeeds()) {
+        if (inMotion && turn % 2 == 1 && identity.hasOwnSpeeds() && identity.tellsSpeeds()) {
             return Question.SPEEDS;
         }
         Question requested = turn % 4 == 1 ? requested(nowNanos, inMotion) : null;

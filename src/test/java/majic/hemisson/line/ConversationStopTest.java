@@ -201,7 +201,7 @@ class ConversationStopTest {
 
     @Test
     void aRobotThatSetsItsOwnSpeedsCountsAsStoppedAfterASecondOfZeros() {
-        rig.conversation.setsItsOwnSpeeds(true);
+        rig.conversation.setOwnSpeeds(true);
         rig.conversation.stop();
         rig.receive("d");
         rig.pass(0.1);

@@ -15,7 +15,7 @@ class OutOfControlTest {
 
     @BeforeEach
     void beginInRemoteControl() {
-        conversation.mayBeDeafened(false);
+        conversation.setDeafenable(false);
     }
 
     @Test

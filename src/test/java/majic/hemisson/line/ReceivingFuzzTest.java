@@ -74,7 +74,7 @@ class ReceivingFuzzTest {
         ManualClock clock = new ManualClock();
         RecordingLink link = new RecordingLink();
         Conversation conversation = new Conversation(link, clock, LineTimes.CABLE, new RecordedEvents());
-        conversation.mayBeDeafened(false);
+        conversation.setDeafenable(false);
         conversation.ask(Question.PROXIMITY);
         conversation.stop();
         for (String line : decode(wire, 512)) {

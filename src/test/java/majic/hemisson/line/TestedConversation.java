@@ -14,7 +14,7 @@ final class TestedConversation {
 
     private TestedConversation(LineTimes times) {
         conversation = new Conversation(link, clock, times, events);
-        conversation.mayBeDeafened(false);
+        conversation.setDeafenable(false);
     }
 
     static TestedConversation overCable() {
