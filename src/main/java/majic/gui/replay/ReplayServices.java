@@ -3,9 +3,14 @@ package majic.gui.replay;
 import java.util.List;
 import java.util.function.Supplier;
 import javax.swing.JComponent;
+import majic.bot.BotAddress;
+import majic.bot.BotException;
 import majic.bot.BotType;
+import majic.bot.MajicBot;
+import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.recorder.RecordedRobot;
+import majic.text.Texts;
 
 /**
  * What a replay needs of the program. Immutable.
@@ -21,5 +26,34 @@ public record ReplayServices(Settings settings, List<BotType> types, Supplier<? 
                 .filter(type -> type.name().equals(robot.type()))
                 .findFirst()
                 .orElseGet(() -> new RecordedType(robot));
+    }
+
+    /** The type of a recorded robot of which no driver is installed. */
+    private record RecordedType(String name, String label, String make) implements BotType {
+        private static final Texts TEXTS = Texts.of(RecordedType.class);
+
+        RecordedType(RecordedRobot robot) {
+            this(robot.type(), robot.label(), robot.make());
+        }
+
+        @Override
+        public List<Reach> reaches() {
+            return List.of(Reach.TCP);
+        }
+
+        @Override
+        public int defaultPort(String scheme) {
+            return 0;
+        }
+
+        @Override
+        public MajicBot create(BotAddress address, BotEnvironment environment) {
+            throw new BotException(TEXTS.get("noDriver", name));
+        }
+
+        @Override
+        public String advice() {
+            return "";
+        }
     }
 }
