@@ -1,7 +1,10 @@
 package majic.pioneer.parameters;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import majic.bot.MotionFailed;
 import majic.bot.Parameter;
 import majic.bot.Unit;
@@ -36,10 +39,10 @@ final class GripperCommands {
     DriverCommand gripper() {
         return new DriverCommand(
                 "gripper",
-                List.of(Parameter.choice("order", GripperAction.words(), "what to do")),
+                List.of(Parameter.choice("order", Action.words(), "what to do")),
                 true,
                 "open, close, up, down (the lift), store (close and up), deploy (open and down) or stop",
-                (arguments, motion) -> run(GripperAction.of(arguments.get(0).toString()), motion));
+                (arguments, motion) -> run(Action.of(arguments.get(0).toString()), motion));
     }
 
     DriverCommand carry() {
@@ -52,7 +55,7 @@ final class GripperCommands {
                 (arguments, motion) -> carry(arguments.get(0).number(), motion));
     }
 
-    private String run(GripperAction order, Motion motion) {
+    private String run(Action order, Motion motion) {
         mayMove = true;
         motion.send(() -> access.send(ArcosCommand.GRIPPER.packet(order.argument())));
         motion.pause(LATENCY_S);
@@ -80,7 +83,7 @@ final class GripperCommands {
     void halt() {
         if (mayMove) {
             mayMove = false;
-            access.send(ArcosCommand.GRIPPER.packet(GripperAction.STOP.argument()));
+            access.send(ArcosCommand.GRIPPER.packet(Action.STOP.argument()));
         }
     }
 
@@ -96,5 +99,52 @@ final class GripperCommands {
     private String words() {
         return state().map(now -> "gripper " + GripperParameters.paddles(now) + ", lift " + GripperParameters.lift(now))
                 .orElse(UNREPORTED);
+    }
+
+    /** What gripper and lift can do, with the argument of the command (ARCOS sheet 11.5). */
+    private enum Action {
+        /** Paddles apart. */
+        OPEN(1, Gripper::open),
+        /** Paddles together, or on an object between them. */
+        CLOSE(2, Gripper::closed),
+        /** Lift all the way up. */
+        UP(4, Gripper::liftUp),
+        /** Lift all the way down. */
+        DOWN(5, Gripper::liftDown),
+        /** Closed and up, for driving. */
+        STORE(7, gripper -> gripper.closed() && gripper.liftUp()),
+        /** Open and down, for gripping. */
+        DEPLOY(8, gripper -> gripper.open() && gripper.liftDown()),
+        /** Stop both. */
+        STOP(15, gripper -> true);
+
+        private final int argument;
+        private final Predicate<Gripper> end;
+
+        Action(int argument, Predicate<Gripper> end) {
+            this.argument = argument;
+            this.end = end;
+        }
+
+        static Action of(String word) {
+            return valueOf(word.toUpperCase(Locale.ROOT));
+        }
+
+        static List<String> words() {
+            return Arrays.stream(values()).map(Action::word).toList();
+        }
+
+        String word() {
+            return name().toLowerCase(Locale.ROOT);
+        }
+
+        int argument() {
+            return argument;
+        }
+
+        /** Whether the action is done and nothing moves any more. */
+        boolean isDone(Gripper gripper) {
+            return end.test(gripper) && !gripper.moving() && !gripper.liftMoving();
+        }
     }
 }
