@@ -1,8 +1,6 @@
 package majic.pioneer.session;
 
-import java.util.ArrayDeque;
-import java.util.Deque;
-import java.util.Iterator;
+import majic.driver.SentRates;
 
 /**
  * Predicts where the robot will be when a command sent now takes effect. A report is old when it arrives and a command
@@ -16,12 +14,10 @@ final class LatencyModel {
 
     private final double acceleration;
     private final double deceleration;
-    private final Deque<Sent> sent = new ArrayDeque<>();
+    private final SentRates sent = new SentRates();
     private double delayS = USUAL_S;
     private boolean learned;
     private int readings;
-
-    private record Sent(double rate, double seconds) {}
 
     /** A part covered and the rate there. */
     record Moment(double covered, double rate) {}
@@ -33,19 +29,16 @@ final class LatencyModel {
 
     /** Records a command that is sent now. */
     void commanded(double rate, double seconds) {
-        sent.add(new Sent(rate, seconds));
-        while (sent.size() > 1 && sent.peek().seconds < seconds - 2 * LONGEST_S) {
-            sent.remove();
-        }
+        sent.add(rate, seconds);
     }
 
     /** Learns the delay from a report; motion began somewhere between the last two. */
     void reported(boolean moving, double seconds) {
-        if (learned || sent.isEmpty()) {
+        double sinceS = seconds - sent.firstS();
+        if (learned || Double.isNaN(sinceS)) {
             return;
         }
         readings++;
-        double sinceS = seconds - sent.peek().seconds;
         learned = moving || sinceS > LONGEST_S;
         if (moving) {
             delayS = Math.min(LONGEST_S, sinceS * (readings - 0.5) / readings);
@@ -67,15 +60,8 @@ final class LatencyModel {
     Moment ahead(double covered, double rate, double seconds) {
         double place = covered;
         double speed = rate;
-        Iterator<Sent> commands = sent.iterator();
-        double wanted = rate;
-        Sent next = commands.hasNext() ? commands.next() : null;
         for (double at = seconds - delayS; at < seconds; at += STEP_S) {
-            while (next != null && next.seconds <= at) {
-                wanted = next.rate;
-                next = commands.hasNext() ? commands.next() : null;
-            }
-            speed = follow(speed, wanted);
+            speed = follow(speed, sent.at(at, rate));
             place += speed * STEP_S;
         }
         return new Moment(place, speed);

@@ -1,16 +1,14 @@
 package majic.pioneer.session;
 
+import majic.driver.ApproachPlan;
 import majic.pioneer.state.Ramps;
 
 /**
- * Computes the rate of a motion at each SIP from the part covered so far: cruise, then constant braking, then
- * proportional to the rest. The robot approaches the end from one side, and once at most from the other. Distances and
- * rates are in one unit, mm or degrees. Has no link or clock. For one motion.
+ * Computes the rate of a motion by its plan, at each SIP, from the part covered so far. The robot approaches the end
+ * from one side, and once at most from the other. Distances and rates are in one unit, mm or degrees. Has no link or
+ * clock. For one motion.
  */
 final class SpeedController {
-    /** Near the end the rate is at most this times the rest (1/s). */
-    private static final double GAIN = 3;
-
     /** With a long SIP cycle at most this share of the rest is covered in one cycle. */
     private static final double STEP = 0.4;
 
@@ -33,15 +31,12 @@ final class SpeedController {
     /**
      * The limits of a motion.
      *
-     * @param cruise the highest rate, positive
+     * @param plan with half of the robot's deceleration, so that it can follow
      * @param acceleration of the robot
-     * @param braking half of the robot's deceleration, so that it can follow
-     * @param creep the lowest rate at which the robot still moves
      * @param tolerance the distance from the end that counts as reached
      * @param acceptable the distance that counts as reached after the robot has passed the end once
      */
-    private record Profile(
-            double cruise, double acceleration, double braking, double creep, double tolerance, double acceptable) {}
+    private record Profile(ApproachPlan plan, double acceleration, double tolerance, double acceptable) {}
 
     private SpeedController(double target, Profile profile, double deceleration) {
         this.target = target;
@@ -57,9 +52,8 @@ final class SpeedController {
      * @param cruiseMmPerSec the highest speed, positive
      */
     static SpeedController straight(double mm, double cruiseMmPerSec, Ramps ramps) {
-        double braking = ramps.deceleration() / 2.0;
-        return new SpeedController(
-                mm, new Profile(cruiseMmPerSec, ramps.acceleration(), braking, 15, 2, 8), ramps.deceleration());
+        ApproachPlan plan = new ApproachPlan(cruiseMmPerSec, 15, ramps.deceleration() / 2.0);
+        return new SpeedController(mm, new Profile(plan, ramps.acceleration(), 2, 8), ramps.deceleration());
     }
 
     /**
@@ -69,17 +63,16 @@ final class SpeedController {
      * @param cruiseDegPerSec the highest rate, positive
      */
     static SpeedController turning(double degrees, double cruiseDegPerSec, Ramps ramps) {
-        double braking = ramps.turnDeceleration() / 2.0;
+        ApproachPlan plan = new ApproachPlan(cruiseDegPerSec, 3, ramps.turnDeceleration() / 2.0);
         return new SpeedController(
-                degrees,
-                new Profile(cruiseDegPerSec, ramps.turnAcceleration(), braking, 3, 0.3, 0.9),
-                ramps.turnDeceleration());
+                degrees, new Profile(plan, ramps.turnAcceleration(), 0.3, 0.9), ramps.turnDeceleration());
     }
 
     /** The longest time that the motion may take, seconds; about twice the planned time. */
     double limitS() {
-        double cruise = profile.cruise;
-        return 2 * (Math.abs(target) / cruise + cruise / profile.acceleration + cruise / profile.braking) + 5;
+        double cruise = profile.plan.cruise();
+        double braking = profile.plan.deceleration();
+        return 2 * (Math.abs(target) / cruise + cruise / profile.acceleration + cruise / braking) + 5;
     }
 
     /**
@@ -107,7 +100,7 @@ final class SpeedController {
     double next(double covered, double nowRate, double seconds, double cycleS) {
         LatencyModel.Moment then = latency.ahead(covered, nowRate, seconds);
         double left = target - then.covered();
-        double wanted = isNear(left) ? 0 : Math.copySign(nudged(planned(Math.abs(left), cycleS)), left);
+        double wanted = isNear(left) ? 0 : Math.copySign(planned(Math.abs(left), cycleS), left);
         if (wanted == 0 && rate != 0) {
             zeroSinceS = seconds;
         }
@@ -124,19 +117,8 @@ final class SpeedController {
 
     /** The rate for a remaining distance; both positive. */
     private double planned(double left, double cycleS) {
-        double gain = Math.min(GAIN, STEP / cycleS);
-        return Math.max(Math.min(profile.creep, profile.cruise), Math.min(profile.cruise, braking(left, gain)));
-    }
-
-    /** Constant braking, joined to the proportional part where both have the same slope. */
-    private double braking(double left, double gain) {
-        double end = profile.braking / (gain * gain);
-        return left <= end ? gain * left : Math.sqrt(2 * profile.braking * (left - end / 2));
-    }
-
-    private double nudged(double planned) {
         int stuck = Math.max(0, stationary - SETTLED_READINGS);
-        return Math.min(profile.cruise, planned * (1 + NUDGE * stuck));
+        return profile.plan.rate(left, Math.min(ApproachPlan.GAIN, STEP / cycleS), 1 + NUDGE * stuck);
     }
 
     /** Whether the robot has stopped at the end. */

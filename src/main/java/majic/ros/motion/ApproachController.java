@@ -1,15 +1,14 @@
 package majic.ros.motion;
 
+import majic.driver.ApproachPlan;
+import majic.driver.SentRates;
+
 /**
- * Computes the rate at which a distance or an angle is covered: an acceleration, a constant rate, a constant
- * deceleration, and at the end a rate in proportion to the rest. Between the readings, and for their delay, the base is
- * taken to follow the rates sent. Distances and rates are in one unit, mm or degrees. Has no link or clock. For one
- * approach to the target, which ends where the target is reached or passed.
+ * Computes the rate at which a distance or an angle is covered: an acceleration, then by the plan. Between the
+ * readings, and for their delay, the base is taken to follow the rates sent. Distances and rates are in one unit, mm or
+ * degrees. Has no link or clock. For one approach to the target, which ends where the target is reached or passed.
  */
 final class ApproachController {
-    /** Near the end the rate is this times the rest (1/s). */
-    private static final double GAIN = 3;
-
     /** A base may slow down faster than is planned, by this factor, so that it can follow the plan. */
     private static final double BRAKING_RESERVE = 2;
 
@@ -42,7 +41,11 @@ final class ApproachController {
     record Limits(double cruise, double creep, double acceleration, double tolerance) {
         /** How long the way takes if everything is as planned, seconds. */
         double seconds(double way) {
-            return Math.abs(way) / cruise + 2 * cruise / acceleration + 2 / GAIN;
+            return Math.abs(way) / cruise + 2 * cruise / acceleration + 2 / ApproachPlan.GAIN;
+        }
+
+        ApproachPlan plan() {
+            return new ApproachPlan(cruise, creep, acceleration);
         }
     }
 
@@ -81,27 +84,20 @@ final class ApproachController {
         if (arrived || left <= limits.tolerance()) {
             arrived = true;
         } else {
-            rate = direction * limited(raised(planned(left), covered, nowS, delayS), nowS);
+            rate = direction * limited(limits.plan().rate(left, ApproachPlan.GAIN, raise(covered, nowS, delayS)), nowS);
         }
         lastS = nowS;
         sent.add(rate, nowS);
         return rate;
     }
 
-    /** Constant deceleration, joined to the proportional part where both have the same slope. */
-    private double planned(double left) {
-        double end = limits.acceleration() / (GAIN * GAIN);
-        double braking = left <= end ? GAIN * left : Math.sqrt(2 * limits.acceleration() * (left - end / 2));
-        return Math.max(limits.creep(), Math.min(limits.cruise(), braking));
-    }
-
-    private double raised(double planned, double covered, double nowS, double delayS) {
+    /** By which factor the rate is raised for a base that does not move. */
+    private double raise(double covered, double nowS, double delayS) {
         if (Double.isNaN(movedS) || Math.abs(covered - movedAt) >= limits.tolerance()) {
             movedS = nowS;
             movedAt = covered;
         }
-        double stuck = Math.max(0, nowS - movedS - delayS - STUCK_S);
-        return Math.min(limits.cruise(), planned * (1 + RAISE_PER_SEC * stuck));
+        return 1 + RAISE_PER_SEC * Math.max(0, nowS - movedS - delayS - STUCK_S);
     }
 
     private double limited(double wanted, double nowS) {

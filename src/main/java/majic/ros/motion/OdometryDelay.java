@@ -1,6 +1,7 @@
 package majic.ros.motion;
 
 import java.util.function.DoubleSupplier;
+import majic.driver.SentRates;
 
 /**
  * The time from the sending of a velocity to the arrival of the odometry that shows its effect: the round trip of the

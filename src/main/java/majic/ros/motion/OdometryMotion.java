@@ -3,6 +3,7 @@ package majic.ros.motion;
 import majic.bot.MotionFailed;
 import majic.bot.Value;
 import majic.driver.Motion;
+import majic.driver.SentRates;
 import majic.time.TimeSource;
 
 /**
