@@ -18,13 +18,13 @@ final class FrameActions {
     final IconAction saveLog;
     final IconAction killMajic;
 
-    FrameActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
-        addBot = action("addBot", Pictogram.ADD, "addBot.tip", frame::addBot)
+    FrameActions(FrameDialogs dialogs, FrameEditor editor, Runnable quit) {
+        addBot = action("addBot", Pictogram.ADD, "addBot.tip", dialogs::addBot)
                 .withKey(KeyEvent.VK_N)
                 .openingDialog();
-        killBot = action("killBot", Pictogram.REMOVE, "killBot.tip", frame::removeBot)
+        killBot = action("killBot", Pictogram.REMOVE, "killBot.tip", dialogs::removeBot)
                 .openingDialog();
-        loadAct = action("loadAct", Pictogram.ACT, "loadAct.tip", frame::loadAct)
+        loadAct = action("loadAct", Pictogram.ACT, "loadAct.tip", dialogs::loadAct)
                 .withKey(KeyEvent.VK_L)
                 .openingDialog();
         help = action("help", Pictogram.HELP, "help.tip", dialogs::help)
@@ -35,8 +35,7 @@ final class FrameActions {
                 .openingDialog();
         saveLog = action("saveLog", Pictogram.LOG, "saveLog.tip", dialogs::saveLog)
                 .openingDialog();
-        killMajic = action("killMajic", Pictogram.QUIT, "killMajic.tip", frame::quit)
-                .withKey(KeyEvent.VK_Q);
+        killMajic = action("killMajic", Pictogram.QUIT, "killMajic.tip", quit).withKey(KeyEvent.VK_Q);
     }
 
     private static IconAction action(String name, Pictogram icon, String tip, Runnable action) {
@@ -58,7 +57,7 @@ final class FrameActions {
         final IconAction driveByKeys;
         final IconAction tour;
 
-        MenuActions(MajicFrame frame, FrameDialogs dialogs, FrameEditor editor) {
+        MenuActions(FrameDialogs dialogs, FrameEditor editor, FrameTeams teams, Runnable driveByKeys) {
             endAct = action("endAct", Pictogram.REMOVE, "endAct.tip", dialogs::endAct)
                     .withKey(KeyEvent.VK_E);
             makeAct = action("makeAct", Pictogram.ACT, "makeAct.tip", dialogs::makeAct)
@@ -71,14 +70,14 @@ final class FrameActions {
                     .openingDialog();
             openRecording = action("openRecording", Pictogram.LOG, "openRecording.tip", dialogs::openRecording)
                     .openingDialog();
-            openTeam = action("openTeam", Pictogram.TEAM, "openTeam.tip", frame::openTeam)
+            openTeam = action("openTeam", Pictogram.TEAM, "openTeam.tip", teams::chooseAndOpen)
                     .openingDialog();
             saveTeam = action("saveTeam", Pictogram.TEAM, "saveTeam.tip", dialogs::saveTeam)
                     .openingDialog();
             shareRobots = action("shareRobots", Pictogram.TEAM, "shareRobots.tip", dialogs::shareRobots)
                     .openingDialog();
             shareRobots.setEnabled(dialogs.canShareRobots());
-            driveByKeys = action("driveByKeys", Pictogram.DRIVE, "driveByKeys.tip", frame::driveByKeys)
+            this.driveByKeys = action("driveByKeys", Pictogram.DRIVE, "driveByKeys.tip", driveByKeys)
                     .withKey(KeyEvent.VK_D);
             tour = action("tour", Pictogram.TOUR, "tour.tip", dialogs::tour);
         }

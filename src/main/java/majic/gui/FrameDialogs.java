@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
+import javax.swing.JFrame;
 import majic.gui.acts.ActLoader;
 import majic.gui.acts.LoadActDialog;
 import majic.gui.acts.LoadTargets;
@@ -25,6 +26,7 @@ import majic.gui.kit.PictureDialog;
 import majic.gui.kit.ProgramServices;
 import majic.gui.kit.RobotSelection;
 import majic.gui.kit.RobotSharing;
+import majic.gui.kit.StopButton;
 import majic.gui.replay.RecordingsDialog;
 import majic.gui.replay.ReplayServices;
 import majic.gui.replay.ReplayWindow;
@@ -42,24 +44,33 @@ import majic.text.Texts;
 final class FrameDialogs {
     private static final Texts TEXTS = Texts.of(FrameDialogs.class);
 
-    private final MajicFrame frame;
+    private final JFrame frame;
     private final Session session;
     private final ProgramServices services;
     private final RobotSelection selection;
     private final CommandChannel channel;
+    private final Supplier<StopButton> stopButtons;
     private final ActLoader loader;
 
+    /**
+     * Dialogs that are not created yet.
+     *
+     * @param frame their owner
+     * @param stopButtons makes the STOP button of a window beside the frame
+     */
     FrameDialogs(
-            MajicFrame frame,
+            JFrame frame,
             Session session,
             ProgramServices services,
             RobotSelection selection,
-            CommandChannel channel) {
+            CommandChannel channel,
+            Supplier<StopButton> stopButtons) {
         this.frame = frame;
         this.session = session;
         this.services = services;
         this.selection = selection;
         this.channel = channel;
+        this.stopButtons = stopButtons;
         this.loader = new ActLoader(frame, session, channel, services.settings());
     }
 
@@ -229,7 +240,7 @@ final class FrameDialogs {
     }
 
     private ReplayServices replays() {
-        return new ReplayServices(services.settings(), session.factory().types(), frame::stopButton);
+        return new ReplayServices(services.settings(), session.factory().types(), stopButtons);
     }
 
     private void save(String title, String suggestion, String what) {

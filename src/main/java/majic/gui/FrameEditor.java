@@ -2,6 +2,7 @@ package majic.gui;
 
 import java.nio.file.Path;
 import java.util.List;
+import javax.swing.JFrame;
 import javax.swing.JMenu;
 import majic.gui.editor.EditorContext;
 import majic.gui.editor.EditorWindow;
@@ -16,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 final class FrameEditor {
     private static final Texts TEXTS = Texts.of(FrameEditor.class);
 
-    private final MajicFrame frame;
+    private final JFrame frame;
     private final ProgramServices services;
     private final DroppedFiles droppedFiles;
     private final EditorContext context;
@@ -25,12 +26,13 @@ final class FrameEditor {
     /**
      * An editor that is not created yet.
      *
+     * @param frame the window that it opens beside
      * @param stopAll stops all robots
      * @param dialogs makes acts of scripts, and opens the other files that are dropped
      * @param teams opens the saved teams that are dropped
      */
     FrameEditor(
-            MajicFrame frame,
+            JFrame frame,
             Session session,
             ProgramServices services,
             Runnable stopAll,

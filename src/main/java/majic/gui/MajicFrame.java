@@ -104,7 +104,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                 this, services.settings(), () -> new LiveSource(session.team(), services.recorded()), this::stopButton);
         reconnect = new FrameReconnect(session.team(), services.settings(), this::attemptsChanged);
         parser.useDefaultRobots(selection::numbers);
-        dialogs = new FrameDialogs(this, session, services, selection, channel);
+        dialogs = new FrameDialogs(this, session, services, selection, channel, this::stopButton);
         lab = new FrameLab(session, services, channel);
         teams = new FrameTeams(this, session, services, channel);
         editor = new FrameEditor(this, session, services, this::stopAll, dialogs, teams);
@@ -124,7 +124,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         alarmSound = new AlarmSound(services.settings(), AlarmSound::play);
         stopKeys = new StopKeys(session.team(), this::stopAll);
         helpKey = new HelpKey(dialogs::help);
-        FrameActions actions = new FrameActions(this, dialogs, editor);
+        FrameActions actions = new FrameActions(dialogs, editor, this::quit);
         addButton = FrameToolbar.button(actions.addBot);
         removeButton = FrameToolbar.button(actions.killBot);
         actionButton = FrameToolbar.button(actions.loadAct);
@@ -194,7 +194,19 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     private void complete(FrameMenu menu, FrameActions actions) {
         setIconImage(Icons.program(ICON_SIZE));
         commands.complete();
-        menu.fill(this, actions, new FrameActions.MenuActions(this, dialogs, editor), editor);
+        menu.fill(
+                actions,
+                new FrameActions.MenuActions(dialogs, editor, teams, this::driveByKeys),
+                new FrameMenu.Parts(
+                        editor,
+                        lab,
+                        reconnect,
+                        gamepad,
+                        team.map(),
+                        plots,
+                        alarmSound,
+                        services.settings(),
+                        this::chooseLanguage));
         FileDrop.installInside(getRootPane(), editor::openDropped);
         MacMenu.install(this::quit, dialogs::about);
         WindowPreloader.preparePanels();
@@ -328,32 +340,12 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         window.getRootPane().paint(picture.createGraphics());
     }
 
-    GamepadControl gamepad() {
-        return gamepad;
-    }
-
-    AlarmSound alarmSound() {
-        return alarmSound;
-    }
-
-    FrameLab lab() {
-        return lab;
-    }
-
-    void openTeam() {
-        teams.chooseAndOpen();
-    }
-
-    FrameReconnect reconnecting() {
-        return reconnect;
-    }
-
     private void attemptsChanged(Member member) {
         mainPane.ownerChanged(member);
     }
 
     /** Lets the arrow keys drive the selected robots; shows a message if there is no robot. */
-    void driveByKeys() {
+    private void driveByKeys() {
         if (session.team().members().isEmpty()) {
             channel.showError(TEXTS.get("noRobot"));
         } else {
@@ -361,22 +353,9 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         }
     }
 
-    void showWholeMap() {
-        team.map().fit();
-    }
-
-    /** Opens an empty plot, and asks what it is to show. */
-    void newPlot() {
-        plots.openEmpty();
-    }
-
-    Settings settings() {
-        return services.settings();
-    }
-
     /** Stores a language for the next start; shows a message if it differs from the present one. */
     void chooseLanguage(Language language) {
-        if (language.choose(settings())) {
+        if (language.choose(services.settings())) {
             channel.showNotice(TEXTS.get("language.later"));
         }
     }

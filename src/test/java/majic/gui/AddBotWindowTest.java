@@ -21,7 +21,7 @@ class AddBotWindowTest {
 
     @Test
     void theMenuStartsTheLabAndAddsItsRobots() {
-        window.run(window.frame.lab()::start);
+        window.run(() -> window.entry("Start the Simulated Lab").doClick());
         window.await("the lab's robot", () -> window.tabs().contains("1"));
     }
 

@@ -142,7 +142,7 @@ class StartPageWindowTest {
     void aTeamThatWasSavedCanBeOpened(@TempDir Path folder) throws Exception {
         Path file = Files.writeString(folder.resolve("lab.team"), "add toy://one as 7\n");
         try (TestWindow window = TestWindow.open()) {
-            window.run(window.frame::openTeam);
+            window.run(window.entry("Open Team…")::doClick);
             window.chooseFile(file);
             window.await("the robot", () -> window.tabs().contains("7"));
         }
@@ -152,7 +152,7 @@ class StartPageWindowTest {
     void aFileThatIsNoTeamIsRefusedWithTheLine(@TempDir Path folder) throws Exception {
         Path file = Files.writeString(folder.resolve("lab.team"), "add toy://one as 7\n7 move 100\n");
         try (TestWindow window = TestWindow.open()) {
-            window.run(window.frame::openTeam);
+            window.run(window.entry("Open Team…")::doClick);
             window.chooseFile(file);
             window.awaitMessage("lab.team:2: \"7 move 100\" is no line of a saved team");
             assertThat(window.frame.totalBots()).isZero();
