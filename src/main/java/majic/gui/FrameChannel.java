@@ -4,11 +4,11 @@ import java.util.Optional;
 import java.util.function.Consumer;
 import majic.gui.command.MessageArea;
 import majic.gui.kit.CommandChannel;
-import majic.gui.kit.ErrorWords;
 import majic.gui.kit.EventThread;
 import majic.log.Line;
 import majic.script.MajicParser;
 import majic.script.Session;
+import majic.text.ErrorWords;
 
 /** Passes the lines of the window's parts to the parser, and their messages to the message area. */
 final class FrameChannel implements CommandChannel {

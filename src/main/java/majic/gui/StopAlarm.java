@@ -18,13 +18,13 @@ import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
-import majic.gui.kit.ErrorWords;
 import majic.gui.kit.Paragraph;
 import majic.gui.kit.ScrolledPanel;
 import majic.gui.kit.StyledLabel;
 import majic.team.StopStatus;
 import majic.team.Team;
 import majic.team.TeamListener;
+import majic.text.ErrorWords;
 import majic.text.NumberList;
 import majic.text.Texts;
 

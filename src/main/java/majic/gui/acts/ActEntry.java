@@ -5,10 +5,10 @@ import java.util.List;
 import java.util.Optional;
 import majic.act.Role;
 import majic.bot.BotException;
-import majic.gui.kit.ErrorWords;
 import majic.script.ActOffer;
 import majic.script.ActOffers;
 import majic.team.Member;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 

@@ -11,7 +11,6 @@ import javax.swing.JPanel;
 import majic.bot.MajicBot;
 import majic.gui.acts.ActBar;
 import majic.gui.kit.BotStatus;
-import majic.gui.kit.ErrorWords;
 import majic.gui.kit.NamedLabel;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
@@ -19,6 +18,7 @@ import majic.gui.kit.StateIcon;
 import majic.panel.PlotLink;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 

@@ -4,9 +4,9 @@ import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.gui.kit.ErrorWords;
 import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
+import majic.text.ErrorWords;
 import net.miginfocom.swing.MigLayout;
 
 /** A bar above a script with a notice about its file, and with buttons to act on it. Hidden while there is none. */

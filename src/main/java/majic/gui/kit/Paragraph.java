@@ -6,6 +6,7 @@ import java.util.function.Supplier;
 import javax.swing.BorderFactory;
 import javax.swing.JTextArea;
 import javax.swing.UIManager;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 
 /** A text that is wrapped to the available width, and that can be copied but not edited. */

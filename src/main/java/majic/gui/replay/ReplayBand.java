@@ -11,8 +11,8 @@ import javax.swing.BorderFactory;
 import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
-import majic.gui.kit.ErrorWords;
 import majic.gui.kit.LineArt;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 import net.miginfocom.swing.MigLayout;
 

@@ -9,12 +9,12 @@ import javax.swing.Timer;
 import majic.bot.BotException;
 import majic.environment.Settings;
 import majic.gui.add.RecentRobots;
-import majic.gui.kit.ErrorWords;
 import majic.gui.kit.EventThread;
 import majic.script.SavedTeam;
 import majic.script.Session;
 import majic.team.Member;
 import majic.team.TeamListener;
+import majic.text.ErrorWords;
 import majic.text.LateLogger;
 import majic.text.Texts;
 

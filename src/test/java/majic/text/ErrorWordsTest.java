@@ -1,4 +1,4 @@
-package majic.gui.kit;
+package majic.text;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowable;
@@ -33,8 +33,6 @@ import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 import majic.link.Links;
 import majic.pioneer.PioneerType;
-import majic.text.Advice;
-import majic.text.IoReason;
 import org.junit.jupiter.api.Test;
 
 class ErrorWordsTest {
@@ -223,7 +221,7 @@ class ErrorWordsTest {
     }
 
     private static List<String> list() throws IOException {
-        return Files.readAllLines(Path.of("src/main/resources/majic/gui/kit/errors_de.txt"), StandardCharsets.UTF_8)
+        return Files.readAllLines(Path.of("src/main/resources/majic/text/errors_de.txt"), StandardCharsets.UTF_8)
                 .stream()
                 .filter(line -> line.contains(" => "))
                 .toList();

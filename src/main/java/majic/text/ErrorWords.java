@@ -1,4 +1,4 @@
-package majic.gui.kit;
+package majic.text;
 
 import java.io.IOException;
 import java.io.InputStream;
