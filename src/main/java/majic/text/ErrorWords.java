@@ -21,8 +21,8 @@ public final class ErrorWords {
     /** Where a sentence can end, and another one follows. */
     private static final Pattern JOINT = Pattern.compile("(?<=[.?!]) |; |: |\\. ");
 
-    /** A gap is filled by a part of one sentence. */
-    private static final String FILLING = "((?:(?![.?!;] ).)+?)";
+    /** A gap is filled by a part of one sentence, or by nothing. */
+    private static final String FILLING = "((?:(?![.?!;] ).)*?)";
 
     /** A reason in brackets, behind a sentence that is in the language of the window already. */
     private static final Pattern IN_BRACKETS = Pattern.compile("\\(([^()]+)\\)");
@@ -34,30 +34,49 @@ public final class ErrorWords {
     /**
      * A sentence of the list. Immutable.
      *
-     * @param english matches the sentence, with a group for each gap
+     * @param english the sentence, with gaps
+     * @param part its longest part without a gap, looked for first since that takes less time
      * @param german the translation, with the numbers of the gaps in braces
      */
-    private record Sentence(Pattern english, String german) {
+    private record Sentence(String english, String part, String german) {
         static Sentence of(String line) {
             String[] both = line.split(" => ", 2);
-            StringBuilder pattern = new StringBuilder();
-            Matcher gap = GAP.matcher(both[0]);
-            int from = 0;
-            while (gap.find()) {
-                pattern.append(Pattern.quote(both[0].substring(from, gap.start())))
-                        .append(FILLING);
-                from = gap.end();
-            }
-            return new Sentence(Pattern.compile(pattern + Pattern.quote(both[0].substring(from))), both[1]);
+            String part = GAP.splitAsStream(both[0])
+                    .max(Comparator.comparingInt(String::length))
+                    .orElseThrow();
+            return new Sentence(both[0], part, both[1]);
+        }
+
+        /** Returns how many characters of the sentence are in no gap. */
+        int letters() {
+            return english.length()
+                    - "{0}".length()
+                            * (int) english.chars().filter(c -> c == '{').count();
         }
 
         Optional<String> translated(String text) {
-            Matcher matcher = english.matcher(text);
+            if (!text.contains(part)) {
+                return Optional.empty();
+            }
+            Matcher matcher = pattern().matcher(text);
             return matcher.matches()
                     ? Optional.of(GAP.matcher(german)
                             .replaceAll(gap -> Matcher.quoteReplacement(
                                     ErrorWords.german(matcher.group(1 + Integer.parseInt(gap.group(1)))))))
                     : Optional.empty();
+        }
+
+        /** Returns a pattern with a group for each gap. */
+        private Pattern pattern() {
+            StringBuilder pattern = new StringBuilder();
+            Matcher gap = GAP.matcher(english);
+            int from = 0;
+            while (gap.find()) {
+                pattern.append(Pattern.quote(english.substring(from, gap.start())))
+                        .append(FILLING);
+                from = gap.end();
+            }
+            return Pattern.compile(pattern + Pattern.quote(english.substring(from)));
         }
     }
 
@@ -70,17 +89,12 @@ public final class ErrorWords {
                 return new String(file.readAllBytes(), StandardCharsets.UTF_8)
                         .lines()
                         .filter(line -> line.contains(" => "))
-                        .sorted(Comparator.comparingInt(German::words).reversed())
                         .map(Sentence::of)
+                        .sorted(Comparator.comparingInt(Sentence::letters).reversed())
                         .toList();
             } catch (IOException e) {
                 throw new UncheckedIOException(e);
             }
-        }
-
-        /** Returns how many characters of a sentence are no gaps. */
-        private static int words(String line) {
-            return GAP.matcher(line.split(" => ", 2)[0]).replaceAll("").length();
         }
     }
 
@@ -108,10 +122,12 @@ public final class ErrorWords {
                 return first.get() + joint.group() + german(english.substring(joint.end()));
             }
         }
-        for (MatchResult joint : joints) {
-            Optional<String> last = sentence(english.substring(joint.end()));
-            if (last.isPresent()) {
-                return english.substring(0, joint.end()) + last.get();
+        if (!joints.isEmpty()) {
+            int behind = joints.get(0).end();
+            String rest = english.substring(behind);
+            String german = german(rest);
+            if (!german.equals(rest)) {
+                return english.substring(0, behind) + german;
             }
         }
         return IN_BRACKETS

@@ -4,13 +4,22 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
 import com.sun.source.tree.BinaryTree;
+import com.sun.source.tree.CaseTree;
+import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.ConditionalExpressionTree;
 import com.sun.source.tree.ExpressionTree;
+import com.sun.source.tree.LambdaExpressionTree;
 import com.sun.source.tree.LiteralTree;
+import com.sun.source.tree.MemberSelectTree;
+import com.sun.source.tree.MethodInvocationTree;
+import com.sun.source.tree.MethodTree;
 import com.sun.source.tree.NewClassTree;
 import com.sun.source.tree.ParenthesizedTree;
+import com.sun.source.tree.ReturnTree;
+import com.sun.source.tree.SwitchExpressionTree;
 import com.sun.source.tree.Tree;
+import com.sun.source.tree.VariableTree;
 import com.sun.source.util.JavacTask;
 import com.sun.source.util.TreeScanner;
 import java.io.IOException;
@@ -22,17 +31,22 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import javax.lang.model.element.Modifier;
 import javax.tools.JavaCompiler;
 import javax.tools.StandardJavaFileManager;
 import javax.tools.ToolProvider;
 import majic.link.Links;
 import majic.pioneer.PioneerType;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 class ErrorWordsTest {
@@ -91,14 +105,15 @@ class ErrorWordsTest {
                 .map(String::strip)
                 .filter(part -> part.length() >= LEAST_LITERAL)
                 .filter(part -> !program.contains(part.replace("\"", "\\\"")))
-                .filter(part -> !isOfTheSystem(part) && !part.equals(COMPOSED))
+                .filter(part -> !isOfTheSystem(part) && !COMPOSED.contains(part))
                 .toList();
         assertThat(gone).isEmpty();
     }
 
     /**
-     * Exceptions of these files and packages reach dialogs and notices: a new one needs a German sentence. Messages
-     * that are not written in place of the exception are not found by this test.
+     * Exceptions of these files and packages reach dialogs, panels and notices: a new one needs a German sentence. Of
+     * messages that are not written in place of the exception, those are found that a constant or a method of these
+     * files gives.
      */
     private static final List<String> SHOWN = List.of(
             "link/",
@@ -109,19 +124,66 @@ class ErrorWordsTest {
             "act/make/",
             "team/",
             "vendor/",
-            "simulation/");
+            "simulation/",
+            "text/ClassReason",
+            "program/ProgramSharing",
+            "bot/BotAddress",
+            "bot/MajicBot",
+            "driver/BotDriver",
+            "driver/ConnectionLife",
+            "driver/DriverCode",
+            "driver/LinkReader",
+            "driver/Motion",
+            "driver/MovingRobot",
+            "driver/PermittedControl",
+            "driver/RobotWait",
+            "driver/ShutdownHook",
+            "aibo/",
+            "pioneer/",
+            "hemisson/",
+            "ros/",
+            "shared/");
 
-    /** Errors of a program that embeds MAJIC or of its own code, and names for exceptions of files. */
+    /** What only MAJIC Script, the command line or another program can cause, whose answers are English. */
+    private static final List<String> ANSWERS = List.of(
+            "aibo/sound/",
+            "hemisson/modules/",
+            "ros/parameters/",
+            "ros/navigation/",
+            "pioneer/parameters/",
+            "shared/embedded/",
+            "shared/vda5050/",
+            "shared/desk/UntilText");
+
+    /** The exceptions whose names do not end in "Exception". */
+    private static final Set<String> OTHER_EXCEPTIONS = Set.of(
+            "ConnectFailed",
+            "LinkLost",
+            "MotionFailed",
+            "MotionStopped",
+            "NotWebSocket",
+            "ServiceFailed",
+            "UrbiRefusal");
+
+    /**
+     * Errors of a program that embeds MAJIC or of its own code, names for exceptions of files, and answers to values
+     * that were typed and to messages of other programs.
+     */
     private static final Set<String> NOT_SHOWN = Set.of(
             "IllegalArgumentException",
             "IllegalStateException",
             "ClassNotFoundException",
             "NoSuchFileException",
+            "NoSuchMethodException",
+            "ParameterException",
+            "TimeoutException",
             "UncheckedIOException",
+            "UnusableMessageException",
             "AssertionError");
 
-    /** What the owner of a robot does has sentences of its own. */
-    private static final String OWNED = "X is X; \"X stop\" ends it";
+    /** What the owner of a robot does, and how a moving Hemisson was lost, have sentences of their own. */
+    private static final Set<String> IN_PIECES =
+            Set.of("X is X; \"X stop\" ends it", "X; Xif it still moves, lift it, or press 5 on a TV remote control");
 
     @Test
     void everyErrorThatDialogsShowHasAGermanSentence() throws IOException {
@@ -129,7 +191,7 @@ class ErrorWordsTest {
         List<String> untranslated = new ArrayList<>();
         for (String message : messages()) {
             String german = ErrorWords.german(message);
-            if (!message.equals(OWNED) && english.matcher(german).find()) {
+            if (!IN_PIECES.contains(message) && english.matcher(german).find()) {
                 untranslated.add(message + " => " + german);
             }
         }
@@ -140,8 +202,7 @@ class ErrorWordsTest {
     private static List<String> messages() throws IOException {
         List<Path> files;
         try (Stream<Path> all = Files.walk(Path.of("src/main/java/majic"))) {
-            files = all.filter(file -> SHOWN.stream()
-                            .anyMatch(part -> file.toString().replace('\\', '/').contains("/majic/" + part)))
+            files = all.filter(file -> isOneOf(SHOWN, file) && !isOneOf(ANSWERS, file))
                     .filter(file -> file.toString().endsWith(".java"))
                     .toList();
         }
@@ -155,49 +216,167 @@ class ErrorWordsTest {
                     List.of("-proc:none"),
                     null,
                     manager.getJavaFileObjectsFromPaths(files));
-            for (CompilationUnitTree unit : task.parse()) {
-                new TreeScanner<Void, Void>() {
-                    @Override
-                    public Void visitNewClass(NewClassTree made, Void nothing) {
-                        String type = made.getIdentifier().toString();
-                        if (type.endsWith("Exception") && !NOT_SHOWN.contains(type)) {
-                            made.getArguments().stream()
-                                    .map(ErrorWordsTest::texts)
-                                    .filter(texts -> !texts.equals(List.of("X")))
-                                    .findFirst()
-                                    .ifPresent(texts -> texts.forEach(text ->
-                                            messages.add(type.equals("InvalidActException") ? "X " + text : text)));
-                        }
-                        return super.visitNewClass(made, nothing);
-                    }
-                }.scan(unit, null);
-            }
+            List<CompilationUnitTree> units = new ArrayList<>();
+            task.parse().forEach(units::add);
+            TextFinder finder = new TextFinder();
+            units.forEach(unit -> finder.scan(unit, null));
+            units.forEach(unit -> new MessageFinder(finder, messages).scan(unit, null));
         }
-        assertThat(messages).hasSizeGreaterThan(100);
+        assertThat(messages).hasSizeGreaterThan(400);
         return messages;
     }
 
-    /** Returns the values that an expression can have, with X for its parts that are no texts. */
-    private static List<String> texts(ExpressionTree of) {
-        if (of instanceof LiteralTree literal && literal.getValue() instanceof String text) {
-            return List.of(text);
+    private static boolean isOneOf(List<String> parts, Path file) {
+        String name = file.toString().replace('\\', '/');
+        return parts.stream().anyMatch(part -> name.contains("/majic/" + part));
+    }
+
+    /** Follows the class that is scanned. */
+    private static class InClass extends TreeScanner<Void, Void> {
+        String name = "";
+
+        @Override
+        public Void visitClass(ClassTree inner, Void nothing) {
+            String outer = name;
+            name = inner.getSimpleName().toString();
+            super.visitClass(inner, nothing);
+            name = outer;
+            return null;
         }
-        if (of instanceof ParenthesizedTree brackets) {
-            return texts(brackets.getExpression());
+    }
+
+    /** Collects the messages of exceptions. */
+    private static final class MessageFinder extends InClass {
+        private final TextFinder finder;
+        private final List<String> messages;
+
+        MessageFinder(TextFinder finder, List<String> messages) {
+            this.finder = finder;
+            this.messages = messages;
         }
-        if (of instanceof ConditionalExpressionTree choice) {
-            return Stream.concat(
-                            texts(choice.getTrueExpression()).stream(), texts(choice.getFalseExpression()).stream())
-                    .distinct()
-                    .toList();
+
+        @Override
+        public Void visitNewClass(NewClassTree made, Void nothing) {
+            String type = made.getIdentifier().toString();
+            if (OTHER_EXCEPTIONS.contains(type) || type.endsWith("Exception") && !NOT_SHOWN.contains(type)) {
+                made.getArguments().stream()
+                        .map(argument -> finder.texts(argument, name, 0))
+                        .filter(texts -> !texts.equals(UNKNOWN))
+                        .findFirst()
+                        .ifPresent(texts -> texts.forEach(
+                                text -> messages.add(type.equals("InvalidActException") ? "X " + text : text)));
+            }
+            return super.visitNewClass(made, nothing);
         }
-        if (of instanceof BinaryTree sum && sum.getKind() == Tree.Kind.PLUS) {
-            List<String> ends = texts(sum.getRightOperand());
-            return texts(sum.getLeftOperand()).stream()
-                    .flatMap(begin -> ends.stream().map(end -> begin + end))
-                    .toList();
+    }
+
+    private static final List<String> UNKNOWN = List.of("X");
+
+    /** Collects what constants hold and what methods return, by class and name, to find the texts of expressions. */
+    private static final class TextFinder extends InClass {
+        private static final int MOST_STEPS = 4;
+
+        private final Map<String, List<ExpressionTree>> values = new HashMap<>();
+        private String method = "";
+
+        @Override
+        public Void visitVariable(VariableTree variable, Void nothing) {
+            if (variable.getInitializer() != null
+                    && variable.getModifiers().getFlags().contains(Modifier.STATIC)
+                    && isText(variable.getType())) {
+                add("" + variable.getName(), variable.getInitializer());
+            }
+            return super.visitVariable(variable, nothing);
         }
-        return List.of("X");
+
+        @Override
+        public Void visitMethod(MethodTree declared, Void nothing) {
+            return within(
+                    isText(declared.getReturnType()) ? "" + declared.getName() : "",
+                    () -> super.visitMethod(declared, nothing));
+        }
+
+        @Override
+        public Void visitLambdaExpression(LambdaExpressionTree lambda, Void nothing) {
+            return within("", () -> super.visitLambdaExpression(lambda, nothing));
+        }
+
+        private Void within(String inner, Supplier<Void> scan) {
+            String outer = method;
+            method = inner;
+            scan.get();
+            method = outer;
+            return null;
+        }
+
+        @Override
+        public Void visitReturn(ReturnTree end, Void nothing) {
+            if (!method.isEmpty()) {
+                add(method, end.getExpression());
+            }
+            return super.visitReturn(end, nothing);
+        }
+
+        private void add(String member, ExpressionTree value) {
+            values.computeIfAbsent(name + "." + member, key -> new ArrayList<>())
+                    .add(value);
+        }
+
+        private static boolean isText(@Nullable Tree type) {
+            return String.valueOf(type).endsWith("String");
+        }
+
+        /** Returns the values that an expression can have, with X for its parts that are no texts. */
+        List<String> texts(ExpressionTree of, String in, int steps) {
+            if (of instanceof LiteralTree literal && literal.getValue() instanceof String text) {
+                return List.of(text);
+            }
+            if (of instanceof ParenthesizedTree brackets) {
+                return texts(brackets.getExpression(), in, steps);
+            }
+            if (of instanceof ConditionalExpressionTree choice) {
+                return Stream.of(choice.getTrueExpression(), choice.getFalseExpression())
+                        .flatMap(each -> texts(each, in, steps).stream())
+                        .distinct()
+                        .toList();
+            }
+            if (of instanceof SwitchExpressionTree choice) {
+                return choice.getCases().stream()
+                        .map(CaseTree::getBody)
+                        .filter(ExpressionTree.class::isInstance)
+                        .flatMap(each -> texts((ExpressionTree) each, in, steps).stream())
+                        .distinct()
+                        .toList();
+            }
+            if (of instanceof BinaryTree sum && sum.getKind() == Tree.Kind.PLUS) {
+                List<String> ends = texts(sum.getRightOperand(), in, steps);
+                return texts(sum.getLeftOperand(), in, steps).stream()
+                        .flatMap(begin -> ends.stream().map(end -> begin + end))
+                        .toList();
+            }
+            if (of instanceof MethodInvocationTree call
+                    && call.getMethodSelect().toString().equals("String.format")) {
+                return texts(call.getArguments().get(1), in, steps).stream()
+                        .map(text -> text.replaceAll("%[\\d.]*[sdf]", "X"))
+                        .toList();
+            }
+            return steps == MOST_STEPS ? UNKNOWN : named(of, in, steps);
+        }
+
+        /** Returns the values of a constant or a method. */
+        private List<String> named(ExpressionTree of, String in, int steps) {
+            ExpressionTree member = of instanceof MethodInvocationTree call ? call.getMethodSelect() : of;
+            String key = member instanceof MemberSelectTree select
+                    ? select.getExpression().toString().replaceFirst(".*\\.", "") + "." + select.getIdentifier()
+                    : in + "." + member;
+            String owner = key.substring(0, key.indexOf('.'));
+            return values.containsKey(key)
+                    ? values.get(key).stream()
+                            .flatMap(value -> texts(value, owner, steps + 1).stream())
+                            .distinct()
+                            .toList()
+                    : UNKNOWN;
+        }
     }
 
     @Test
@@ -212,8 +391,8 @@ class ErrorWordsTest {
                 .isEqualTo("a.csv ließ sich nicht lesen (es ist nicht erlaubt)");
     }
 
-    /** The verb and the occupation are apart in the program. */
-    private static final String COMPOSED = "is driven by hand";
+    /** Parts of sentences that are apart in the program. */
+    private static final Set<String> COMPOSED = Set.of("is driven by hand", "(no robots yet; add one)");
 
     private static boolean isOfTheSystem(String part) {
         return List.of("is a directory", "no space left on device", "read-only file system")
