@@ -121,7 +121,7 @@ final class StopAlarm extends JPanel implements TeamListener {
                         ? TEXTS.get("notElsewhere")
                         : TEXTS.get(
                                 "unconfirmed", unconfirmed.size(), NumberList.of(List.copyOf(unconfirmed.keySet()))));
-        reasons.setText(Stream.of(reasons(unconfirmed), elsewhere)
+        reasons.setText(Stream.of(reasons(unconfirmed), ErrorWords.of(elsewhere))
                 .filter(text -> !text.isEmpty())
                 .collect(Collectors.joining("   ")));
         wrap();

@@ -23,6 +23,7 @@ import java.util.function.Consumer;
 import java.util.function.Supplier;
 import javax.swing.JPanel;
 import javax.swing.KeyStroke;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
@@ -190,7 +191,7 @@ public final class PictureView extends JPanel {
      * @param why a few words
      */
     public void miss(String why) {
-        words = why;
+        words = ErrorWords.of(why);
         caption = "";
         changed();
     }

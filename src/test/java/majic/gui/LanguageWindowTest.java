@@ -2,10 +2,15 @@ package majic.gui;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Container;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import javax.swing.JComponent;
+import javax.swing.JLabel;
 import javax.swing.UIManager;
+import majic.bot.ConnectFailed;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
@@ -32,6 +37,33 @@ class LanguageWindowTest {
             assertThat(window.entry("Language").isEnabled()).isTrue();
             assertThat(cancelButton()).isEqualTo("Cancel");
         }
+    }
+
+    @Test
+    void theReasonOfAQuestionIsInTheLanguageOfTheWindow() {
+        try (TestWindow window = TestWindow.openWith(KEY, "de")) {
+            window.command("add toy:one");
+            window.await("the tab", () -> window.tabs().contains("1"));
+            ToyBot bot = (ToyBot) window.team.member(1).bot();
+            bot.refuseConnections(new ConnectFailed(
+                    ConnectFailed.Reason.OTHER_ADAPTER, "the robot's controller was reset; try again"));
+            bot.loseLink();
+            window.await("the button", () -> window.isShowing("tabReconnect1"));
+            window.click("tabReconnect1");
+            assertThat(labels(window.awaitDialog("MAJIC fragt")))
+                    .contains("Roboter 1: die Steuerung des Roboters wurde zurückgesetzt;");
+        }
+    }
+
+    private static List<String> labels(Container in) {
+        return GuiActionRunner.execute(() -> texts(in).toList());
+    }
+
+    private static Stream<String> texts(Container in) {
+        return Stream.of(in.getComponents())
+                .flatMap(part -> part instanceof JLabel label
+                        ? Stream.of(label.getText())
+                        : part instanceof Container inner ? texts(inner) : Stream.empty());
     }
 
     private static String cancelButton() {

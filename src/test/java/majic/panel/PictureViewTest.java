@@ -7,6 +7,7 @@ import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import javax.swing.JPanel;
 import org.junit.jupiter.api.Test;
 
@@ -34,6 +35,19 @@ class PictureViewTest {
 
         assertThat(shownText()).isEqualTo("camera, not connected");
         assertThat(painted.getRGB(20, 20)).isNotEqualTo(WALL.getRGB());
+    }
+
+    @Test
+    void theReasonOfARobotIsShownInTheLanguageOfTheWindow() {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMAN);
+            view.miss("desk2/1 has sent no picture");
+
+            assertThat(shownText()).isEqualTo("Kamera, desk2/1 hat kein Bild gesendet");
+        } finally {
+            Locale.setDefault(before);
+        }
     }
 
     @Test

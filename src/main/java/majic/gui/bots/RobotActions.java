@@ -17,6 +17,7 @@ import majic.gui.plot.Plots;
 import majic.team.AutoReconnect;
 import majic.team.Member;
 import majic.team.Team;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 
 /** What the buttons and menus of a robot do. Must be used on the event dispatch thread; no method blocks. */
@@ -97,7 +98,8 @@ public final class RobotActions {
     private void askForOther(Member member, String problem, String address) {
         Confirm.ask(
                 KeyboardFocusManager.getCurrentKeyboardFocusManager().getActiveWindow(),
-                TEXTS.get("otherAdapter", member.number(), problem.replace("; ", ";\n")),
+                TEXTS.get(
+                        "otherAdapter", member.number(), ErrorWords.of(problem).replace("; ", ";\n")),
                 TEXTS.get("otherAdapter.yes"),
                 () -> channel.submit("add " + address + " as " + member.number()));
     }

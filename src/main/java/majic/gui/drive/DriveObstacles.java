@@ -10,6 +10,7 @@ import majic.bot.MajicBot;
 import majic.gui.kit.BotStatus;
 import majic.team.Member;
 import majic.team.Owner;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
@@ -55,7 +56,7 @@ record DriveObstacles(List<Integer> free, Map<Integer, String> reasons) {
             member.check(true, null);
             return null;
         } catch (BotException e) {
-            return String.valueOf(e.getMessage());
+            return ErrorWords.of(String.valueOf(e.getMessage()));
         }
     }
 

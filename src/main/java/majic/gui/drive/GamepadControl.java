@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.gui.kit.EventThread;
 import majic.team.Member;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
@@ -84,7 +85,7 @@ public final class GamepadControl implements AutoCloseable {
         } catch (BotException e) {
             fail(own, String.valueOf(e.getMessage()));
         } catch (RuntimeException e) {
-            fail(own, TEXTS.get("gamepad.lost", e.getMessage()));
+            fail(own, TEXTS.get("gamepad.lost", ErrorWords.of(String.valueOf(e.getMessage()))));
         }
     }
 

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.util.stream.IntStream;
 import majic.bot.BotException;
 import majic.file.NativeFolder;
+import majic.text.ErrorWords;
 import majic.text.Texts;
 
 /** Reads game controllers by the library Jamepad, which brings native code. A shoulder button must be held to drive. */
@@ -34,7 +35,7 @@ public final class SdlGamepad implements Gamepad {
             controllers.initSDLGamepad();
             return new SdlGamepad(controllers);
         } catch (IOException | RuntimeException | LinkageError e) {
-            throw new BotException(TEXTS.get("gamepad.none", e.getMessage()), e);
+            throw new BotException(TEXTS.get("gamepad.none", ErrorWords.of(String.valueOf(e.getMessage()))), e);
         }
     }
 

@@ -1,5 +1,6 @@
 package majic.hemisson.panel;
 
+import majic.text.ErrorWords;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
@@ -25,7 +26,7 @@ final class HemissonAdvice {
 
     /** Shows for some seconds why a click was refused. */
     void refused(String why, long nowNanos) {
-        refusal = why;
+        refusal = ErrorWords.of(why);
         refusedNanos = nowNanos;
     }
 

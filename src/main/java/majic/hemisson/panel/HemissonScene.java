@@ -9,6 +9,7 @@ import majic.hemisson.line.LinkQuality;
 import majic.hemisson.line.MotorValues;
 import majic.hemisson.line.RunningMode;
 import majic.hemisson.readings.Proximity;
+import majic.text.ErrorWords;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -51,9 +52,9 @@ public record HemissonScene(
         return line.connection() == Connection.CONNECTED;
     }
 
-    /** The name of the running mode, by the switches at connecting. */
+    /** The name of the running mode, by the switches at connecting, in the language of the window. */
     String mode() {
-        return RunningMode.of(identity.switches());
+        return ErrorWords.of(RunningMode.of(identity.switches()));
     }
 
     /** Whether it executes commands and nothing else; true if it did not report its switches. */

@@ -5,12 +5,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.awt.event.KeyEvent;
 import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CountDownLatch;
 import javax.swing.JSlider;
 import majic.bot.BotException;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import majic.gui.command.CommandLine;
+import majic.team.Member;
 import majic.team.Owner;
+import majic.team.QueuedCommand;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -113,6 +118,41 @@ class DriveByHandWindowTest {
         assertThat(window.isEnabled("drive LEFT")).isFalse();
         window.team.member(1).free(act);
         awaitHint("Click here to drive");
+    }
+
+    @Test
+    void theReasonOfTheTeamIsInTheLanguageOfTheWindow() {
+        CountDownLatch end = new CountDownLatch(1);
+        Member member = window.team.member(1);
+        assertThatThrownBy(() -> fillQueue(member, end)).isInstanceOf(BotException.class);
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMAN);
+            DriveObstacles full = DriveObstacles.of(List.of(member));
+
+            assertThat(full.text(false))
+                    .isEqualTo("1: seine Warteschlange ist voll (100 Befehle); warten Sie, oder „1 stop“ leert sie");
+            assertThat(full.details()).endsWith(full.text(false));
+        } finally {
+            Locale.setDefault(before);
+            end.countDown();
+        }
+    }
+
+    /** Submits commands, of which the first waits for a latch, until one is refused. */
+    private static void fillQueue(Member member, CountDownLatch end) {
+        while (true) {
+            member.submit(new QueuedCommand("turn 5", true, robot -> awaited(end)), null);
+        }
+    }
+
+    private static List<String> awaited(CountDownLatch end) {
+        try {
+            end.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+        return List.of();
     }
 
     @Test

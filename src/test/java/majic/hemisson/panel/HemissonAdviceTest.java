@@ -2,6 +2,7 @@ package majic.hemisson.panel;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.Locale;
 import java.util.stream.Stream;
 import majic.bot.MajicBot.Connection;
 import majic.hemisson.line.LinkQuality;
@@ -30,6 +31,22 @@ class HemissonAdviceTest {
 
         assertThat(advice.on(Scenes.standing(Scenes.WELL), 7 * SECOND).text()).isEqualTo("ledLeft: no answer");
         assertThat(advice.on(Scenes.standing(Scenes.WELL), 9 * SECOND).text()).isEmpty();
+    }
+
+    @Test
+    void aRefusalAndARunningModeAreInTheLanguageOfTheWindow() {
+        Locale before = Locale.getDefault();
+        try {
+            Locale.setDefault(Locale.GERMAN);
+            advice.refused("ledLeft: no answer within 300 ms", 0);
+
+            assertThat(advice.on(Scenes.standing(Scenes.WELL), SECOND).text())
+                    .isEqualTo("ledLeft: keine Antwort innerhalb von 300 ms");
+            assertThat(light("mode", Scenes.withSwitches(Scenes.DANCE, Scenes.DANCE)))
+                    .isEqualTo("WARNING Tanz");
+        } finally {
+            Locale.setDefault(before);
+        }
     }
 
     @Test
