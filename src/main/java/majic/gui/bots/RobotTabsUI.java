@@ -156,7 +156,8 @@ final class RobotTabsUI extends FlatTabbedPaneUI {
         Graphics2D g = (Graphics2D) graphics.create();
         g.setColor(RobotTab.selectedEdge());
         int edge = placeOfPanes().x - LINE;
-        Rectangle tab = rects[selected].intersection(area());
+        // Lays the tabs out first if they are not: a window may paint before it validates, as at a change of the look.
+        Rectangle tab = getTabBounds(tabPane, selected).intersection(area());
         if (grid.isBesidePanes(selected) && !tab.isEmpty()) {
             g.fillRect(edge, 0, LINE, tab.y + LINE);
             g.fillRect(edge, tab.y + tab.height - LINE, LINE, tabPane.getHeight() - tab.y - tab.height + LINE);

@@ -2,10 +2,12 @@ package majic.gui.bots;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Rectangle;
 import java.awt.event.KeyEvent;
 import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -114,6 +116,18 @@ class TabsWindowTest {
                 .filter(tab -> tabs.get(tab).getAccessibleStateSet().contains(AccessibleState.SELECTED))
                 .boxed()
                 .toList());
+    }
+
+    @Test
+    void theTabsCanBePaintedAsSoonAsTheirLookHasChanged() {
+        BufferedImage picture = new BufferedImage(800, 600, BufferedImage.TYPE_INT_RGB);
+        window.run(() -> {
+            mainPane.updateUI();
+            mainPane.paint(picture.getGraphics());
+        });
+        Rectangle tab = read(() -> mainPane.getBoundsAt(mainPane.getSelectedIndex()));
+        Color edge = read(RobotTab::selectedEdge);
+        assertThat(new Color(picture.getRGB(tab.x + tab.width + 2, tab.y))).isEqualTo(edge);
     }
 
     @Test
