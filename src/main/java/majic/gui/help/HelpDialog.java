@@ -8,6 +8,8 @@ import java.awt.Window;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
 import java.util.regex.Pattern;
 import javax.swing.JPanel;
 import javax.swing.JScrollPane;
@@ -29,10 +31,9 @@ import net.miginfocom.swing.MigLayout;
 public final class HelpDialog extends MajicDialog {
     private static final Texts TEXTS = Texts.of(HelpDialog.class);
     private static final long serialVersionUID = 1L;
-    private static final int LEAST_WIDTH = 820;
-    private static final int MOST_WIDTH = 920;
+    private static final int WIDTH = 920;
 
-    /** Room for a scroll bar, or for the borders of the dialog on one side, pixels. */
+    /** Room for the borders of the dialog on one side, pixels. */
     private static final int EDGES = 20;
 
     /** The pages of the user's guide, in the order in which its first page lists the others. */
@@ -62,13 +63,11 @@ public final class HelpDialog extends MajicDialog {
     public HelpDialog(Window owner, List<Member> members, Optional<Member> current) {
         super(owner, TEXTS.get("help"));
         tabs.setName("helpTabs");
-        tabs.addTab(
-                TEXTS.get("commands"),
-                scrolled("commands", file(TEXTS.get("commands.file"), TEXTS.get("commands.command"))));
+        tabs.addTab(TEXTS.get("commands"), file("commands", TEXTS.get("commands.command")));
         if (!members.isEmpty()) {
             tabs.addTab(TEXTS.get("parameters"), parameters(members, current));
         }
-        tabs.addTab(TEXTS.get("keys"), scrolled("keys", file(TEXTS.get("keys.file"), TEXTS.get("keys.key"))));
+        tabs.addTab(TEXTS.get("keys"), file("keys", TEXTS.get("keys.key")));
         addPages(GUIDE, TEXTS.get("guide"));
         addPages(List.of("majic-script"), TEXTS.get("guide.script"));
         tabs.addChangeListener(change -> search());
@@ -78,13 +77,10 @@ public final class HelpDialog extends MajicDialog {
     }
 
     /** Returns the width for the texts of most tables, as far as the screen has room for it. */
-    private int widthWithin(Window owner) {
+    private static int widthWithin(Window owner) {
         GraphicsConfiguration screen = owner.getGraphicsConfiguration();
         int most = (screen == null ? owner.getSize() : screen.getBounds().getSize()).width;
-        int texts = tables.stream().mapToInt(TableColumns::widthOf).max().orElse(0);
-        int wanted =
-                Math.max(UIScale.scale(LEAST_WIDTH), Math.min(texts + UIScale.scale(EDGES), UIScale.scale(MOST_WIDTH)));
-        return Math.min(wanted, most - UIScale.scale(2 * EDGES));
+        return Math.min(UIScale.scale(WIDTH), most - UIScale.scale(2 * EDGES));
     }
 
     private void addPages(List<String> names, String title) {
@@ -121,61 +117,71 @@ public final class HelpDialog extends MajicDialog {
 
     /** Shows only the rows, or the parts of a page, that contain the text. */
     private void search() {
-        String wanted = search.getText().strip();
-        RowFilter<TableModel, Integer> filter = RowFilter.regexFilter("(?iu)" + Pattern.quote(wanted));
-        tables.forEach(table -> sorter(table).setRowFilter(filter));
+        String wanted = wanted();
+        tables.forEach(table -> filter(table, wanted));
         Component shown = tabs.getSelectedComponent();
         if (shown instanceof GuideView page) {
             page.search(wanted);
         }
     }
 
+    private String wanted() {
+        return search.getText().strip();
+    }
+
     @SuppressWarnings("unchecked")
-    private static TableRowSorter<TableModel> sorter(JTable table) {
-        return (TableRowSorter<TableModel>) table.getRowSorter();
+    private static void filter(JTable table, String wanted) {
+        ((TableRowSorter<TableModel>) table.getRowSorter())
+                .setRowFilter(RowFilter.regexFilter("(?iu)" + Pattern.quote(wanted)));
     }
 
     private JPanel parameters(List<Member> members, Optional<Member> current) {
         MemberChoice choice = new MemberChoice(members, current);
-        JScrollPane rows = scrolled("parameters", HelpTables.noParameters());
-        JTable table = (JTable) rows.getViewport().getView();
+        JTable table = table("parameters");
         choice.addActionListener(event -> list(choice, table));
         list(choice, table);
         JPanel panel = new JPanel(new MigLayout("insets 8 0 0 0", "[][grow, fill]", "[][grow, fill]"));
         panel.add(label(TEXTS.get("robot"), choice));
         panel.add(choice, "grow 0, wmin 220, wrap");
-        panel.add(rows, "spanx 2, grow");
+        panel.add(new JScrollPane(table), "spanx 2, grow");
         return panel;
     }
 
-    /** Makes the rows in the background; shows them if the robot is still the chosen one then. */
     private void list(MemberChoice choice, JTable table) {
         Member member = choice.chosen();
-        EventThread.background("listing parameters", () -> {
-            TableModel rows = HelpTables.of(member);
-            EventThread.later(() -> {
-                if (choice.chosen() == member) {
-                    show(table, rows);
-                    search();
-                }
-            });
-        });
+        fill(table, () -> HelpTables.of(member), () -> choice.chosen() == member);
     }
 
-    private static TableModel file(String name, String left) {
-        return HelpTables.file(name, left, TEXTS.get("effect"));
+    private JScrollPane file(String key, String left) {
+        JTable table = table(key);
+        fill(table, () -> HelpTables.file(TEXTS.get(key + ".file"), left, TEXTS.get("effect")), () -> true);
+        return new JScrollPane(table);
     }
 
-    private JScrollPane scrolled(String key, TableModel model) {
+    /** Creates a table without rows. */
+    private JTable table(String key) {
         JTable table = new JTable();
         table.setName("help " + key);
         table.getAccessibleContext().setAccessibleName(TEXTS.get(key));
         table.setShowHorizontalLines(true);
         table.setAutoResizeMode(JTable.AUTO_RESIZE_LAST_COLUMN);
         table.getTableHeader().setReorderingAllowed(false);
-        show(table, model);
+        table.setRowSorter(new TableRowSorter<>(table.getModel()));
         tables.add(table);
-        return new JScrollPane(table);
+        return table;
+    }
+
+    /** Makes the rows in the background; shows them in a piece of their own if they are still wanted then. */
+    private void fill(JTable table, Supplier<TableModel> rows, BooleanSupplier isWanted) {
+        EventThread.background("listing " + table.getName(), () -> {
+            TableModel made = rows.get();
+            EventThread.later(() -> EventThread.piece(() -> {
+                if (isWanted.getAsBoolean()) {
+                    show(table, made);
+                    filter(table, wanted());
+                }
+            }));
+        });
     }
 
     private static void show(JTable table, TableModel model) {

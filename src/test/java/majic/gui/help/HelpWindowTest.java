@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.awt.Point;
 import java.awt.event.KeyEvent;
+import java.util.List;
+import java.util.Optional;
 import javax.swing.JEditorPane;
 import javax.swing.JTable;
+import javax.swing.JTextField;
 import javax.swing.MenuSelectionManager;
 import javax.swing.text.Element;
 import javax.swing.text.html.HTMLDocument;
@@ -24,10 +27,23 @@ class HelpWindowTest {
         window.press(KeyEvent.VK_F1);
         window.awaitDialog("Help");
         JTable commands = window.find("help commands", JTable.class);
+        window.await("the commands", () -> commands.getRowCount() > 0);
         int all = commands.getRowCount();
         window.write("helpSearch", "CURVE");
         window.await("the search", () -> commands.getRowCount() < all);
         assertThat(commands.getValueAt(0, 0)).asString().startsWith("1 drive");
+    }
+
+    @Test
+    void rowsThatComeAfterTheTextWasTypedAreSearchedToo() {
+        window.run(() -> {
+            HelpDialog dialog = new HelpDialog(window.frame, List.of(), Optional.empty());
+            window.find("helpSearch", JTextField.class).setText("CURVE");
+            dialog.setVisible(true);
+        });
+        JTable commands = window.awaitShowing("help commands", JTable.class);
+        window.await("the rows with the text", () -> commands.getRowCount() > 0);
+        assertThat(commands.getRowCount()).isLessThan(commands.getModel().getRowCount());
     }
 
     @Test
