@@ -2,6 +2,7 @@ package majic.gui.add;
 
 import java.awt.CardLayout;
 import java.awt.Window;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -62,7 +63,13 @@ public final class AddBotDialog extends MajicDialog {
      */
     public AddBotDialog(
             Window owner, Session session, ProgramServices services, Consumer<Member> joined, int giveUpMs) {
-        this(owner, session, services, joined, giveUpMs, AddressInputFactory.all(session.factory(), services));
+        this(owner, session, services, joined, giveUpMs, inputs(session, services));
+    }
+
+    private static Map<String, AddressInput> inputs(Session session, ProgramServices services) {
+        Map<String, AddressInput> inputs = new LinkedHashMap<>();
+        AddressInputFactory.all(session.factory(), services).forEach((name, input) -> inputs.put(name, input.get()));
+        return inputs;
     }
 
     private AddBotDialog(
@@ -84,9 +91,9 @@ public final class AddBotDialog extends MajicDialog {
     }
 
     /**
-     * Creates a dialog in two pieces of the event dispatch thread: first the fields of all types, then the dialog.
+     * Creates a dialog in pieces of the event dispatch thread: first the fields of each type, then the dialog.
      *
-     * @param open receives, in the second piece, what creates the dialog
+     * @param open receives, in the last piece, what creates the dialog
      */
     public static void inPieces(
             Window owner,
@@ -94,11 +101,11 @@ public final class AddBotDialog extends MajicDialog {
             ProgramServices services,
             Consumer<Member> joined,
             Consumer<Supplier<AddBotDialog>> open) {
-        EventThread.piece(() -> {
-            Map<String, AddressInput> inputs = AddressInputFactory.all(session.factory(), services);
-            EventThread.piece(
-                    () -> open.accept(() -> new AddBotDialog(owner, session, services, joined, GIVE_UP_MS, inputs)));
-        });
+        Map<String, AddressInput> inputs = new LinkedHashMap<>();
+        AddressInputFactory.all(session.factory(), services)
+                .forEach((name, input) -> EventThread.piece(() -> inputs.put(name, input.get())));
+        EventThread.piece(
+                () -> open.accept(() -> new AddBotDialog(owner, session, services, joined, GIVE_UP_MS, inputs)));
     }
 
     private JPanel content() {

@@ -3,24 +3,25 @@ package majic.gui.add;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Supplier;
 import majic.bot.BotType;
 import majic.gui.kit.ProgramServices;
 import majic.team.BotFactory;
 import majic.text.Texts;
 
-/** Creates the input that fits each type of robot. */
+/** Creates the input for the address of each type of robot. */
 final class AddressInputFactory {
     private static final Texts TEXTS = Texts.of(AddressInputFactory.class);
 
     private AddressInputFactory() {}
 
-    /** Creates one input for each type and one for the lab, by their names in the drop-down list. */
-    static Map<String, AddressInput> all(BotFactory factory, ProgramServices services) {
-        Map<String, AddressInput> inputs = new LinkedHashMap<>();
+    /** Returns what creates the input of each type and that of the lab, by their names in the drop-down list. */
+    static Map<String, Supplier<AddressInput>> all(BotFactory factory, ProgramServices services) {
+        Map<String, Supplier<AddressInput>> inputs = new LinkedHashMap<>();
         for (BotType type : factory.types()) {
-            inputs.put(title(type), type.canListRobots() ? new SiteInput(type, factory) : of(type, services));
+            inputs.put(title(type), () -> type.canListRobots() ? new SiteInput(type, factory) : of(type, services));
         }
-        inputs.put(TEXTS.get("labRobot"), new LabInput(factory, services.startLab()));
+        inputs.put(TEXTS.get("labRobot"), () -> new LabInput(factory, services.startLab()));
         return inputs;
     }
 
