@@ -5,6 +5,8 @@ import java.awt.BorderLayout;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.util.List;
 import java.util.stream.Collectors;
 import javax.swing.BorderFactory;
@@ -68,7 +70,8 @@ final class PlotWindow extends JFrame {
         setName("plot");
         setDefaultCloseOperation(DISPOSE_ON_CLOSE);
         JPanel content = new JPanel(new BorderLayout());
-        JPanel tools = tools(stop);
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        JPanel tools = tools(stop, screen.width);
         content.add(tools, BorderLayout.NORTH);
         content.add(view, BorderLayout.CENTER);
         content.add(side(), BorderLayout.EAST);
@@ -78,6 +81,7 @@ final class PlotWindow extends JFrame {
         setMinimumSize(new Dimension(
                 Math.max(UIScale.scale(LEAST_WIDTH), tools.getPreferredSize().width), UIScale.scale(LEAST_HEIGHT)));
         pack();
+        setSize(Math.min(getWidth(), screen.width), Math.min(getHeight(), screen.height));
         model.addListener(this::modelChanged);
         modelChanged();
         values.start();
@@ -88,29 +92,48 @@ final class PlotWindow extends JFrame {
         return model;
     }
 
-    private JPanel tools(JComponent stop) {
-        JPanel tools = new JPanel(new MigLayout("insets 6 8 4 8, gap 6", "[]12[][][][]12[][]12:push[][]12[]"));
+    /** Places the buttons in one row, or in two if the screen is too narrow for that, with STOP at the end. */
+    private JPanel tools(JComponent stop, int screenWidth) {
+        JPanel tools = new JPanel(new MigLayout("insets 6 8 4 8, gap 12 4", "[][grow, fill][]"));
+        JPanel choices = choices();
+        JPanel actions = actions();
+        tools.add(choices, "cell 0 0");
+        tools.add(actions, "cell 1 0");
+        tools.add(stop, "cell 2 0, growy, wmin pref");
+        if (tools.getPreferredSize().width > screenWidth) {
+            tools.add(actions, "cell 0 1 2 1");
+            tools.add(stop, "cell 2 0 1 2, growy, wmin pref");
+        }
+        return tools;
+    }
+
+    private JPanel choices() {
+        JPanel choices = new JPanel(new MigLayout("insets 0, gap 6", "[]12[][][][]"));
         JButton add = button("addCurves", TEXTS.get("add"), TEXTS.get("add.hint"));
         add.addActionListener(event -> addCurves());
-        tools.add(add);
+        choices.add(add);
         ButtonGroup lengths = new ButtonGroup();
         for (TimeLength length : TimeLength.values()) {
-            tools.add(lengthButton(length, lengths));
+            choices.add(lengthButton(length, lengths));
         }
+        return choices;
+    }
+
+    private JPanel actions() {
+        JPanel actions = new JPanel(new MigLayout("insets 0, gap 6", "[][]12:push[][]"));
         pause.setName("pause");
         pause.setToolTipText(TEXTS.get("pause.hint"));
         pause.addActionListener(event -> model.pause(pause.isSelected()));
         reset.addActionListener(event -> model.zoom(null));
-        tools.add(pause);
-        tools.add(reset);
+        actions.add(pause);
+        actions.add(reset);
         JButton png = button("savePng", TEXTS.get("png.button"), TEXTS.get("png.hint"));
         png.addActionListener(event -> savePng());
         JButton csv = button("saveCsv", TEXTS.get("csv.button"), TEXTS.get("csv.hint"));
         csv.addActionListener(event -> saveCsv());
-        tools.add(png);
-        tools.add(csv);
-        tools.add(stop, "growy, wmin pref");
-        return tools;
+        actions.add(png);
+        actions.add(csv);
+        return actions;
     }
 
     private static JButton button(String name, String text, String tip) {
