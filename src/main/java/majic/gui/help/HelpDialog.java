@@ -32,6 +32,8 @@ public final class HelpDialog extends MajicDialog {
     private static final Texts TEXTS = Texts.of(HelpDialog.class);
     private static final long serialVersionUID = 1L;
     private static final int WIDTH = 920;
+    private static final int LEAST_WIDTH = 400;
+    private static final int LEAST_HEIGHT = 220;
 
     /** Room for the borders of the dialog on one side, pixels. */
     private static final int EDGES = 20;
@@ -72,6 +74,7 @@ public final class HelpDialog extends MajicDialog {
         addPages(List.of("majic-script"), TEXTS.get("guide.script"));
         tabs.addChangeListener(change -> search());
         tabs.setPreferredSize(new Dimension(widthWithin(owner), UIScale.scale(480)));
+        canShrinkTo(LEAST_WIDTH, LEAST_HEIGHT);
         fill(content(), closing(TEXTS.get("close")));
         focusFirst(search);
     }

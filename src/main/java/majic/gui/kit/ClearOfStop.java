@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Rectangle;
 import java.awt.Window;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Stream;
 import javax.swing.JComponent;
@@ -27,11 +28,13 @@ public final class ClearOfStop {
      * there.
      *
      * @param window has a place and a size, and is not visible yet
-     * @param owner the window with STOP
+     * @param owner the window with STOP, or one that this owns
      */
     public static void place(Window window, Window owner) {
         Rectangle screen = owner.getGraphicsConfiguration().getBounds();
-        stop(owner)
+        Stream.iterate(owner, Objects::nonNull, Window::getOwner)
+                .flatMap(shown -> stop(shown).stream())
+                .findFirst()
                 .ifPresent(stop ->
                         window.setBounds(clear(window.getBounds(), window.getMinimumSize().height, stop, screen)));
     }

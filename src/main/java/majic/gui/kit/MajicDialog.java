@@ -1,6 +1,10 @@
 package majic.gui.kit;
 
+import com.formdev.flatlaf.util.UIScale;
 import java.awt.Component;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.Rectangle;
 import java.awt.Window;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
@@ -22,6 +26,7 @@ public class MajicDialog extends JDialog {
     private static final long serialVersionUID = 1L;
 
     private transient @Nullable Component first;
+    private @Nullable Dimension least;
 
     public MajicDialog(Window owner, String title) {
         super(owner, title, ModalityType.MODELESS);
@@ -53,7 +58,15 @@ public class MajicDialog extends JDialog {
         first = component;
     }
 
-    /** Adds content and buttons; the first button is the default one, which Enter presses. */
+    /** Sets the least size of a dialog whose content scrolls, in place of its usual size; used by {@link #fill}. */
+    protected final void canShrinkTo(int width, int height) {
+        least = UIScale.scale(new Dimension(width, height));
+    }
+
+    /**
+     * Adds content and buttons; the first button is the default one, which Enter presses. The dialog gets its usual
+     * size, as far as the screen has room for it, and a place where STOP stays visible if there is one.
+     */
     public final void fill(JComponent content, JButton... buttons) {
         JPanel all = new JPanel(new MigLayout("insets 14, gap 8 12", "[grow, fill]", "[grow, fill][]"));
         all.add(content, "wrap");
@@ -66,8 +79,11 @@ public class MajicDialog extends JDialog {
         getRootPane().setDefaultButton(buttons[0]);
         Mnemonics.assign(all);
         pack();
-        setMinimumSize(getSize());
+        Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+        setSize(Math.min(getWidth(), screen.width), Math.min(getHeight(), screen.height));
+        setMinimumSize(least == null ? getSize() : least);
         setLocationRelativeTo(getOwner());
+        ClearOfStop.place(this, getOwner());
     }
 
     /** Creates the label of a field; the field gets its accessible name from it. */
