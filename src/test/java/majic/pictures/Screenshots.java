@@ -15,7 +15,6 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
-import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
@@ -25,6 +24,7 @@ import javax.swing.SwingUtilities;
 import majic.gui.MajicFrame;
 import majic.gui.editor.EditorContext;
 import majic.gui.editor.EditorWindow;
+import majic.gui.kit.StopButton;
 import majic.gui.replay.ReplayServices;
 import majic.gui.replay.ReplayWindow;
 import majic.panel.PlotHost;
@@ -197,7 +197,9 @@ class Screenshots {
                 .orElseThrow();
         Path file = program.recordings().files().get(0);
         ReplayServices services = new ReplayServices(
-                program.settings(), program.session().factory().types(), JButton::new);
+                program.settings(),
+                program.session().factory().types(),
+                () -> new StopButton(program.team(), program.team()::stopAllIfAny));
         SwingUtilities.invokeAndWait(() -> ReplayWindow.open(frame, file, services, () -> {}, Assertions::fail));
         awaitWindow(() -> PictureWindow.replay() != null);
         JFrame replay = Objects.requireNonNull(PictureWindow.replay());

@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
-import javax.swing.JButton;
 import javax.swing.JFrame;
 import javax.swing.JSlider;
 import javax.swing.JTabbedPane;
@@ -19,6 +18,7 @@ import javax.swing.SwingUtilities;
 import majic.bot.MajicBot;
 import majic.gui.MajicFrame;
 import majic.gui.kit.RobotSharing.Place;
+import majic.gui.kit.StopButton;
 import majic.gui.replay.ReplayServices;
 import majic.gui.replay.ReplayWindow;
 import majic.pictures.PictureWindow.Settled;
@@ -204,7 +204,9 @@ class StatePictures {
         }
         Path file = program.recordings().files().get(0);
         ReplayServices services = new ReplayServices(
-                program.settings(), program.session().factory().types(), JButton::new);
+                program.settings(),
+                program.session().factory().types(),
+                () -> new StopButton(program.team(), program.team()::stopAllIfAny));
         SwingUtilities.invokeAndWait(() -> ReplayWindow.open(frame, file, services, () -> {}, Assertions::fail));
         awaitWindow(() -> PictureWindow.replay() != null);
         JFrame replay = Objects.requireNonNull(PictureWindow.replay());
