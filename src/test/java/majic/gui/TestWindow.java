@@ -17,6 +17,8 @@ import java.util.Map;
 import java.util.OptionalInt;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.swing.AbstractButton;
@@ -48,6 +50,7 @@ import majic.text.MarkedTexts;
 import majic.time.TimeSource;
 import majic.time.WaitLimit;
 import org.assertj.swing.core.BasicRobot;
+import org.assertj.swing.core.ComponentFinder;
 import org.assertj.swing.core.MouseButton;
 import org.assertj.swing.core.Robot;
 import org.assertj.swing.edt.GuiActionRunner;
@@ -239,19 +242,26 @@ public final class TestWindow implements AutoCloseable {
     }
 
     public <T extends Component> T find(String name, Class<T> kind) {
-        return robot.finder().findByName(name, kind, false);
+        return search(finder -> finder.findByName(name, kind, false));
+    }
+
+    /**
+     * Searches in one event of the event dispatch thread. Called on another thread, the finder would post two events
+     * for each component of all windows, which takes most of the time of a window test.
+     */
+    private <T> T search(Function<ComponentFinder, T> search) {
+        return GuiActionRunner.execute(() -> search.apply(robot.finder()));
     }
 
     /** Waits until a component is shown, and returns it. */
     public <T extends Component> T awaitShowing(String name, Class<T> kind) {
-        await(
-                name + " to show",
-                () -> robot.finder()
-                                .findAll(found ->
-                                        kind.isInstance(found) && name.equals(found.getName()) && found.isShowing())
-                                .size()
-                        == 1);
-        return robot.finder().findByName(name, kind, true);
+        await(name + " to show", () -> showing(found -> kind.isInstance(found) && name.equals(found.getName())) == 1);
+        return search(finder -> finder.findByName(name, kind, true));
+    }
+
+    private int showing(Predicate<Component> wanted) {
+        return search(finder -> finder.findAll(found -> wanted.test(found) && found.isShowing()))
+                .size();
     }
 
     public Dialog awaitDialog(String title) {
@@ -259,9 +269,7 @@ public final class TestWindow implements AutoCloseable {
     }
 
     public boolean isShowing(String name) {
-        return !robot.finder()
-                .findAll(found -> name.equals(found.getName()) && found.isShowing())
-                .isEmpty();
+        return showing(found -> name.equals(found.getName())) > 0;
     }
 
     public boolean isStopLatched() {
