@@ -79,7 +79,8 @@ public record ListenKey(Path file, X509Certificate certificate, SSLContext conte
     private static void runKeytool(Path file) throws IOException {
         Path keytool = Path.of(System.getProperty("java.home"), "bin", "keytool");
         ProcessBuilder builder = new ProcessBuilder(Stream.of(
-                        List.of(keytool.toString(), "-genkeypair", "-alias", ALIAS, "-dname", "CN=MAJIC"),
+                        List.of(keytool.toString(), "-J-XX:TieredStopAtLevel=1"),
+                        List.of("-genkeypair", "-alias", ALIAS, "-dname", "CN=MAJIC"),
                         List.of("-keyalg", "EC", "-groupname", "secp256r1", "-validity", "3650"),
                         List.of("-storetype", FORMAT, "-keystore", file.toString()),
                         List.of("-storepass:env", PASSWORD_VARIABLE))

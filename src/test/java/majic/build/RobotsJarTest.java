@@ -166,6 +166,7 @@ class RobotsJarTest {
                 .collect(Collectors.joining(File.pathSeparator));
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-XX:TieredStopAtLevel=1",
                 "-cp",
                 jar + File.pathSeparator + libraries));
         command.addAll(List.of(program));

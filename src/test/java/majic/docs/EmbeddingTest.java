@@ -63,6 +63,7 @@ class EmbeddingTest {
             lab.simulators().place("pioneer", NEAR_THE_WALL);
             List<String> command = new ArrayList<>(List.of(
                     Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                    "-XX:TieredStopAtLevel=1",
                     option,
                     "-cp",
                     System.getProperty("surefire.test.class.path", System.getProperty("java.class.path")),

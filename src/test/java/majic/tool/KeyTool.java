@@ -21,7 +21,8 @@ public final class KeyTool {
     public static KeyStore make(Path file, String password, String alias, String name, String... options)
             throws IOException, InterruptedException, GeneralSecurityException {
         List<String> command = new ArrayList<>(List.of(
-                Path.of(System.getProperty("java.home"), "bin", "keytool").toString(), "-genkeypair", "-keyalg", "EC"));
+                Path.of(System.getProperty("java.home"), "bin", "keytool").toString(), "-J-XX:TieredStopAtLevel=1"));
+        command.addAll(List.of("-genkeypair", "-keyalg", "EC"));
         command.addAll(List.of("-alias", alias, "-dname", name, "-storetype", "PKCS12"));
         command.addAll(List.of("-keystore", file.toString(), "-storepass", password));
         command.addAll(List.of(options));
