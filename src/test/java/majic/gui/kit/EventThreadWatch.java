@@ -80,8 +80,16 @@ public final class EventThreadWatch {
         Thread.sleep(TICK_MS);
     }
 
-    /** Returns how long the thread computed, or waited for something other than the next event, in the last tick. */
+    /**
+     * Returns how long the thread computed, or waited for something other than the next event, in the last tick; 0 if
+     * it searched components for the test.
+     */
     private long occupiedNanos(ThreadInfo thread, long before) {
+        boolean searching = Stream.of(thread.getStackTrace())
+                .anyMatch(frame -> frame.getClassName().equals("org.assertj.swing.core.FinderDelegate"));
+        if (searching) {
+            return 0;
+        }
         if (thread.getThreadState() == Thread.State.RUNNABLE) {
             return THREADS.getThreadCpuTime(eventThread) - before;
         }
