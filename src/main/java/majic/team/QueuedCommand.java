@@ -19,10 +19,10 @@ public final class QueuedCommand {
 
     private final String text;
     private final boolean moves;
-    private final Runnable check;
     private final Work work;
-    private final @Nullable Object asker;
-    private final Consumer<Answer> ending;
+    private Runnable check = () -> {};
+    private @Nullable Object asker;
+    private Consumer<Answer> ending = answer -> {};
     private volatile @Nullable BotControl control;
     private volatile Answer.@Nullable Outcome outcome;
     private volatile boolean ended;
@@ -48,53 +48,61 @@ public final class QueuedCommand {
      * @param work what it does
      */
     public QueuedCommand(String text, boolean moves, Work work) {
-        this(text, moves, () -> {}, work, null, answer -> {});
-    }
-
-    private QueuedCommand(
-            String text, boolean moves, Runnable check, Work work, @Nullable Object asker, Consumer<Answer> ending) {
         this.text = text;
         this.moves = moves;
-        this.check = check;
         this.work = work;
-        this.asker = asker;
-        this.ending = ending;
     }
 
     /**
-     * Returns the same command, not submitted, with an asker.
+     * Sets the asker, before the command is submitted.
      *
      * @param by returned with the answers, so that they can be routed to the source of the command; null for no
      *     particular source
-     * @return a new command
+     * @return this command
+     * @throws IllegalStateException if it was accepted before
      */
-    public QueuedCommand askedBy(@Nullable Object by) {
-        return new QueuedCommand(text, moves, check, work, by, ending);
+    public synchronized QueuedCommand askedBy(@Nullable Object by) {
+        requireNew();
+        asker = by;
+        return this;
     }
 
     /**
-     * Returns the same command, not submitted, with a further check that is made when its turn comes.
+     * Adds a check that is made when the turn of the command comes, before those that it has; before the command is
+     * submitted.
      *
      * @param further throws a {@link BotException} if the command must not begin; the command ends with that
-     * @return a new command
+     * @return this command
+     * @throws IllegalStateException if it was accepted before
      */
-    public QueuedCommand checkedBy(Runnable further) {
-        Runnable all = () -> {
+    public synchronized QueuedCommand checkedBy(Runnable further) {
+        requireNew();
+        Runnable before = check;
+        check = () -> {
             further.run();
-            check.run();
+            before.run();
         };
-        return new QueuedCommand(text, moves, all, work, asker, ending);
+        return this;
     }
 
     /**
-     * Returns the same command, not submitted, with a receiver of its end.
+     * Sets a receiver of its end, before the command is submitted.
      *
      * @param receiver called once after the command was submitted and has ended, with its answer, whose text is empty
      *     if the command answers nothing; called on the worker of the robot, or on the thread that ends the command
-     * @return a new command
+     * @return this command
+     * @throws IllegalStateException if it was accepted before
      */
-    public QueuedCommand endingIn(Consumer<Answer> receiver) {
-        return new QueuedCommand(text, moves, check, work, asker, receiver);
+    public synchronized QueuedCommand endingIn(Consumer<Answer> receiver) {
+        requireNew();
+        ending = receiver;
+        return this;
+    }
+
+    private void requireNew() {
+        if (control != null) {
+            throw new IllegalStateException(text + " was submitted before");
+        }
     }
 
     /**
@@ -145,9 +153,7 @@ public final class QueuedCommand {
      * @throws IllegalStateException if it was accepted before
      */
     synchronized void accept(BotControl robot) {
-        if (control != null) {
-            throw new IllegalStateException(text + " was submitted before");
-        }
+        requireNew();
         control = robot;
     }
 

@@ -1,6 +1,7 @@
 package majic.team;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -51,6 +52,18 @@ class CommandQueueTest {
                 events);
 
         assertThat(events).containsExactly("moved", "moved");
+    }
+
+    @Test
+    void anAcceptedCommandTakesNoFurtherCheck() {
+        try (TestClock clock = new TestClock()) {
+            QueuedCommand command = new QueuedCommand("move 100", true, robot -> List.of());
+            command.accept(new PermittedControl(FakeBot.on(clock.time()), new Permit()));
+
+            assertThatThrownBy(() -> command.checkedBy(() -> {}))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("move 100 was submitted before");
+        }
     }
 
     /** Runs two equal commands and one that must not begin. */
