@@ -8,16 +8,15 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import majic.bot.BotException;
+import majic.script.commands.LineParser;
+import majic.script.commands.ScriptParser;
+import majic.script.commands.TeamCommands;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.LineSource;
 import majic.script.lines.PreparedLine;
-import majic.script.syntax.Command;
-import majic.script.syntax.CommandTrait;
-import majic.script.syntax.LineParser;
+import majic.script.run.CommandTrait;
+import majic.script.run.Statement;
 import majic.script.syntax.Mistake;
-import majic.script.syntax.ScriptParser;
-import majic.script.syntax.Statement;
-import majic.script.syntax.TypedBlock;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -72,7 +71,7 @@ final class LineChecker {
     private Accepted acceptCommand(Statement statement, String line) {
         PreparedLine prepared = dispatcher.prepare(statement, line);
         if (statement instanceof Statement.ForRobots named
-                && named.command() instanceof Command.Name command
+                && named.command() instanceof TeamCommands.Name command
                 && command.name() != null) {
             givenNames.add(command.name().text());
         }

@@ -38,7 +38,7 @@ public final class MajicParser {
     private MajicParser(Session session, LineSource source) {
         this.session = session;
         this.output = session.output();
-        this.dispatcher = new Dispatcher(session.state(), session.actions(), source, this);
+        this.dispatcher = new Dispatcher(session.state(), source, this);
         this.checker = new LineChecker(session::robotWords, source, dispatcher);
         this.defaultRobots = new DefaultRobots(session.team());
     }

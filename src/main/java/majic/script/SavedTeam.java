@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotType;
-import majic.script.run.ScriptFiles;
+import majic.script.run.ScriptSource;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.text.VisibleText;
@@ -77,7 +77,7 @@ public final class SavedTeam {
      * @throws BotException if the file cannot be read or has other lines in it; the message names the first
      */
     public static SavedTeam read(Path file) {
-        SavedTeam team = parse(ScriptFiles.read(file), file.getFileName() + ":");
+        SavedTeam team = parse(ScriptSource.textOf(file), file.getFileName() + ":");
         if (team.isEmpty()) {
             throw new BotException(file + ": there is no robot in this team");
         }

@@ -20,12 +20,12 @@ import majic.bot.MotionStopped;
 import majic.bot.Value;
 import majic.log.Line;
 import majic.script.acts.ScriptActProgram;
-import majic.script.run.ActionLookup;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.Interpreter;
 import majic.script.run.ScriptExecution;
-import majic.script.run.ScriptFiles;
+import majic.script.run.ScriptSource;
+import majic.script.run.SessionState;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 import majic.team.Answer;
@@ -51,7 +51,7 @@ public final class ScriptAct extends MajicAct {
     private transient volatile @Nullable Map<String, Value> given;
 
     /** Where it runs. */
-    private record Stage(Execution line, ActionLookup actions, Owner act, Map<String, Member> robots) {}
+    private record Stage(Execution line, Owner act, Map<String, Member> robots) {}
 
     /**
      * A behaviour from a script or a saved session.
@@ -75,7 +75,7 @@ public final class ScriptAct extends MajicAct {
      * @throws BotException if it cannot be read, or is no behaviour
      */
     public static ScriptAct read(Path file) {
-        return new ScriptAct(String.valueOf(file.getFileName()), ScriptFiles.read(file));
+        return new ScriptAct(String.valueOf(file.getFileName()), ScriptSource.textOf(file));
     }
 
     /**
@@ -155,8 +155,8 @@ public final class ScriptAct extends MajicAct {
     }
 
     /** Sets where it runs, before it is started; a robot for each role. */
-    void enter(Execution line, ActionLookup actions, Owner act, Map<String, List<Member>> robots) {
-        stage = new Stage(line, actions, act, first(robots));
+    void enter(Execution line, Owner act, Map<String, List<Member>> robots) {
+        stage = new Stage(line, act, first(robots));
     }
 
     private static Map<String, Member> first(Map<String, List<Member>> cast) {
@@ -170,9 +170,9 @@ public final class ScriptAct extends MajicAct {
      *
      * @throws BotException if not, one line for each mistake, with its place
      */
-    void check(ActionLookup actions, Map<String, List<Member>> cast) {
+    void check(SessionState session, Map<String, List<Member>> cast) {
         ScriptActProgram behaviour = program();
-        ScriptActProgram.refuse(title, behaviour.check(actions, first(cast)));
+        ScriptActProgram.refuse(title, behaviour.check(session, first(cast)));
     }
 
     @Override
@@ -182,9 +182,9 @@ public final class ScriptAct extends MajicAct {
             throw new BotException("an act in MAJIC Script runs in a session: 1 act FILE");
         }
         ScriptActProgram behaviour = program();
-        refuse(behaviour.check(here.actions, here.robots), here);
+        refuse(behaviour.check(here.line.session(), here.robots), here);
         try {
-            run(behaviour, here.actions, here.line.asAct(here.act, behaviour.among(here.robots)));
+            run(behaviour, here.line.asAct(here.act, behaviour.among(here.robots)));
         } catch (ExecutionEnded e) {
             throw e.outcome() == Answer.Outcome.STOPPED
                     ? new MotionStopped("stopped")
@@ -202,8 +202,8 @@ public final class ScriptAct extends MajicAct {
         }
     }
 
-    private static void run(ScriptActProgram behaviour, ActionLookup actions, ScriptExecution execution) {
-        new Interpreter(execution, actions).run(behaviour.statements());
+    private static void run(ScriptActProgram behaviour, ScriptExecution execution) {
+        new Interpreter(execution).run(behaviour.statements());
         execution.finish();
     }
 }

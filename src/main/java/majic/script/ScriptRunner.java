@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import majic.bot.BotException;
 import majic.log.Line;
+import majic.script.commands.ScriptFiles;
 import majic.script.conditions.Selection;
 import majic.script.help.Completion;
 import majic.script.help.Completions;
@@ -17,11 +18,10 @@ import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
 import majic.script.run.RobotsIn;
 import majic.script.run.ScriptControl;
-import majic.script.run.ScriptFiles;
 import majic.script.run.ScriptSource;
+import majic.script.run.Statement;
 import majic.script.run.SubmittedCommands;
 import majic.script.syntax.Mistake;
-import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.Member;
 
@@ -41,7 +41,7 @@ public final class ScriptRunner {
      */
     public ScriptRunner(Session session) {
         this.session = session;
-        this.scripts = new ScriptFiles(session.factory(), session.actions());
+        this.scripts = new ScriptFiles(session.state());
         this.selection = new Selection(session.team());
     }
 

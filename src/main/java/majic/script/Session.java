@@ -17,14 +17,12 @@ import majic.log.Sampling;
 import majic.log.SessionListener;
 import majic.log.SessionLog;
 import majic.log.SessionOutput;
-import majic.script.actions.ActionTable;
-import majic.script.actions.Plotting;
-import majic.script.actions.RobotConnector;
-import majic.script.actions.TeamScript;
+import majic.script.commands.TeamScript;
 import majic.script.conditions.Selection;
 import majic.script.help.Completer;
 import majic.script.record.SessionRecord;
-import majic.script.run.ActionLookup;
+import majic.script.run.Plotting;
+import majic.script.run.RobotConnector;
 import majic.script.run.SessionState;
 import majic.team.Answer;
 import majic.team.BotFactory;
@@ -49,7 +47,6 @@ public final class Session {
     private final ActOffers offers;
     private final RobotConnector connector;
     private final Plotting plotting = new Plotting();
-    private final ActionLookup actions;
 
     /**
      * A session without listeners.
@@ -66,13 +63,14 @@ public final class Session {
         this.log = log;
         this.output = new SessionOutput(log);
         this.robotTypes = factory.types().stream().map(BotType::name).toList();
-        this.state = new SessionState(team, output, new SessionRecord(team));
+        SessionRecord record = new SessionRecord(team);
         this.offers = new ActOffers(output, acts);
-        this.connector = new RobotConnector(state, factory);
+        this.connector = new RobotConnector(team, factory, output, record);
         ParameterLog readings = new ParameterLog();
         Sampling sampling = new Sampling(readings, team.time(), notice -> output.send(Line.Kind.NOTICE, notice));
-        SessionActs runner = new SessionActs(state, acts, offers, plotting);
-        this.actions = new ActionTable(state, factory, connector, runner, readings, sampling, plotting, quit);
+        SessionActs runner = new SessionActs(team, output, acts, offers, plotting);
+        this.state =
+                new SessionState(team, output, record, factory, connector, runner, readings, sampling, plotting, quit);
         log.onTrouble(this::alarm);
         team.addListener(new TeamRelay());
     }
@@ -237,7 +235,7 @@ public final class Session {
      * @return what {@link SavedTeam#parse} takes
      */
     public String teamScript() {
-        return new TeamScript(team, factory, connector).withoutCalibrations();
+        return TeamScript.of(state).withoutCalibrations();
     }
 
     SessionOutput output() {
@@ -246,10 +244,6 @@ public final class Session {
 
     SessionState state() {
         return state;
-    }
-
-    ActionLookup actions() {
-        return actions;
     }
 
     /** The words that stand for robots: types, and the names that robots have. */

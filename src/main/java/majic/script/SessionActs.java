@@ -22,20 +22,20 @@ import majic.bot.MotionStopped;
 import majic.bot.Value;
 import majic.driver.Permit;
 import majic.log.Line;
-import majic.script.actions.Plotting;
+import majic.log.SessionOutput;
 import majic.script.acts.ActArguments;
 import majic.script.acts.RoleAssignment;
 import majic.script.record.SessionRecord;
+import majic.script.run.ActCall;
 import majic.script.run.ActRunner;
-import majic.script.run.ActionLookup;
+import majic.script.run.Command;
 import majic.script.run.Execution;
-import majic.script.run.RobotAction;
-import majic.script.run.SessionState;
-import majic.script.syntax.Command;
+import majic.script.run.Plotting;
 import majic.script.syntax.Literal;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.QueuedCommand;
+import majic.team.Team;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
@@ -43,7 +43,8 @@ import org.jspecify.annotations.Nullable;
 final class SessionActs implements ActRunner {
     private static final int SHORTEST_HASH = 8;
 
-    private final SessionState state;
+    private final Team team;
+    private final SessionOutput output;
     private final ActCatalog acts;
     private final ActOffers offers;
     private final Plotting plotting;
@@ -52,8 +53,9 @@ final class SessionActs implements ActRunner {
     /** By robot, the permit of all that was ordered since its last {@code act off} and may still wait for its turn. */
     private final Map<Member, Permit> ordered = new ConcurrentHashMap<>();
 
-    SessionActs(SessionState state, ActCatalog acts, ActOffers offers, Plotting plotting) {
-        this.state = state;
+    SessionActs(Team team, SessionOutput output, ActCatalog acts, ActOffers offers, Plotting plotting) {
+        this.team = team;
+        this.output = output;
         this.acts = acts;
         this.offers = offers;
         this.plotting = plotting;
@@ -93,53 +95,51 @@ final class SessionActs implements ActRunner {
     }
 
     @Override
-    public CheckedAct read(Command.Act act, ActionLookup actions) {
-        return act.name().at().resolve(() -> new FoundAct(act, find(act.name()), actions));
+    public CheckedAct read(ActCall call) {
+        return call.name().at().resolve(() -> new FoundAct(call, find(call.name())));
     }
 
     /** A behaviour that a line names. */
     private final class FoundAct implements CheckedAct {
-        private final Command.Act act;
+        private final ActCall call;
         private final Found found;
-        private final ActionLookup actions;
 
-        FoundAct(Command.Act act, Found found, ActionLookup actions) {
-            this.act = act;
+        FoundAct(ActCall call, Found found) {
+            this.call = call;
             this.found = found;
-            this.actions = actions;
         }
 
         @Override
-        public void check(RobotAction.Check check) {
-            act.name().at().check(() -> {
+        public void check(Command.Check check) {
+            call.name().at().check(() -> {
                 Map<String, List<Member>> robots =
-                        assign(check.robot(), check.selection().members(act.others()));
+                        assign(check.robot(), check.selection().members(call.others()));
                 Map<String, Value> values = values();
                 if (found.isScript() && found.fresh(values) instanceof ScriptAct script) {
-                    script.check(actions, robots);
+                    script.check(check.session(), robots);
                 }
             });
         }
 
         private Map<String, Value> values() {
-            return ActArguments.fit(found.arguments(), act.arguments());
+            return ActArguments.fit(found.arguments(), call.arguments());
         }
 
         @Override
         public Function<Member, QueuedCommand> commands(Execution execution) {
-            List<Member> others = execution.selection().members(act.others());
+            List<Member> others = execution.selection().members(call.others());
             List<Permit> permits = others.stream().map(SessionActs.this::permit).toList();
             return me -> command(me, others, permits.stream().reduce(permit(me), Permit::and), execution);
         }
 
         private QueuedCommand command(Member me, List<Member> others, Permit permit, Execution execution) {
-            QueuedCommand command = new QueuedCommand(act.text(), true, robot -> {
+            QueuedCommand command = new QueuedCommand(call.text(), true, robot -> {
                 Map<String, List<Member>> robots = assign(me, others);
-                noticeIfOwn(act.name().unquoted(), me);
+                noticeIfOwn(call.name().unquoted(), me);
                 long began = me.time().nanos();
                 ActRun run = run(robots, permit, execution);
                 String how = run.isLeftBehind() ? "left behind without a robot, it does not end" : "done";
-                return List.of(act.text()
+                return List.of(call.text()
                         + String.format(
                                 Locale.ROOT, ": %s (%.1f s)", how, me.time().secondsSince(began)));
             });
@@ -152,24 +152,23 @@ final class SessionActs implements ActRunner {
             ActRun run = new ActRun(fresh, found.name(), found.titled(values), robots, permit);
             run.usePlots(plotting::show);
             if (fresh instanceof ScriptAct script) {
-                script.enter(execution, actions, run.owner(), robots);
+                script.enter(execution, run.owner(), robots);
             }
             SessionActs.this.run(run, execution.owner());
             return run;
         }
 
         private Map<String, List<Member>> assign(Member me, List<Member> others) {
-            return RoleAssignment.assign(act.name().unquoted(), found.roles(), me, others);
+            return RoleAssignment.assign(call.name().unquoted(), found.roles(), me, others);
         }
     }
 
     private void noticeIfOwn(String name, Member me) {
         if (acts.replacesShipped(name)) {
-            state.output()
-                    .send(
-                            Line.Kind.NOTICE,
-                            me.number() + ": " + name + " from " + acts.folder()
-                                    + ", in place of the one that comes with MAJIC");
+            output.send(
+                    Line.Kind.NOTICE,
+                    me.number() + ": " + name + " from " + acts.folder()
+                            + ", in place of the one that comes with MAJIC");
         }
     }
 
@@ -183,7 +182,7 @@ final class SessionActs implements ActRunner {
             run.run(by);
         } finally {
             running.remove(run);
-            state.team().changes().raise();
+            team.changes().raise();
         }
     }
 
@@ -204,7 +203,7 @@ final class SessionActs implements ActRunner {
 
     private void awaitEnd(List<ActRun> ending) {
         try {
-            state.team().changes().await(() -> ending.stream().noneMatch(running::contains), Signal.FOR_EVER);
+            team.changes().await(() -> ending.stream().noneMatch(running::contains), Signal.FOR_EVER);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }

@@ -1,7 +1,7 @@
 package majic.bot;
 
 import java.util.stream.Collectors;
-import majic.script.help.ParameterGroup;
+import majic.script.commands.ParameterGroup;
 
 /** The tables that a robot's page carries, as its driver describes them. */
 public final class RobotPage {

@@ -11,7 +11,7 @@ import majic.bot.Parameter;
 import majic.bot.Range;
 import majic.hemisson.line.Reply;
 import majic.hemisson.modules.Modules;
-import majic.script.help.ParameterGroup;
+import majic.script.commands.ParameterGroup;
 import org.junit.jupiter.api.Test;
 
 /** The page about the Hemisson lists what the driver describes, word for word. */

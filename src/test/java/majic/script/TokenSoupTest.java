@@ -8,8 +8,8 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import majic.script.commands.ScriptParser;
 import majic.script.syntax.Mistake;
-import majic.script.syntax.ScriptParser;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 

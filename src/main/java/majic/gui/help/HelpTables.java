@@ -11,7 +11,7 @@ import java.util.Objects;
 import javax.swing.table.DefaultTableModel;
 import javax.swing.table.TableModel;
 import majic.bot.Parameter;
-import majic.script.help.ParameterGroup;
+import majic.script.commands.ParameterGroup;
 import majic.team.Member;
 import majic.text.Texts;
 

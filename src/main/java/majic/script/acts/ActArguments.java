@@ -9,7 +9,7 @@ import java.util.Set;
 import majic.act.ActArgument;
 import majic.bot.Parameter;
 import majic.bot.Value;
-import majic.script.syntax.Command;
+import majic.script.run.ActCall;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
@@ -26,10 +26,10 @@ public final class ActArguments {
      * @return the values in the form that their arguments take, by name, in the order of the line
      * @throws ScriptException at the name or value that is wrong, with what would be right
      */
-    public static Map<String, Value> fit(List<ActArgument> known, List<Command.Argument> given) {
+    public static Map<String, Value> fit(List<ActArgument> known, List<ActCall.Given> given) {
         Map<String, Value> values = new LinkedHashMap<>();
         Set<String> names = new HashSet<>();
-        for (Command.Argument one : given) {
+        for (ActCall.Given one : given) {
             Token name = one.name();
             if (!names.add(name.text().toLowerCase(Locale.ROOT))) {
                 throw new ScriptException(name, name.text() + ": given twice");

@@ -10,15 +10,16 @@ import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import majic.bot.BotAddress;
+import majic.script.commands.ParameterCommands;
+import majic.script.commands.TeamCommands;
+import majic.script.run.Command;
 import majic.script.run.Inspection;
-import majic.script.syntax.Command;
+import majic.script.run.Statement;
 import majic.script.syntax.Condition;
 import majic.script.syntax.EachComparison;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.SessionCommand;
-import majic.script.syntax.Statement;
 import majic.script.syntax.Token;
 import org.jspecify.annotations.Nullable;
 
@@ -133,7 +134,7 @@ final class ScriptActInspection extends Inspection {
 
     @Override
     public @Nullable Void forRobots(Statement.ForRobots line) {
-        if (line.command() instanceof Command.Name) {
+        if (line.command() instanceof TeamCommands.Name) {
             return null;
         }
         robots(line.robots());
@@ -143,7 +144,7 @@ final class ScriptActInspection extends Inspection {
         if (until != null) {
             inspect(until, line.robots());
         }
-        if (command instanceof Command.Own own) {
+        if (command instanceof ParameterCommands.Own own) {
             ownCommands.add(line);
             need(commands, line.robots(), own.at().text());
         }
@@ -154,7 +155,7 @@ final class ScriptActInspection extends Inspection {
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
         line.command().refusalInAct().ifPresent(why -> refuse(line.at(), why));
-        if (line.command() instanceof SessionCommand.Add add) {
+        if (line.command() instanceof TeamCommands.Add add) {
             add(line, add);
         }
         return null;
@@ -164,7 +165,7 @@ final class ScriptActInspection extends Inspection {
         throw new ScriptException(word, word.text().toLowerCase(Locale.ROOT) + ": " + why);
     }
 
-    private void add(Statement.ForSession line, SessionCommand.Add add) {
+    private void add(Statement.ForSession line, TeamCommands.Add add) {
         if (add.number().isEmpty()) {
             throw new ScriptException(line.at(), "add: an act is given its robots; leave the line out");
         }

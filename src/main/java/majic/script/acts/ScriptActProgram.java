@@ -8,15 +8,15 @@ import majic.act.ActArgument;
 import majic.act.Role;
 import majic.bot.BotException;
 import majic.bot.Value;
+import majic.script.commands.ScriptParser;
+import majic.script.commands.TeamCommands;
 import majic.script.conditions.Selection;
-import majic.script.run.ActionLookup;
 import majic.script.run.Checker;
-import majic.script.syntax.Command;
+import majic.script.run.Command;
+import majic.script.run.SessionState;
+import majic.script.run.Statement;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.ScriptParser;
-import majic.script.syntax.SessionCommand;
-import majic.script.syntax.Statement;
 import majic.script.syntax.Token;
 import majic.team.Member;
 
@@ -78,13 +78,12 @@ public final class ScriptActProgram {
     /**
      * Checks whether robots can do what it commands.
      *
-     * @param actions for its commands
      * @param byRole the robots by role
      * @return what is wrong, in any order
      */
-    public List<Mistake> check(ActionLookup actions, Map<String, Member> byRole) {
+    public List<Mistake> check(SessionState session, Map<String, Member> byRole) {
         Selection robots = among(byRole);
-        List<Mistake> mistakes = new ArrayList<>(Checker.check(statements, actions, robots));
+        List<Mistake> mistakes = new ArrayList<>(Checker.check(statements, session, robots));
         mistakes.addAll(rawCommands(robots));
         return mistakes;
     }
@@ -102,8 +101,8 @@ public final class ScriptActProgram {
 
     /** Whether a line of a saved session adds or names a robot. */
     private static boolean isForSession(Statement statement) {
-        return (statement instanceof Statement.ForSession line && line.command() instanceof SessionCommand.Add)
-                || (statement instanceof Statement.ForRobots named && named.command() instanceof Command.Name);
+        return (statement instanceof Statement.ForSession line && line.command() instanceof TeamCommands.Add)
+                || (statement instanceof Statement.ForRobots named && named.command() instanceof TeamCommands.Name);
     }
 
     /** What is run, without the lines that add and name robots. */

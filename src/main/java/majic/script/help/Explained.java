@@ -9,27 +9,40 @@ import majic.bot.BotType;
 import majic.bot.Parameter;
 import majic.bot.Value;
 import majic.lab.LabAccess;
-import majic.script.syntax.LineParser;
-import majic.script.syntax.ScriptParser;
-import majic.script.syntax.SessionParser;
+import majic.script.commands.Help;
+import majic.script.commands.LineParser;
+import majic.script.commands.ScriptParser;
+import majic.script.commands.SessionParser;
 import majic.team.Member;
 
 /** Words of the language and names of robots, parameters and addresses, each with its explanation. */
 final class Explained {
     private Explained() {}
 
+    private static final String SEPARATOR = ": ";
+
     /** The words that begin a command for the session or a block. */
     static List<Completion> sessionWords() {
         List<Completion> words = new ArrayList<>();
-        SessionParser.WORDS.forEach(word -> words.add(Help.completion(word)));
-        ScriptParser.BLOCK_WORDS.forEach(word -> words.add(Help.completion(word)));
+        SessionParser.WORDS.forEach(word -> words.add(word(word)));
+        ScriptParser.BLOCK_WORDS.forEach(word -> words.add(word(word)));
         return words;
+    }
+
+    /** A word of the language or a topic of {@code help}, with what it takes and what it does. */
+    static Completion word(String word) {
+        String behind = Help.explained(word);
+        int colon = behind.indexOf(SEPARATOR);
+        return colon < 0
+                ? new Completion(word, behind.strip(), "")
+                : new Completion(
+                        word, behind.substring(0, colon).strip(), behind.substring(colon + SEPARATOR.length()));
     }
 
     /** The commands that every robot has, and those that some of the given robots have. */
     static List<Completion> commands(List<Member> members) {
         List<Completion> words = new ArrayList<>();
-        LineParser.COMMAND_WORDS.forEach(word -> words.add(Help.completion(word)));
+        LineParser.COMMAND_WORDS.forEach(word -> words.add(word(word)));
         members.forEach(member ->
                 member.bot().commands().stream().map(Explained::command).forEach(words::add));
         return words;

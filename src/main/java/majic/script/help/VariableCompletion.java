@@ -7,8 +7,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import majic.script.syntax.ScriptParser;
-import majic.script.syntax.Statement;
+import majic.script.commands.ScriptParser;
+import majic.script.run.Statement;
 
 /** Completes the names that stand for the values of a script's arguments, such as {@code $speed}. */
 public final class VariableCompletion {

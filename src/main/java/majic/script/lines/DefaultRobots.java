@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import majic.bot.BotCommand;
-import majic.script.syntax.LineParser;
-import majic.script.syntax.ScriptParser;
-import majic.script.syntax.SessionParser;
+import majic.script.commands.LineParser;
+import majic.script.commands.ScriptParser;
+import majic.script.commands.SessionParser;
 import majic.team.Member;
 import majic.team.Team;
 

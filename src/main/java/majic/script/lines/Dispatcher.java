@@ -9,16 +9,15 @@ import majic.driver.Permit;
 import majic.log.Line;
 import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
-import majic.script.run.ActionLookup;
+import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
+import majic.script.run.Scheduling;
 import majic.script.run.SessionState;
+import majic.script.run.Statement;
 import majic.script.run.SubmittedCommands;
-import majic.script.syntax.CommandTrait;
-import majic.script.syntax.Scheduling;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.StopCount;
@@ -32,7 +31,7 @@ public final class Dispatcher {
 
     private static final String NOT_RUN = "not run: stopped";
 
-    private final ActionLookup actions;
+    private final SessionState session;
     private final Team team;
     private final SessionOutput output;
     private final LineSource source;
@@ -50,14 +49,14 @@ public final class Dispatcher {
      *
      * @param asker what the answers to its lines carry
      */
-    public Dispatcher(SessionState state, ActionLookup actions, LineSource source, Object asker) {
+    public Dispatcher(SessionState session, LineSource source, Object asker) {
         this.asker = asker;
-        this.actions = actions;
-        this.team = state.team();
-        this.output = state.output();
+        this.session = session;
+        this.team = session.team();
+        this.output = session.output();
         this.source = source;
         this.selection = new Selection(team);
-        this.origin = new Execution.Origin(state, commands, asker);
+        this.origin = new Execution.Origin(session, commands, asker);
         this.queue = new LineQueue(team, "script lines", this::inTurn);
         this.adding = new LineQueue(team, "adding robots", this::runInTurn);
     }
@@ -76,10 +75,10 @@ public final class Dispatcher {
      */
     public PreparedLine prepare(Statement statement, String text) {
         boolean check = !queue.teamMayChange();
-        PreparedLine line = PreparedLine.of(statement, text, actions, selection, check);
+        PreparedLine line = PreparedLine.of(statement, text, session, selection, check);
         line.typedAfter(stops(line));
         if (check) {
-            line.check(actions, selection);
+            line.check();
         }
         return line;
     }
@@ -231,7 +230,7 @@ public final class Dispatcher {
     private boolean filesAllow(PreparedLine line) {
         try {
             if (line.has(CommandTrait.READS_FILES)) {
-                line.checkWithFiles(actions, selection);
+                line.checkWithFiles();
             }
             return true;
         } catch (BotException | ScriptException e) {
@@ -254,7 +253,7 @@ public final class Dispatcher {
     private void runAtOnce(PreparedLine line) {
         try {
             Execution execution = execution(line, Execution.Manner.AT_ONCE, line.permits());
-            perform(line, () -> line.runChecked(execution, actions));
+            perform(line, () -> line.run(execution));
         } catch (ExecutionEnded e) {
             answerEnded(line, e);
         }
@@ -279,7 +278,7 @@ public final class Dispatcher {
 
     private void runInTurn(PreparedLine line, Execution execution) {
         try {
-            perform(line, () -> line.runChecked(execution, actions));
+            perform(line, () -> line.run(execution));
         } catch (ExecutionEnded e) {
             answerEnded(line, e);
         } catch (ScriptException | BotException e) {

@@ -3,7 +3,7 @@ package majic.script.lines;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Consumer;
-import majic.script.syntax.CommandTrait;
+import majic.script.run.CommandTrait;
 import majic.team.Team;
 import org.jspecify.annotations.Nullable;
 

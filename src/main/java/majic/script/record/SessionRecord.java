@@ -74,14 +74,15 @@ public final class SessionRecord {
      * Creates the entry for a command that is about to run; nothing is kept before {@link #keep}.
      *
      * @param text the line that does it again
-     * @param robots those it makes do something
+     * @param members the robots that it makes do something
      * @param by the script that runs it; null for a line
      * @param block the block it stands in; null for a line of its own
      */
     public synchronized Event command(
-            String text, Set<Integer> robots, @Nullable Owner by, @Nullable RecordedBlock block) {
-        Set<Integer> begins =
-                robots.stream().filter(number -> hasFinished(number, by)).collect(Collectors.toSet());
+            String text, List<Member> members, @Nullable Owner by, @Nullable RecordedBlock block) {
+        Set<Integer> robots = numbers(members);
+        Set<Integer> begins = numbers(
+                members.stream().filter(member -> hasFinished(member, by)).toList());
         Map<Integer, Long> finished = robots.isEmpty() ? Map.of() : finishedOthers(robots, by);
         return new Event(Event.Kind.COMMAND, nanos(), text, robots, begins, finished, block);
     }
@@ -176,11 +177,15 @@ public final class SessionRecord {
         return finished;
     }
 
-    /** A robot with an owner is not free, though it may have nothing to do just now. */
     private boolean hasFinished(int number, @Nullable Owner by) {
         return team.members().stream()
                 .filter(member -> member.number() == number)
-                .anyMatch(member -> member.isIdle(by) && (member.owner() == null || member.owner() == by));
+                .anyMatch(member -> hasFinished(member, by));
+    }
+
+    /** A robot with an owner is not free, though it may have nothing to do just now. */
+    private static boolean hasFinished(Member member, @Nullable Owner by) {
+        return member.isIdle(by) && (member.owner() == null || member.owner() == by);
     }
 
     /** Everything so far, as a script. */

@@ -2,7 +2,6 @@ package majic.script.run;
 
 import java.util.List;
 import java.util.function.Function;
-import majic.script.syntax.Command;
 import majic.script.syntax.Literal;
 import majic.team.Member;
 import majic.team.QueuedCommand;
@@ -12,10 +11,9 @@ public interface ActRunner {
     /**
      * Finds a behaviour, and reads and checks its file. May block.
      *
-     * @param actions for the commands of a behaviour that is a script
      * @throws majic.script.syntax.ScriptException if there is none, or it cannot be loaded
      */
-    CheckedAct read(Command.Act act, ActionLookup actions);
+    CheckedAct read(ActCall call);
 
     /** A behaviour whose file was read once and checked; each run of it is a new act. */
     interface CheckedAct {
@@ -24,7 +22,7 @@ public interface ActRunner {
          *
          * @throws majic.script.syntax.ScriptException if not
          */
-        void check(RobotAction.Check check);
+        void check(Command.Check check);
 
         /**
          * Takes the permissions to move its further robots: a stop of one of them from now on prevents or ends it.

@@ -5,10 +5,8 @@ import java.util.List;
 import java.util.Set;
 import majic.script.conditions.Comparisons;
 import majic.script.conditions.Selection;
-import majic.script.syntax.CommandTrait;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Mistake;
-import majic.script.syntax.Statement;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
@@ -17,27 +15,27 @@ import org.jspecify.annotations.Nullable;
  * nothing is checked, since other robots may be there by then.
  */
 public final class Checker extends Inspection {
-    private final ActionLookup actions;
+    private final SessionState session;
     private final Selection selection;
     private final Set<Member> limitsSet = new HashSet<>();
     private final boolean readsFiles;
     private boolean teamMayChange;
     private boolean filesMayAppear;
 
-    private Checker(ActionLookup actions, Selection selection, boolean readsFiles) {
-        this.actions = actions;
+    private Checker(SessionState session, Selection selection, boolean readsFiles) {
+        this.session = session;
         this.selection = selection;
         this.readsFiles = readsFiles;
     }
 
     /** Everything wrong in a script, in its order. Reads the files it names, so it may block. */
-    public static List<Mistake> check(List<Statement> script, ActionLookup actions, Selection selection) {
-        return check(script, new Checker(actions, selection, true));
+    public static List<Mistake> check(List<Statement> script, SessionState session, Selection selection) {
+        return check(script, new Checker(session, selection, true));
     }
 
     /** Everything wrong in a script except for what only its files show. Reads no file. */
-    public static List<Mistake> checkWithoutFiles(List<Statement> script, ActionLookup actions, Selection selection) {
-        return check(script, new Checker(actions, selection, false));
+    public static List<Mistake> checkWithoutFiles(List<Statement> script, SessionState session, Selection selection) {
+        return check(script, new Checker(session, selection, false));
     }
 
     private static List<Mistake> check(List<Statement> script, Checker checker) {
@@ -55,11 +53,12 @@ public final class Checker extends Inspection {
     @Override
     public @Nullable Void forRobots(Statement.ForRobots line) {
         if (!teamMayChange) {
-            RobotAction action = actions.of(line.command());
             List<Member> robots = selection.members(line.robots());
-            action.check(robots.stream()
-                    .map(robot -> new RobotAction.Check(selection, robot, limitsSet.contains(robot), readsFiles))
-                    .toList());
+            line.command()
+                    .check(robots.stream()
+                            .map(robot ->
+                                    new Command.Check(session, selection, robot, limitsSet.contains(robot), readsFiles))
+                            .toList());
             if (line.command().has(CommandTrait.CHANGES_LIMIT)) {
                 limitsSet.addAll(robots);
             }
@@ -70,9 +69,8 @@ public final class Checker extends Inspection {
 
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
-        SessionAction action = actions.of(line.command());
         if (!teamMayChange && (readsFiles || !line.command().has(CommandTrait.READS_FILES))) {
-            action.check(new SessionAction.Check(selection, filesMayAppear));
+            line.command().check(new SessionCommand.Check(session, selection, filesMayAppear));
         }
         filesMayAppear |= line.command().has(CommandTrait.WRITES_FILE);
         teamMayChange |= line.command().has(CommandTrait.CHANGES_TEAM);

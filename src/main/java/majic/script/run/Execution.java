@@ -1,19 +1,17 @@
 package majic.script.run;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.IntFunction;
+import java.util.function.Predicate;
 import majic.driver.Permit;
 import majic.log.Line;
-import majic.log.SessionOutput;
 import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
-import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
@@ -24,7 +22,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * One line while it runs: submits its commands to the robots, waits, answers. A line owns no robot. Used by the thread
- * that runs it.
+ * that runs it. Each wait blocks, and ends early with {@link ExecutionEnded} if the line or script has to end.
  */
 public class Execution {
     private final Origin origin;
@@ -46,31 +44,21 @@ public class Execution {
         AT_ONCE
     }
 
-    /** Where lines come from: the session, and the parser that receives their answers. Immutable. */
-    public static final class Origin {
-        private final Team team;
-        private final SessionOutput output;
-        private final SessionRecord record;
-        private final SubmittedCommands commands;
-        private final Object asker;
-
-        /**
-         * The origin of all lines of one parser.
-         *
-         * @param commands receives what the lines submit
-         * @param asker what the answers to the lines carry
-         */
-        public Origin(SessionState state, SubmittedCommands commands, Object asker) {
-            this.team = state.team();
-            this.output = state.output();
-            this.record = state.record();
-            this.commands = commands;
-            this.asker = asker;
-        }
-
+    /**
+     * Where lines come from. Immutable.
+     *
+     * @param session what they act on
+     * @param commands receives what they submit
+     * @param asker what their answers carry
+     */
+    public record Origin(SessionState session, SubmittedCommands commands, Object asker) {
         /** The same, where other commands do not count. */
         Origin withoutOthers() {
-            return new Origin(new SessionState(team, output, record), new SubmittedCommands(), asker);
+            return new Origin(session, new SubmittedCommands(), asker);
+        }
+
+        Team team() {
+            return session.team();
         }
     }
 
@@ -93,8 +81,8 @@ public class Execution {
         this.manner = manner;
         this.permits = permits;
         this.wasStopped = wasStopped;
-        this.stopsBefore = origin.team.stops().all();
-        this.latchedBefore = origin.team.isLatched();
+        this.stopsBefore = origin.team().stops().all();
+        this.latchedBefore = origin.team().isLatched();
     }
 
     /** A script that a line begins, or a behaviour that it runs. */
@@ -105,7 +93,7 @@ public class Execution {
         this.permits = Map.of();
         this.wasStopped = wasStopped;
         this.stopsBefore = line.stopsBefore;
-        this.latchedBefore = origin.team.isLatched();
+        this.latchedBefore = origin.team().isLatched();
     }
 
     /**
@@ -114,14 +102,10 @@ public class Execution {
      * @param name what messages call it
      * @param text the lines that run it again
      * @param waits whether it ends only when its robots have finished
+     * @param control pauses and ends it; null if nothing does
      */
-    public ScriptExecution asScript(String name, String text, boolean waits) {
-        return asScript(name, text, waits, null);
-    }
-
-    /** As {@link #asScript(String, String, boolean)}, under a control unless that is null. */
-    final ScriptExecution asScript(String name, String text, boolean waits, @Nullable ScriptControl control) {
-        return ScriptExecution.ofLine(this, name, origin.record.begin(text, waits), control);
+    public final ScriptExecution asScript(String name, String text, boolean waits, @Nullable ScriptControl control) {
+        return ScriptExecution.ofLine(this, name, origin.session.record().begin(text, waits), control);
     }
 
     /**
@@ -135,7 +119,7 @@ public class Execution {
     }
 
     final Team team() {
-        return origin.team;
+        return origin.team();
     }
 
     final Origin origin() {
@@ -148,7 +132,12 @@ public class Execution {
 
     /** The clock of the team. */
     final TimeSource time() {
-        return origin.team.time();
+        return origin.team().time();
+    }
+
+    /** What the lines of its session share. */
+    public final SessionState session() {
+        return origin.session;
     }
 
     /** Finds the robots that its commands name. */
@@ -173,7 +162,7 @@ public class Execution {
 
     /** Sends an answer or another line. */
     public final void send(Line.Kind kind, String text) {
-        origin.output.send(kind, text, origin.asker);
+        origin.session.output().send(kind, text, origin.asker);
     }
 
     /** Answers the line. */
@@ -191,8 +180,8 @@ public class Execution {
         return motions;
     }
 
-    /** Waits until a statement may begin; has no effect unless a script is paused. */
-    void reach(Statement statement) {}
+    /** Waits until a statement may begin that begins on a line; has no effect unless a script is paused. */
+    void reach(int line) {}
 
     /**
      * Whether a command is recorded for each robot when that robot begins it, instead of now.
@@ -203,20 +192,10 @@ public class Execution {
         return false;
     }
 
-    /** Runs a command on robots for which it was checked, and records it. */
-    public final void run(RobotAction action, List<Member> robots) {
-        SessionRecord record = record();
-        if (record == null) {
-            action.run(this, robots);
-        } else {
-            action.runRecorded(this, robots, record, block());
-        }
-    }
-
     /** Where it is recorded for a saved session; null for a behaviour, since the line that runs it is recorded. */
     @Nullable
     SessionRecord record() {
-        return origin.record;
+        return origin.session.record();
     }
 
     /** The block that it belongs to in the record; null for a line. */
@@ -234,11 +213,10 @@ public class Execution {
         checkAlive();
         claim(members);
         List<QueuedCommand> ready = ready(members, commands);
-        List<QueuedCommand> permitted = new ArrayList<>();
         for (int index = 0; index < ready.size(); index++) {
-            permitted.add(permitted(members.get(index), ready.get(index), taken.get(index)));
+            permit(members.get(index), ready.get(index), taken.get(index));
         }
-        queue(members, permitted);
+        queue(members, ready);
     }
 
     /** The permit is taken before the check for stops, so that a stop after that check revokes it. */
@@ -247,15 +225,15 @@ public class Execution {
         return typed == null ? member.currentPermit() : typed;
     }
 
-    /** The command as it may be submitted: when its turn comes it does not begin without permission. */
-    QueuedCommand permitted(Member member, QueuedCommand command, Permit permit) {
-        return command.moves() ? command.checkedBy(permit::check) : command;
+    /** Lets a command begin, when its turn comes, only with permission. */
+    void permit(Member member, QueuedCommand command, Permit permit) {
+        if (command.moves()) {
+            command.checkedBy(permit::check);
+        }
     }
 
-    /** The command as it is queued for a robot. */
-    QueuedCommand gated(Member member, QueuedCommand command) {
-        return command;
-    }
+    /** Holds a command back, when its turn comes, while a script is paused. */
+    void gate(Member member, QueuedCommand command) {}
 
     /** As {@link #submit}, for commands that only read: they need neither ownership nor permission. */
     final void read(List<Member> members, Function<Member, QueuedCommand> commands) {
@@ -271,10 +249,12 @@ public class Execution {
             members.get(index).check(commands.get(index).moves(), owner());
         }
         for (int index = 0; index < commands.size(); index++) {
-            QueuedCommand command = gated(members.get(index), commands.get(index));
+            Member member = members.get(index);
+            QueuedCommand command = commands.get(index);
+            gate(member, command);
             motions += command.moves() ? 1 : 0;
-            members.get(index).submit(command, owner());
-            track(members.get(index), command);
+            member.submit(command, owner());
+            track(member, command);
         }
     }
 
@@ -341,9 +321,43 @@ public class Execution {
         return member.isStopping() || member.isOwnerRevoked();
     }
 
-    /** The waits that its commands may use. */
-    public final Waits waits() {
-        return new Waits(this, origin.commands);
+    /** Waits for a time. */
+    public final void pause(double seconds) {
+        await(() -> false, seconds);
+    }
+
+    /** Waits until the commands of some kind that its source submitted before have had their turn. */
+    public final void awaitCommands(Predicate<QueuedCommand> kind) {
+        await(() -> !origin.commands.hasOpen(kind), Double.POSITIVE_INFINITY);
+    }
+
+    /** Waits for all robots of the line or script, and records that. */
+    public final void awaitAll() {
+        Collection<Member> all = allRobots();
+        awaitFinished(all);
+        SessionRecord record = record();
+        if (record != null) {
+            record.waited("wait", SessionRecord.numbers(all), block());
+        }
+    }
+
+    /** Waits until robots are idle and have no other owner. */
+    public final void awaitFinished(Collection<Member> members) {
+        await(
+                () -> members.stream().allMatch(member -> member.isIdle(owner()) && !hasOtherOwner(member)),
+                Double.POSITIVE_INFINITY);
+    }
+
+    /** Waits until robots have finished their commands, unless they have another owner. */
+    final void awaitReadable(Collection<Member> members) {
+        await(
+                () -> members.stream().allMatch(member -> member.isIdle(owner()) || hasOtherOwner(member)),
+                Double.POSITIVE_INFINITY);
+    }
+
+    private boolean hasOtherOwner(Member member) {
+        Owner its = member.owner();
+        return its != null && its != owner();
     }
 
     /** The robots of the line or script. */

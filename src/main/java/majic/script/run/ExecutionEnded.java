@@ -8,7 +8,7 @@ public final class ExecutionEnded extends RuntimeException {
 
     private final Answer.Outcome outcome;
 
-    ExecutionEnded(Answer.Outcome outcome, String message) {
+    public ExecutionEnded(Answer.Outcome outcome, String message) {
         super(message, null, false, false);
         this.outcome = outcome;
     }

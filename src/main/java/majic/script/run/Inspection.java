@@ -6,8 +6,6 @@ import majic.bot.BotException;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.Statement;
-import majic.script.syntax.StatementWalk;
 
 /** Goes through a script and collects all that is wrong in it, instead of ending with the first mistake. */
 public abstract class Inspection extends StatementWalk {

@@ -3,11 +3,11 @@ package majic.script.run;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Set;
 import majic.script.conditions.Comparisons;
 import majic.script.conditions.ConditionEvaluator;
 import majic.script.conditions.Truth;
 import majic.script.syntax.Condition;
-import majic.script.syntax.Statement;
 import majic.script.syntax.Token;
 import majic.team.Answer;
 import majic.team.Member;
@@ -22,15 +22,28 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
     private static final double SHORTEST_ROUND_S = 0.01;
 
     private final Execution execution;
-    private final ActionLookup actions;
     private final TimeSource time;
 
-    public Interpreter(Execution execution, ActionLookup actions) {
+    public Interpreter(Execution execution) {
         this.execution = execution;
-        this.actions = actions;
         this.time = execution.time();
     }
 
+    /**
+     * Runs a whole script: claims the robots that it commands, runs it, waits for them and releases them.
+     *
+     * @param title what answers call it
+     * @param file where it stands; empty if it was typed
+     * @param waits whether it ends, with an answer, only when its robots have finished
+     * @return whether it came to its end
+     */
+    public static boolean runScript(
+            ScriptExecution execution, List<Statement> script, String title, String file, boolean waits) {
+        Set<Member> commanded = RobotsIn.of(script, execution.selection()).commanded();
+        return execution.run(commanded, () -> new Interpreter(execution).run(script), title, file, waits);
+    }
+
+    /** Runs statements one behind the other. */
     public void run(List<Statement> statements) {
         for (Statement statement : statements) {
             execution.checkAlive();
@@ -41,7 +54,7 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
     @Override
     public @Nullable Void repeat(Statement.Repeat repeat) {
         for (int round = 0; repeat.times().isEmpty() || round < repeat.times().getAsInt(); round++) {
-            execution.reach(repeat);
+            execution.reach(repeat.at().line());
             round(repeat.body());
         }
         return null;
@@ -49,39 +62,39 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
 
     @Override
     public @Nullable Void whileLoop(Statement.While loop) {
-        execution.reach(loop);
+        execution.reach(loop.at().line());
         while (holds(loop.condition(), loop.at())) {
             round(loop.body());
-            execution.reach(loop);
+            execution.reach(loop.at().line());
         }
         return null;
     }
 
     @Override
     public @Nullable Void choice(Statement.If choice) {
-        execution.reach(choice);
+        execution.reach(choice.at().line());
         run(holds(choice.condition(), choice.at()) ? choice.body() : choice.otherwise());
         return null;
     }
 
     @Override
     public @Nullable Void forRobots(Statement.ForRobots line) {
-        execution.reach(line);
-        RobotAction action = actions.of(line.command());
+        execution.reach(line.at().line());
+        Command command = line.command();
         List<Member> robots = execution.selection().members(line.robots());
-        action.check(robots.stream()
-                .map(robot -> new RobotAction.Check(execution.selection(), robot, false, true))
+        command.check(robots.stream()
+                .map(robot -> new Command.Check(execution.session(), execution.selection(), robot, false, true))
                 .toList());
-        execution.run(action, robots);
+        command.perform(execution, robots);
         return null;
     }
 
     @Override
     public @Nullable Void forSession(Statement.ForSession line) {
-        execution.reach(line);
-        SessionAction action = actions.of(line.command());
-        action.check(new SessionAction.Check(execution.selection(), false));
-        action.run(execution);
+        execution.reach(line.at().line());
+        SessionCommand command = line.command();
+        command.check(new SessionCommand.Check(execution.session(), execution.selection(), false));
+        command.run(execution);
         return null;
     }
 
@@ -95,13 +108,13 @@ public final class Interpreter implements Statement.Visitor<@Nullable Void> {
         long began = time.nanos();
         run(body);
         if (execution.motions() == motionsBefore && time.secondsSince(began) < SHORTEST_ROUND_S) {
-            execution.waits().pause(SHORTEST_ROUND_S);
+            execution.pause(SHORTEST_ROUND_S);
         }
     }
 
     private boolean holds(Condition condition, Token at) {
         Collection<Member> asked = new ArrayList<>(ConditionEvaluator.allAsked(condition, execution.selection(), null));
-        execution.waits().awaitReadable(asked);
+        execution.awaitReadable(asked);
         Comparisons.check(condition, execution.selection(), null);
         Truth truth = condition.accept(new ConditionEvaluator(execution.selection(), null));
         if (truth.undecided() != null) {

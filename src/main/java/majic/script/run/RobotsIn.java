@@ -4,10 +4,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import majic.script.conditions.Selection;
-import majic.script.syntax.Command;
-import majic.script.syntax.CommandTrait;
-import majic.script.syntax.Statement;
-import majic.script.syntax.StatementWalk;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 

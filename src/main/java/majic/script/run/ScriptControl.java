@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.TreeSet;
 import majic.team.QueuedCommand;
 import majic.time.Signal;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Pauses a running script, lets it go on line by line, ends it, and reports its place. A paused script begins no
@@ -157,9 +156,9 @@ public final class ScriptControl {
         }
 
         /** Adds a command to a robot, which waits until it may begin. */
-        GatedCommand command() {
+        GatedCommand command(QueuedCommand queued) {
             synchronized (ScriptControl.this) {
-                GatedCommand command = new GatedCommand(this);
+                GatedCommand command = new GatedCommand(this, queued);
                 commands.add(command);
                 return command;
             }
@@ -182,18 +181,12 @@ public final class ScriptControl {
     /** A command in the queue of a robot that begins only when the script may go on. */
     final class GatedCommand {
         private final Turn turn;
-        private @Nullable QueuedCommand command;
+        private final QueuedCommand command;
         private boolean begun;
 
-        private GatedCommand(Turn turn) {
+        private GatedCommand(Turn turn, QueuedCommand command) {
             this.turn = turn;
-        }
-
-        QueuedCommand use(QueuedCommand queued) {
-            synchronized (ScriptControl.this) {
-                command = queued;
-            }
-            return queued;
+            this.command = command;
         }
 
         boolean mayBegin() {
@@ -215,7 +208,7 @@ public final class ScriptControl {
         }
 
         private boolean hasEnded() {
-            return command != null && command.hasEnded();
+            return command.hasEnded();
         }
     }
 }

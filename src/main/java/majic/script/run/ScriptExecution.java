@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 import java.util.function.IntFunction;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
@@ -16,7 +15,6 @@ import majic.script.conditions.Selection;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.Statement;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
@@ -91,20 +89,20 @@ public final class ScriptExecution extends Execution {
      * Runs a script that a line begins: claims its robots, runs, waits for them, releases them, and answers how it
      * ended. When something in it fails it ends and stops every robot that it used.
      *
-     * @param interpreter runs the statements under this execution
+     * @param commanded the robots that its statements command
+     * @param statements runs them under this execution
      * @param title what answers call it
      * @param file where it stands; empty if it was typed
      * @param waits whether it ends, with an answer, only when its robots have finished
      * @return whether it came to its end
      */
-    public boolean run(
-            List<Statement> script, Consumer<List<Statement>> interpreter, String title, String file, boolean waits) {
+    boolean run(Collection<Member> commanded, Runnable statements, String title, String file, boolean waits) {
         long began = time().nanos();
         String how = "";
         try {
-            claim(RobotsIn.of(script, selection()).commanded());
+            claim(commanded);
             checkAlive();
-            interpreter.accept(script);
+            statements.run();
             if (waits) {
                 finish();
                 how = String.format(Locale.ROOT, "done (%.1f s)", time().secondsSince(began));
@@ -155,7 +153,7 @@ public final class ScriptExecution extends Execution {
     }
 
     /** Runs a file within this script; its mistakes are reported with its name. */
-    void nested(String file, Runnable body) {
+    public void nested(String file, Runnable body) {
         if (files == MOST_FILES) {
             throw new ExecutionEnded(Answer.Outcome.FAILED, file + ": files run each other too deeply");
         }
@@ -186,10 +184,9 @@ public final class ScriptExecution extends Execution {
 
     /** The statements of a file that the script runs belong to the statement that runs the file. */
     @Override
-    void reach(Statement statement) {
+    void reach(int line) {
         if (control != null) {
-            ScriptControl.Turn next =
-                    turn == null || files == 0 ? control.reach(statement.at().line()) : turn;
+            ScriptControl.Turn next = turn == null || files == 0 ? control.reach(line) : turn;
             turn = next;
             await(next::mayBegin, Double.POSITIVE_INFINITY);
             next.enter();
@@ -205,12 +202,12 @@ public final class ScriptExecution extends Execution {
 
     /** A command that is still queued when the script has ended or failed must not begin before the stop reaches it. */
     @Override
-    QueuedCommand permitted(Member member, QueuedCommand command, Permit permit) {
-        String line = replayLine.apply(member.number());
-        QueuedCommand recorded = control == null || block == null
-                ? command
-                : command.checkedBy(() -> super.record().begun(line, member.number(), owner, block));
-        return recorded.checkedBy(() -> {
+    void permit(Member member, QueuedCommand command, Permit permit) {
+        if (control != null && block != null) {
+            String line = replayLine.apply(member.number());
+            command.checkedBy(() -> super.record().begun(line, member.number(), owner, block));
+        }
+        command.checkedBy(() -> {
             if (mustNotBegin()) {
                 throw new MotionStopped("stopped");
             }
@@ -225,16 +222,16 @@ public final class ScriptExecution extends Execution {
      * Under control the thread of the robot waits, when the turn of a command has come, until the command may begin.
      */
     @Override
-    QueuedCommand gated(Member member, QueuedCommand command) {
+    void gate(Member member, QueuedCommand command) {
         if (turn == null) {
-            return command;
+            return;
         }
-        ScriptControl.GatedCommand gate = turn.command();
+        ScriptControl.GatedCommand gate = turn.command(command);
         Permit permit = member.currentPermit();
-        return gate.use(command.checkedBy(() -> {
+        command.checkedBy(() -> {
             awaitTurn(() -> gate.mayBegin() || permit.isRevoked() || mustNotBegin());
             gate.begin();
-        }));
+        });
     }
 
     private void awaitTurn(BooleanSupplier condition) {

@@ -1,6 +1,6 @@
 /**
- * Checks and runs scripts: a command is an action that is checked, scheduled, recorded and run. Which actions there are
- * is known to {@code majic.script.actions} alone.
+ * Checks and runs scripts: the interface of a command, statements, the checker, the interpreter, and one line or script
+ * while it runs. The commands themselves are in {@code majic.script.commands}.
  */
 @NullMarked
 package majic.script.run;

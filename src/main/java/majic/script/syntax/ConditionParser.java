@@ -7,19 +7,31 @@ import majic.script.syntax.Token.Kind;
 import org.jspecify.annotations.Nullable;
 
 /** The rules for conditions. */
-final class ConditionParser {
+public final class ConditionParser {
     /** Deeper than any sensible condition, and far from the end of the stack. */
     private static final int DEEPEST = 100;
 
     private final Cursor at;
     private int depth;
 
-    ConditionParser(Cursor at) {
+    public ConditionParser(Cursor at) {
         this.at = at;
     }
 
+    /**
+     * Parses a text that is a condition and nothing else.
+     *
+     * @throws ScriptException if it is not
+     */
+    public static Condition parse(String text) {
+        Cursor at = new Cursor(Scanner.scan(text));
+        Condition condition = new ConditionParser(at).condition();
+        at.endOfLine();
+        return condition;
+    }
+
     /** {@code condition = conjunction { "or" conjunction } ;} */
-    Condition condition() {
+    public Condition condition() {
         Condition left = conjunction();
         while (at.match("or")) {
             left = new Condition.Or(left, conjunction());

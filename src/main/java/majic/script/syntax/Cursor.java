@@ -23,30 +23,30 @@ public final class Cursor {
      *
      * @param name in lower case
      */
-    void define(String name, Value value) {
+    public void define(String name, Value value) {
         if (variables.isEmpty()) {
             variables = new HashMap<>();
         }
         variables.put(name, value);
     }
 
-    boolean isDefined(String name) {
+    public boolean isDefined(String name) {
         return variables.containsKey(name);
     }
 
-    Token peek() {
+    public Token peek() {
         return tokens.get(next);
     }
 
-    Token peekSecond() {
+    public Token peekSecond() {
         return tokens.get(Math.min(next + 1, tokens.size() - 1));
     }
 
-    Token previous() {
+    public Token previous() {
         return tokens.get(Math.max(0, next - 1));
     }
 
-    Token advance() {
+    public Token advance() {
         Token token = tokens.get(next);
         if (token.kind() != Kind.END) {
             next++;
@@ -54,40 +54,42 @@ public final class Cursor {
         return token;
     }
 
-    boolean check(Kind kind) {
+    public boolean check(Kind kind) {
         return tokens.get(next).kind() == kind;
     }
 
-    boolean check(String word) {
-        return peek().is(word);
+    public boolean check(String word) {
+        return tokens.get(next).is(word);
     }
 
-    boolean match(Kind kind) {
-        boolean matches = check(kind);
+    public boolean match(Kind kind) {
+        boolean matches = tokens.get(next).kind() == kind;
         if (matches) {
             advance();
         }
         return matches;
     }
 
-    boolean match(String word) {
-        boolean matches = check(word);
+    public boolean match(String word) {
+        boolean matches = tokens.get(next).is(word);
         if (matches) {
-            advance();
+            next++;
         }
         return matches;
     }
 
     /** Takes a token of a kind, or complains that something else was expected, as in "a distance". */
-    Token consume(Kind kind, String expected) {
-        if (!check(kind)) {
+    public Token consume(Kind kind, String expected) {
+        Token token = tokens.get(next);
+        if (token.kind() != kind) {
             throw unexpected(expected);
         }
-        return advance();
+        next += kind == Kind.END ? 0 : 1;
+        return token;
     }
 
     /** Takes an equals sign, or complains that something else was expected. */
-    void equalsSign(String expected) {
+    public void equalsSign(String expected) {
         if (!check(Kind.OPERATOR) || !peek().text().equals("=")) {
             throw unexpected(expected);
         }
@@ -95,10 +97,11 @@ public final class Cursor {
     }
 
     /** A number of some quantity. */
-    Literal number(Quantity quantity) {
-        Token written = peek();
+    public Literal number(Quantity quantity) {
+        Token written = tokens.get(next);
         if (written.kind() == Kind.NUMBER) {
-            return quantity.read(advance());
+            next++;
+            return quantity.read(written);
         }
         String expected = quantity.what() + " (" + quantity.symbols() + ")";
         if (written.kind() != Kind.VARIABLE) {
@@ -117,14 +120,14 @@ public final class Cursor {
     }
 
     /** Puts the value of a variable in its place; leaves any other token as it is. */
-    void fillIn() {
-        if (check(Kind.VARIABLE)) {
+    public void fillIn() {
+        if (tokens.get(next).kind() == Kind.VARIABLE) {
             tokens.set(next, Variables.fillIn(peek(), variables));
         }
     }
 
     /** A whole number without unit. */
-    int count(String expected) {
+    public int count(String expected) {
         fillIn();
         Token token = consume(Kind.NUMBER, expected);
         try {
@@ -135,7 +138,7 @@ public final class Cursor {
     }
 
     /** A number, a word, a quoted text, or all that stands together without a blank, as addresses and files do. */
-    Literal value(String expected, boolean inCall) {
+    public Literal value(String expected, boolean inCall) {
         if (peek().isEnd() || check(Kind.OPEN_QUOTE) || endsValue(peek(), inCall)) {
             throw unexpected(expected);
         }
@@ -170,22 +173,24 @@ public final class Cursor {
         return inCall && (token.kind() == Kind.COMMA || token.kind() == Kind.RIGHT);
     }
 
-    void endOfLine() {
+    /** Checks that nothing more stands on the line. */
+    public void endOfLine() {
+        if (peek().isEnd()) {
+            return;
+        }
         if (check(Kind.OPEN_QUOTE)) {
             throw unexpected("nothing");
         }
         refuseDecimalComma();
-        if (!peek().isEnd()) {
-            throw new ScriptException(
-                    peek(), peek().written() + ": nothing more is expected behind \"" + lineSoFar() + "\"");
-        }
+        throw new ScriptException(
+                peek(), peek().written() + ": nothing more is expected behind \"" + lineSoFar() + "\"");
     }
 
     /**
      * Where something else is expected, a comma between two numbers that touch it is meant as a decimal point. A call
      * has taken it for a separator.
      */
-    void refuseDecimalComma() {
+    public void refuseDecimalComma() {
         refuseDecimalComma(next);
         if (next > 2 && tokens.get(next - 3).kind() == Kind.LEFT) {
             refuseDecimalComma(next - 1);
@@ -219,13 +224,13 @@ public final class Cursor {
         return text.toString();
     }
 
-    void toNextLine() {
+    public void toNextLine() {
         while (!peek().isEnd()) {
             advance();
         }
     }
 
-    ScriptException unexpected(String expected) {
+    public ScriptException unexpected(String expected) {
         refuseDecimalComma();
         Token found = peek();
         if (found.kind() == Kind.OPEN_QUOTE) {

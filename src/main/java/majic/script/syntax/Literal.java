@@ -18,6 +18,11 @@ import majic.bot.Value;
  * @param text as it was written
  */
 public record Literal(Token at, Value value, String text) {
+    /** The number that is the value. */
+    public double number() {
+        return value.number();
+    }
+
     /** The written characters without quotes, even if they look like a number. */
     public String unquoted() {
         return at.kind() == Token.Kind.QUOTED && text.equals(at.written()) ? at.text() : text;
@@ -54,7 +59,7 @@ public record Literal(Token at, Value value, String text) {
     }
 
     /** What a number in a script counts: each quantity has the unit answers use, and further ones that may be typed. */
-    enum Quantity {
+    public enum Quantity {
         DISTANCE("a distance", Unit.MM, Map.of("mm", 1.0, "cm", 10.0, "m", 1000.0), "mm, cm, m"),
         ANGLE("an angle", Unit.DEG, Map.of("deg", 1.0, "rad", 180 / Math.PI), "deg, rad"),
         SPEED("a speed", Unit.MM_PER_S, Map.of("mm/s", 1.0, "m/s", 1000.0), "mm/s, m/s"),
@@ -85,42 +90,53 @@ public record Literal(Token at, Value value, String text) {
         }
 
         /** A distance, an angle and so on, as messages call it. */
-        String what() {
+        public String what() {
             return what;
         }
 
         /** The units it may be typed in. */
-        String symbols() {
+        public String symbols() {
             return symbols;
         }
 
         /** The number in the unit answers use; it must be of this quantity or bare. */
-        Literal read(Token token) {
-            Literal literal = readAny(token);
-            Value.Number number = (Value.Number) literal.value();
-            if (number.unit() != Unit.NONE && number.unit() != unit) {
+        public Literal read(Token token) {
+            Matcher parts = parts(token);
+            String symbol = symbol(parts);
+            if (!symbol.isEmpty() && !factors.containsKey(symbol)) {
+                of(symbol, token);
                 throw new ScriptException(token, token.text() + ": " + what + " is expected here (" + symbols + ")");
             }
-            return new Literal(token, Value.of(number.amount(), unit), token.text());
+            return literal(parts, symbol.isEmpty() ? 1 : factors.get(symbol), unit, token);
         }
 
         /** The number in the unit answers use, whatever it counts. */
-        static Literal readAny(Token token) {
+        public static Literal readAny(Token token) {
+            Matcher parts = parts(token);
+            String symbol = symbol(parts);
+            if (symbol.isEmpty()) {
+                return literal(parts, 1, Unit.NONE, token);
+            }
+            Quantity quantity = of(symbol, token);
+            return literal(parts, quantity.factors.get(symbol), quantity.unit, token);
+        }
+
+        private static Matcher parts(Token token) {
             Matcher parts = PARTS.matcher(token.text());
             if (!parts.matches()) {
                 throw new ScriptException(token, token.text() + ": not a number");
             }
-            double amount = Double.parseDouble(parts.group(1));
-            String symbol = parts.group(2).toLowerCase(Locale.ROOT);
-            Value.Number number = symbol.isEmpty() ? bare(amount, token) : withUnit(amount, symbol, token);
-            return new Literal(token, number, token.text());
+            return parts;
         }
 
-        private static Value.Number withUnit(double amount, String symbol, Token token) {
+        private static String symbol(Matcher parts) {
+            return parts.group(2).toLowerCase(Locale.ROOT);
+        }
+
+        private static Quantity of(String symbol, Token token) {
             for (Quantity quantity : values()) {
-                Double factor = quantity.factors.get(symbol);
-                if (factor != null) {
-                    return number(amount * factor, quantity.unit, token);
+                if (quantity.factors.containsKey(symbol)) {
+                    return quantity;
                 }
             }
             throw new ScriptException(
@@ -130,15 +146,12 @@ public record Literal(Token at, Value value, String text) {
                             + " °C)");
         }
 
-        private static Value.Number bare(double amount, Token token) {
-            return number(amount, Unit.NONE, token);
-        }
-
-        private static Value.Number number(double amount, Unit unit, Token token) {
+        private static Literal literal(Matcher parts, double factor, Unit unit, Token token) {
+            double amount = Double.parseDouble(parts.group(1)) * factor;
             if (!Double.isFinite(amount)) {
                 throw new ScriptException(token, token.text() + ": too large a number");
             }
-            return new Value.Number(amount, unit, false);
+            return new Literal(token, new Value.Number(amount, unit, false), parts.group());
         }
     }
 }

@@ -27,10 +27,10 @@ public record Robots(Token at, List<Item> items) {
     public record Named(Token at) implements Item {}
 
     /** Every robot. */
-    record All(Token at) implements Item {}
+    public record All(Token at) implements Item {}
 
     /** In a condition: at least one robot. */
-    record Any(Token at) implements Item {}
+    public record Any(Token at) implements Item {}
 
     /** The robot that a behaviour runs on. */
     public record Me(Token at) implements Item {}
@@ -76,7 +76,7 @@ public record Robots(Token at, List<Item> items) {
         return items.get(0) instanceof Any;
     }
 
-    boolean isAll() {
+    public boolean isAll() {
         return items.size() == 1 && items.get(0) instanceof All;
     }
 

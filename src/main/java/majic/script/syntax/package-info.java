@@ -1,6 +1,6 @@
 /**
- * The syntax of MAJIC Script: text to tokens, tokens to a tree of commands. Nothing here uses a robot, and nothing here
- * depends on which robots there are.
+ * The pieces of which lines of MAJIC Script consist: tokens, values, names of robots, conditions. Nothing here uses a
+ * robot, and nothing here depends on which robots there are.
  */
 @NullMarked
 package majic.script.syntax;

@@ -1,16 +1,13 @@
 package majic.shared.desk;
 
-import java.util.List;
 import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.script.conditions.Comparisons;
 import majic.script.conditions.Selection;
 import majic.script.conditions.UntilGuard;
-import majic.script.syntax.Command;
 import majic.script.syntax.Condition;
-import majic.script.syntax.LineParser;
+import majic.script.syntax.ConditionParser;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.Statement;
 import majic.team.Member;
 import majic.team.Team;
 import majic.text.VisibleText;
@@ -38,21 +35,11 @@ final class UntilText {
         }
         try {
             Selection selection = new Selection(team);
-            Condition condition = condition(text, selection.names());
+            Condition condition = ConditionParser.parse(text);
             Comparisons.check(condition, selection, member);
             return new UntilGuard(condition, selection, member);
         } catch (ScriptException e) {
             throw new BotException("until " + shown + ": " + e.getMessage(), e);
         }
-    }
-
-    private static Condition condition(String text, List<String> names) {
-        Statement line = new LineParser("1 move 1 until " + text, names).line();
-        if (line instanceof Statement.ForRobots one
-                && one.command() instanceof Command.Move move
-                && move.until() != null) {
-            return move.until();
-        }
-        throw new BotException("until " + text + ": not a condition");
     }
 }

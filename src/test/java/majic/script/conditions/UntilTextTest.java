@@ -2,15 +2,11 @@ package majic.script.conditions;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalInt;
 import majic.bot.FakeBot;
 import majic.drivertest.TestClock;
-import majic.script.syntax.Command;
-import majic.script.syntax.LineParser;
-import majic.script.syntax.Statement;
+import majic.script.syntax.ConditionParser;
 import majic.team.Member;
 import majic.team.Team;
 import org.junit.jupiter.api.AfterEach;
@@ -66,8 +62,6 @@ class UntilTextTest {
     }
 
     private Optional<String> text(String until) {
-        Statement line = new LineParser("2 move 500 until " + until, List.of()).line();
-        Command.Move move = (Command.Move) ((Statement.ForRobots) line).command();
-        return new UntilGuard(Objects.requireNonNull(move.until()), new Selection(team), moving).text();
+        return new UntilGuard(ConditionParser.parse(until), new Selection(team), moving).text();
     }
 }

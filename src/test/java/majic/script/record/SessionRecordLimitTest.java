@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Set;
+import java.util.List;
 import majic.team.Team;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.AutoClose;
@@ -23,7 +23,7 @@ class SessionRecordLimitTest {
     void aLongSessionKeepsItsFirstCommandsAndTheNumberOfTheOthers() throws IOException {
         SessionRecord record = new SessionRecord(team, 3);
         for (int number = 1; number <= 5; number++) {
-            record.keep(record.command("1 move " + number, Set.of(1), null, null));
+            record.keep(record.command("1 move " + number, List.of(), null, null));
         }
         Path file = folder.resolve("saved.majic");
         record.save(file);
