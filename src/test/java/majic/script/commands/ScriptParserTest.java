@@ -130,4 +130,22 @@ class ScriptParserTest {
                 .containsExactly(
                         "1:1NUMBER", "1:3WORD", "1:8NUMBER", "1:10NEWLINE", "2:3QUOTED", "2:8NEWLINE", "2:10END");
     }
+
+    /** A word without a rule would be taken for a command that only some type of robot has. */
+    @Test
+    void eachWordThatHelpDescribesHasARule() {
+        assertThat(LineParser.COMMAND_WORDS)
+                .isNotEmpty()
+                .allSatisfy(word -> assertThat(statements("1 " + word + " 1"))
+                        .noneMatch(statement -> statement instanceof Statement.ForRobots line
+                                && line.command() instanceof ParameterCommands.Own));
+        assertThat(SessionParser.WORDS)
+                .isNotEmpty()
+                .allSatisfy(word ->
+                        assertThat(statements(word)).allMatch(statement -> statement instanceof Statement.ForSession));
+    }
+
+    private static List<Statement> statements(String text) {
+        return ScriptParser.parse(text, TYPES, new ArrayList<>());
+    }
 }
