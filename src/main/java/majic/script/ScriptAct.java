@@ -22,7 +22,6 @@ import majic.log.Line;
 import majic.script.acts.ScriptActProgram;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
-import majic.script.run.Interpreter;
 import majic.script.run.ScriptExecution;
 import majic.script.run.ScriptSource;
 import majic.script.run.SessionState;
@@ -184,7 +183,8 @@ public final class ScriptAct extends MajicAct {
         ScriptActProgram behaviour = program();
         refuse(behaviour.check(here.line.session(), here.robots), here);
         try {
-            run(behaviour, here.line.asAct(here.act, behaviour.among(here.robots)));
+            ScriptExecution.ofAct(here.line, here.act, behaviour.among(here.robots))
+                    .runAct(behaviour.statements());
         } catch (ExecutionEnded e) {
             throw e.outcome() == Answer.Outcome.STOPPED
                     ? new MotionStopped("stopped")
@@ -200,10 +200,5 @@ public final class ScriptAct extends MajicAct {
         if (!mistakes.isEmpty()) {
             throw new BotException(Mistake.counted(mistakes.size()) + " in it, nothing was run");
         }
-    }
-
-    private static void run(ScriptActProgram behaviour, ScriptExecution execution) {
-        new Interpreter(execution).run(behaviour.statements());
-        execution.finish();
     }
 }

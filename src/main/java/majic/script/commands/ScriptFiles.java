@@ -9,7 +9,6 @@ import majic.script.conditions.Selection;
 import majic.script.run.Checker;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
-import majic.script.run.Interpreter;
 import majic.script.run.ScriptControl;
 import majic.script.run.ScriptExecution;
 import majic.script.run.ScriptSource;
@@ -35,8 +34,7 @@ public record ScriptFiles(SessionState session) {
     public void run(Path path, Execution execution) {
         ScriptSource source = ScriptSource.read(path);
         if (execution instanceof ScriptExecution outer) {
-            List<Statement> script = checked(source, execution);
-            outer.nested(source.file(), () -> new Interpreter(execution).run(script));
+            outer.nested(source.file(), checked(source, execution));
         } else {
             run(source, execution, null);
         }
@@ -50,8 +48,8 @@ public record ScriptFiles(SessionState session) {
      */
     public void run(ScriptSource source, Execution execution, @Nullable ScriptControl control) {
         List<Statement> script = checked(source, execution);
-        ScriptExecution alone = execution.asScript(source.name(), source.replay(), true, control);
-        if (!Interpreter.runScript(alone, script, source.title(), source.file(), true)) {
+        ScriptExecution alone = ScriptExecution.ofLine(execution, source.name(), source.replay(), true, control);
+        if (!alone.run(script, source.title(), source.file(), true)) {
             execution.fail(source.title());
         }
     }

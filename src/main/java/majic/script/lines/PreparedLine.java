@@ -15,7 +15,6 @@ import majic.script.run.Checker;
 import majic.script.run.Command;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
-import majic.script.run.Interpreter;
 import majic.script.run.RobotsIn;
 import majic.script.run.Scheduling;
 import majic.script.run.ScriptExecution;
@@ -34,6 +33,7 @@ public final class PreparedLine {
     private final SessionState session;
     private final Selection selection;
     private final Statement statement;
+    private final Scheduling scheduling;
     private final String text;
     private final Collection<CommandTrait> traits;
     private final Map<Member, Permit> permits = new HashMap<>();
@@ -55,6 +55,7 @@ public final class PreparedLine {
         this.session = session;
         this.selection = selection;
         this.statement = statement;
+        this.scheduling = statement.scheduling();
         this.text = text;
         this.traits = traits;
         this.robots = robots;
@@ -154,22 +155,25 @@ public final class PreparedLine {
 
     /** Runs the line; checks it first if it was not checked just now. */
     void run(Execution execution) {
-        if (statement.isBlock()) {
+        if (!isChecked) {
             execution.checkAlive();
-            runBlock(execution);
-        } else if (!isChecked) {
-            new Interpreter(execution).run(List.of(statement));
-        } else if (statement instanceof Statement.ForRobots line) {
+            if (!statement.isBlock()) {
+                checkWithFiles();
+            }
+        }
+        if (statement instanceof Statement.ForRobots line) {
             line.command().perform(execution, robots);
         } else if (statement instanceof Statement.ForSession line) {
             line.command().run(execution);
+        } else {
+            runBlock(execution);
         }
     }
 
     private void runBlock(Execution execution) {
         boolean waits = execution.isTyped();
-        ScriptExecution script = execution.asScript(title(), text.strip(), waits, null);
-        if (!Interpreter.runScript(script, List.of(statement), title(), "", waits)) {
+        ScriptExecution script = ScriptExecution.ofLine(execution, title(), text.strip(), waits, null);
+        if (!script.run(List.of(statement), title(), "", waits)) {
             execution.fail(title());
         }
     }
@@ -214,7 +218,7 @@ public final class PreparedLine {
 
     /** When it runs. */
     Scheduling scheduling() {
-        return statement.scheduling();
+        return scheduling;
     }
 
     /** Whether one of its commands has a trait. */

@@ -26,6 +26,7 @@ import org.jspecify.annotations.Nullable;
  */
 public class Execution {
     private final Origin origin;
+    private final Team team;
     private final Selection selection;
     private final Manner manner;
     private final Map<Member, Permit> permits;
@@ -56,10 +57,6 @@ public class Execution {
         Origin withoutOthers() {
             return new Origin(session, new SubmittedCommands(), asker);
         }
-
-        Team team() {
-            return session.team();
-        }
     }
 
     /**
@@ -77,49 +74,29 @@ public class Execution {
             Map<Member, Permit> permits,
             BooleanSupplier wasStopped) {
         this.origin = origin;
+        this.team = origin.session.team();
         this.selection = selection;
         this.manner = manner;
         this.permits = permits;
         this.wasStopped = wasStopped;
-        this.stopsBefore = origin.team().stops().all();
-        this.latchedBefore = origin.team().isLatched();
+        this.stopsBefore = team.stops().all();
+        this.latchedBefore = team.isLatched();
     }
 
     /** A script that a line begins, or a behaviour that it runs. */
     Execution(Execution line, Origin origin, Selection selection, BooleanSupplier wasStopped) {
         this.origin = origin;
+        this.team = origin.session.team();
         this.selection = selection;
         this.manner = Manner.IN_TURN;
         this.permits = Map.of();
         this.wasStopped = wasStopped;
         this.stopsBefore = line.stopsBefore;
-        this.latchedBefore = origin.team().isLatched();
-    }
-
-    /**
-     * A script that this line begins; it owns every robot it commands.
-     *
-     * @param name what messages call it
-     * @param text the lines that run it again
-     * @param waits whether it ends only when its robots have finished
-     * @param control pauses and ends it; null if nothing does
-     */
-    public final ScriptExecution asScript(String name, String text, boolean waits, @Nullable ScriptControl control) {
-        return ScriptExecution.ofLine(this, name, origin.session.record().begin(text, waits), control);
-    }
-
-    /**
-     * A behaviour that this line runs.
-     *
-     * @param act the owner of its robots
-     * @param robots finds the robots assigned to it
-     */
-    public ScriptExecution asAct(Owner act, Selection robots) {
-        return ScriptExecution.ofAct(this, act, robots);
+        this.latchedBefore = team.isLatched();
     }
 
     final Team team() {
-        return origin.team();
+        return team;
     }
 
     final Origin origin() {
@@ -132,7 +109,7 @@ public class Execution {
 
     /** The clock of the team. */
     final TimeSource time() {
-        return origin.team().time();
+        return team.time();
     }
 
     /** What the lines of its session share. */
@@ -179,9 +156,6 @@ public class Execution {
     final long motions() {
         return motions;
     }
-
-    /** Waits until a statement may begin that begins on a line; has no effect unless a script is paused. */
-    void reach(int line) {}
 
     /**
      * Whether a command is recorded for each robot when that robot begins it, instead of now.

@@ -3,7 +3,6 @@ package majic.script.run;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Set;
 import majic.script.conditions.Comparisons;
 import majic.script.conditions.ConditionEvaluator;
 import majic.script.conditions.Truth;
@@ -15,36 +14,22 @@ import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** Runs the statements of a script: checks each command when its turn comes, evaluates conditions, repeats blocks. */
-public final class Interpreter implements Statement.Visitor<@Nullable Void> {
+final class Interpreter implements Statement.Visitor<@Nullable Void> {
     /**
      * A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on.
      */
     private static final double SHORTEST_ROUND_S = 0.01;
 
-    private final Execution execution;
+    private final ScriptExecution execution;
     private final TimeSource time;
 
-    public Interpreter(Execution execution) {
+    Interpreter(ScriptExecution execution) {
         this.execution = execution;
         this.time = execution.time();
     }
 
-    /**
-     * Runs a whole script: claims the robots that it commands, runs it, waits for them and releases them.
-     *
-     * @param title what answers call it
-     * @param file where it stands; empty if it was typed
-     * @param waits whether it ends, with an answer, only when its robots have finished
-     * @return whether it came to its end
-     */
-    public static boolean runScript(
-            ScriptExecution execution, List<Statement> script, String title, String file, boolean waits) {
-        Set<Member> commanded = RobotsIn.of(script, execution.selection()).commanded();
-        return execution.run(commanded, () -> new Interpreter(execution).run(script), title, file, waits);
-    }
-
     /** Runs statements one behind the other. */
-    public void run(List<Statement> statements) {
+    void run(List<Statement> statements) {
         for (Statement statement : statements) {
             execution.checkAlive();
             statement.accept(this);

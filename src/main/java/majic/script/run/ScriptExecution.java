@@ -60,11 +60,26 @@ public final class ScriptExecution extends Execution {
         this.control = null;
     }
 
-    static ScriptExecution ofLine(Execution line, String name, RecordedBlock block, @Nullable ScriptControl control) {
-        return new ScriptExecution(line, name, block, control);
+    /**
+     * A script that a line begins; it owns every robot it commands.
+     *
+     * @param name what messages call it
+     * @param text the lines that run it again
+     * @param waits whether it ends only when its robots have finished
+     * @param control pauses and ends it; null if nothing does
+     */
+    public static ScriptExecution ofLine(
+            Execution line, String name, String text, boolean waits, @Nullable ScriptControl control) {
+        return new ScriptExecution(line, name, line.session().record().begin(text, waits), control);
     }
 
-    static ScriptExecution ofAct(Execution line, Owner act, Selection robots) {
+    /**
+     * A behaviour that a line runs.
+     *
+     * @param act the owner of its robots
+     * @param robots finds the robots assigned to it
+     */
+    public static ScriptExecution ofAct(Execution line, Owner act, Selection robots) {
         return new ScriptExecution(line, act, robots);
     }
 
@@ -89,20 +104,18 @@ public final class ScriptExecution extends Execution {
      * Runs a script that a line begins: claims its robots, runs, waits for them, releases them, and answers how it
      * ended. When something in it fails it ends and stops every robot that it used.
      *
-     * @param commanded the robots that its statements command
-     * @param statements runs them under this execution
      * @param title what answers call it
      * @param file where it stands; empty if it was typed
      * @param waits whether it ends, with an answer, only when its robots have finished
      * @return whether it came to its end
      */
-    boolean run(Collection<Member> commanded, Runnable statements, String title, String file, boolean waits) {
+    public boolean run(List<Statement> script, String title, String file, boolean waits) {
         long began = time().nanos();
         String how = "";
         try {
-            claim(commanded);
+            claim(RobotsIn.of(script, selection()).commanded());
             checkAlive();
-            statements.run();
+            new Interpreter(this).run(script);
             if (waits) {
                 finish();
                 how = String.format(Locale.ROOT, "done (%.1f s)", time().secondsSince(began));
@@ -153,13 +166,13 @@ public final class ScriptExecution extends Execution {
     }
 
     /** Runs a file within this script; its mistakes are reported with its name. */
-    public void nested(String file, Runnable body) {
+    public void nested(String file, List<Statement> script) {
         if (files == MOST_FILES) {
             throw new ExecutionEnded(Answer.Outcome.FAILED, file + ": files run each other too deeply");
         }
         files++;
         try {
-            body.run();
+            new Interpreter(this).run(script);
         } catch (ScriptException e) {
             throw new ExecutionEnded(Answer.Outcome.FAILED, e.mistake().in(file));
         } finally {
@@ -182,8 +195,10 @@ public final class ScriptExecution extends Execution {
         return Set.copyOf(used);
     }
 
-    /** The statements of a file that the script runs belong to the statement that runs the file. */
-    @Override
+    /**
+     * Waits until a statement may begin that begins on a line; has no effect unless the script is paused. The
+     * statements of a file that the script runs belong to the statement that runs the file.
+     */
     void reach(int line) {
         if (control != null) {
             ScriptControl.Turn next = turn == null || files == 0 ? control.reach(line) : turn;
@@ -261,8 +276,14 @@ public final class ScriptExecution extends Execution {
         super.forget(members);
     }
 
+    /** Runs a behaviour, and waits for all its commands. */
+    public void runAct(List<Statement> behaviour) {
+        new Interpreter(this).run(behaviour);
+        finish();
+    }
+
     /** Waits for all commands of the script. */
-    public void finish() {
+    private void finish() {
         if (control != null) {
             control.leave();
         }
