@@ -147,7 +147,7 @@ public final class SessionRecord {
      * session the first 200000.
      */
     public synchronized void keep(Event event) {
-        if (event.text().isEmpty() || (event.block() != null && !event.block().hasRoom())) {
+        if (event.text.isEmpty() || (event.block != null && !event.block.hasRoom())) {
             return;
         }
         if (events.size() >= mostEvents) {
@@ -155,15 +155,15 @@ public final class SessionRecord {
             return;
         }
         int place = events.size();
-        while (place > 0 && events.get(place - 1).atNanos() > event.atNanos()) {
+        while (place > 0 && events.get(place - 1).atNanos > event.atNanos) {
             place--;
         }
         events.add(place, event);
-        started.removeAll(event.finished().keySet());
-        if (event.kind() == Event.Kind.STOP) {
-            started.removeAll(event.robots());
-        } else if (event.kind() == Event.Kind.COMMAND) {
-            started.addAll(event.robots());
+        started.removeAll(event.finished.keySet());
+        if (event.kind == Event.Kind.STOP) {
+            started.removeAll(event.robots);
+        } else if (event.kind == Event.Kind.COMMAND) {
+            started.addAll(event.robots);
         }
     }
 
