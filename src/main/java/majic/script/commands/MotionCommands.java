@@ -20,7 +20,7 @@ import majic.team.QueuedCommand;
 import org.jspecify.annotations.Nullable;
 
 /** The commands that move a robot, and the one that stops it. */
-public final class MotionCommands {
+final class MotionCommands {
     private MotionCommands() {}
 
     /** A motion in the robot's queue, until a condition if there is one. */
@@ -49,7 +49,7 @@ public final class MotionCommands {
     }
 
     /** Drives straight. */
-    public record Move(Token at, Literal distance, @Nullable Condition until) implements MotionCommand {
+    record Move(Token at, Literal distance, @Nullable Condition until) implements MotionCommand {
         @Override
         public String text() {
             return "move " + distance.text() + untilText(until);
@@ -70,7 +70,7 @@ public final class MotionCommands {
     }
 
     /** Turns on the spot. */
-    public record Turn(Token at, Literal angle, @Nullable Condition until) implements MotionCommand {
+    record Turn(Token at, Literal angle, @Nullable Condition until) implements MotionCommand {
         @Override
         public String text() {
             return "turn " + angle.text() + untilText(until);
