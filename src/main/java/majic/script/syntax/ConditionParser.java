@@ -30,7 +30,7 @@ public final class ConditionParser {
         return condition;
     }
 
-    /** {@code condition = conjunction { "or" conjunction } ;} */
+    /** Parses a condition: {@code condition = conjunction { "or" conjunction } ;}. */
     public Condition condition() {
         Condition left = conjunction();
         while (at.match("or")) {
