@@ -20,7 +20,6 @@ import javax.swing.UIManager;
 import javax.swing.text.BadLocationException;
 import javax.swing.text.Position;
 import majic.gui.completion.ChoicePopup;
-import majic.gui.kit.EventThread;
 import majic.log.Line;
 import majic.log.SessionListener;
 import majic.panel.RefreshTicks;
@@ -160,13 +159,16 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
         }
     }
 
-    /** Keeps the newest line in view when the size changes. */
+    /**
+     * Keeps the newest line in view when the size changes: in the same event, so that it does not scroll back an area
+     * that is scrolled up meanwhile.
+     */
     @Override
-    public void doLayout() {
+    protected void validateTree() {
         boolean follow = made != null && isAtEnd();
-        super.doLayout();
+        super.validateTree();
         if (follow) {
-            EventThread.later(this::toEnd);
+            toEnd();
         }
     }
 
@@ -189,7 +191,7 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
                 Stream.concat(accepted(joined).stream(), added.stream()).toList();
         if (isAtEnd()) {
             document.append(shown);
-            EventThread.later(this::toEnd);
+            showNewest();
         } else {
             unseen = unseen.and(shown);
             appendAbove(shown);
@@ -249,7 +251,7 @@ public final class MessageArea extends JScrollPane implements SessionListener, C
         document.append(accepted(messages.all()));
         text().setDocument(document);
         unseen = Unseen.NONE;
-        EventThread.later(this::toEnd);
+        showNewest();
         changed.run();
     }
 

@@ -137,6 +137,20 @@ class MessagesWindowTest {
     }
 
     @Test
+    void anAreaThatIsScrolledUpRightAfterItsSizeHasChangedStaysThere() {
+        MessageArea area = window.find("messageArea", MessageArea.class);
+        add(area, 0, 60);
+        window.awaitMessage("line 59");
+        window.await("the newest line", this::isAtEnd);
+        window.run(() -> {
+            window.frame.setSize(720, 540);
+            window.frame.validate();
+            bar().setValue(0);
+        });
+        assertThat(bar().getValue()).isZero();
+    }
+
+    @Test
     void aFoundTextIsCountedAndSelectedFromTheNewestOn() {
         MessageArea area = window.find("messageArea", MessageArea.class);
         add(area, 0, 30);
