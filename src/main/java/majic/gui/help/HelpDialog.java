@@ -65,11 +65,11 @@ public final class HelpDialog extends MajicDialog {
     public HelpDialog(Window owner, List<Member> members, Optional<Member> current) {
         super(owner, TEXTS.get("help"));
         tabs.setName("helpTabs");
-        tabs.addTab(TEXTS.get("commands"), file("commands", TEXTS.get("commands.command")));
+        tabs.addTab(TEXTS.get("commands"), file("commands", TEXTS.get("commands.file"), TEXTS.get("commands.command")));
         if (!members.isEmpty()) {
             tabs.addTab(TEXTS.get("parameters"), parameters(members, current));
         }
-        tabs.addTab(TEXTS.get("keys"), file("keys", TEXTS.get("keys.key")));
+        tabs.addTab(TEXTS.get("keys"), file("keys", TEXTS.get("keys.file"), TEXTS.get("keys.key")));
         addPages(GUIDE, TEXTS.get("guide"));
         addPages(List.of("majic-script"), TEXTS.get("guide.script"));
         tabs.addChangeListener(change -> search());
@@ -155,9 +155,9 @@ public final class HelpDialog extends MajicDialog {
         fill(table, () -> HelpTables.of(member), () -> choice.chosen() == member);
     }
 
-    private JScrollPane file(String key, String left) {
-        JTable table = table(key);
-        fill(table, () -> HelpTables.file(TEXTS.get(key + ".file"), left, TEXTS.get("effect")), () -> true);
+    private JScrollPane file(String name, String file, String left) {
+        JTable table = table(name);
+        fill(table, () -> HelpTables.file(file, left, TEXTS.get("effect")), () -> true);
         return new JScrollPane(table);
     }
 

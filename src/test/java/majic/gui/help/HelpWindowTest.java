@@ -11,7 +11,7 @@ import javax.swing.JTable;
 import javax.swing.JTextField;
 import javax.swing.MenuSelectionManager;
 import javax.swing.text.Element;
-import javax.swing.text.html.HTMLDocument;
+import javax.swing.text.Utilities;
 import majic.gui.TestWindow;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AutoClose;
@@ -70,7 +70,7 @@ class HelpWindowTest {
     private static String topLine(JEditorPane page) {
         return GuiActionRunner.execute(() -> {
             int first = page.viewToModel2D(new Point(0, page.getVisibleRect().y + 2));
-            Element line = ((HTMLDocument) page.getDocument()).getParagraphElement(first);
+            Element line = Utilities.getParagraphElement(page, first);
             return page.getText(line.getStartOffset(), line.getEndOffset() - line.getStartOffset())
                     .strip();
         });
