@@ -12,6 +12,8 @@ import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
 import majic.bot.Pose;
+import majic.program.Crash;
+import majic.program.CrashingSession;
 import majic.simulation.SimulatedLab;
 import majic.stop.RecordingRelay;
 import majicsim.LabOptions;

@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.program;
 
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -17,7 +17,7 @@ import majic.recorder.Recording;
 import majic.recorder.RecordingFolder;
 
 /** Kills a {@link CrashingSession} and reads what it has left in the user's folder. */
-final class Crash {
+public final class Crash {
     private static final Pattern LOGGED =
             Pattern.compile("\\d{4}-\\d\\d-\\d\\d \\d\\d:\\d\\d:\\d\\d\\.\\d{3} (\\w+) +(.*)");
 
@@ -39,7 +39,7 @@ final class Crash {
      * @param afterMs how long it writes, ms
      * @param robots their addresses
      */
-    static Crash after(int afterMs, Path folder, String... robots) throws IOException, InterruptedException {
+    public static Crash after(int afterMs, Path folder, String... robots) throws IOException, InterruptedException {
         Crash crash = new Crash(folder);
         List<String> command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
@@ -93,7 +93,7 @@ final class Crash {
     }
 
     /** Returns when it was killed, ns of the system's clock. */
-    long killedNanos() {
+    public long killedNanos() {
         return killedNanos;
     }
 
@@ -124,7 +124,7 @@ final class Crash {
     }
 
     /** Returns how many lines were shown that are not in the log; fails if others are missing than the last ones. */
-    int missingLines() throws IOException {
+    public int missingLines() throws IOException {
         List<String> shown = shown();
         List<String> logged = logged();
         int common = Math.min(shown.size(), logged.size());
@@ -135,7 +135,7 @@ final class Crash {
     }
 
     /** Returns the number of the newest setting that the program has reported as kept, −1 if there is none. */
-    int reportedSetting() {
+    public int reportedSetting() {
         return printed.stream()
                 .filter(line -> line.matches(CrashingSession.KEPT + "\\d+"))
                 .mapToInt(line -> Integer.parseInt(line.substring(CrashingSession.KEPT.length())))
@@ -144,7 +144,7 @@ final class Crash {
     }
 
     /** Returns the settings that the next start reads. */
-    Properties settings() throws IOException {
+    public Properties settings() throws IOException {
         Properties settings = new Properties();
         try (Reader file = Files.newBufferedReader(folder.resolve("settings.properties"))) {
             settings.load(file);
@@ -153,7 +153,7 @@ final class Crash {
     }
 
     /** Opens the newest recording as a replay does. */
-    Recording recording() throws IOException {
+    public Recording recording() throws IOException {
         return Recording.read(newest(new RecordingFolder(folder.resolve("recordings")).path()));
     }
 

@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.program;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -9,7 +9,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Tests what a program that is killed leaves behind; {@link Crashes} does so many times, with robots. */
+/** Tests what a program that is killed leaves behind; a figure does so many times, with robots. */
 @DisabledOnOs(value = OS.WINDOWS, disabledReason = "Windows keeps the files of a killed program open for a while")
 class CrashTest {
     @TempDir

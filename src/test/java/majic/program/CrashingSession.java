@@ -1,11 +1,9 @@
-package majic.figures;
+package majic.program;
 
 import java.nio.file.Path;
 import java.util.Arrays;
 import majic.bot.Pose;
 import majic.log.Line;
-import majic.program.Program;
-import majic.program.UserFolder;
 import majic.script.MajicParser;
 import majic.team.Team;
 
@@ -14,12 +12,12 @@ import majic.team.Team;
  * settings without end. The first argument is the user's folder. Prints each line of the session, and each setting once
  * it is kept.
  */
-final class CrashingSession {
+public final class CrashingSession {
     /** Precedes the number of a setting that is kept. */
     static final String KEPT = "kept ";
 
     /** The key of the settings that are written. */
-    static final String KEY = "crash.count";
+    public static final String KEY = "crash.count";
 
     private static final int PAUSE_MS = 5;
     private static final double MOVED_MM = 5;
