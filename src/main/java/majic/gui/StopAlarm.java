@@ -87,21 +87,10 @@ final class StopAlarm extends JPanel implements TeamListener {
                 wrap();
             }
         });
-        whiten();
+        title.setForeground(Color.WHITE);
+        reasons.keepColor(Color.WHITE);
+        remedy.keepColor(Color.WHITE);
         showRobots();
-    }
-
-    /** Keeps the texts readable in any look and feel. */
-    @Override
-    public void updateUI() {
-        super.updateUI();
-        if (again != null) {
-            whiten();
-        }
-    }
-
-    private void whiten() {
-        Stream.of(title, reasons, remedy).forEach(text -> text.setForeground(Color.WHITE));
     }
 
     @Override

@@ -3,6 +3,7 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.mockito.Mockito.mock;
 
+import java.awt.Color;
 import java.awt.Component;
 import java.awt.Container;
 import java.awt.Dialog;
@@ -18,6 +19,7 @@ import javax.swing.AbstractButton;
 import javax.swing.JButton;
 import javax.swing.JTextField;
 import javax.swing.MenuSelectionManager;
+import javax.swing.SwingUtilities;
 import majic.gui.bots.RobotTab;
 import majic.gui.map.TeamMap;
 import majic.team.StopOrigin;
@@ -65,6 +67,17 @@ class StopWindowTest {
                 "the end",
                 () -> !window.team.isLatched()
                         && window.team.stopStatus().elsewhere().isEmpty());
+    }
+
+    @Test
+    void theTextsOfTheRedStripStayWhiteWhenTheLookChanges() {
+        window.add("one");
+        window.team.reportSharedStop("the broker refuses it");
+        window.await("the strip", () -> !window.text("stopReasons").isEmpty());
+
+        window.run(() -> SwingUtilities.updateComponentTreeUI(window.frame));
+        assertThat(Stream.of("stopAlarm", "stopReasons", "stopRemedy").map(name -> window.find(name, Component.class)))
+                .allMatch(text -> text.getForeground().equals(Color.WHITE));
     }
 
     @Test

@@ -44,6 +44,12 @@ public final class Paragraph extends JTextArea {
         show(words, Palette::faint);
     }
 
+    /** Keeps one colour in every look and feel, for texts that are set by {@link #setText}. */
+    public void keepColor(Color always) {
+        color = () -> always;
+        setForeground(always);
+    }
+
     private void show(String words, Supplier<Color> newColor) {
         color = newColor;
         setForeground(newColor.get());
