@@ -24,6 +24,9 @@ final class SerialLink implements Link {
     /** A quarter of a kilobyte at 9600 baud takes no longer. */
     private static final long LONGEST_OUTPUT_NANOS = TimeUnit.MILLISECONDS.toNanos(300);
 
+    /** The time from a write until it is out, where the system does not tell what is outstanding. */
+    private static final long UNTOLD_OUTPUT_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
+
     private static final long LOOK_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
 
     /** The devices that this program has open or is opening. */
@@ -36,6 +39,7 @@ final class SerialLink implements Link {
     private volatile String name;
     private volatile String device;
     private volatile @Nullable SerialPort port;
+    private volatile long writtenNanos = System.nanoTime() - UNTOLD_OUTPUT_NANOS;
     private boolean closed;
 
     SerialLink(SerialAddress address, int baud) {
@@ -142,6 +146,7 @@ final class SerialLink implements Link {
             if (open.writeBytes(message, message.length) != message.length) {
                 throw new IOException("the serial port " + name + " is gone");
             }
+            writtenNanos = System.nanoTime();
         });
     }
 
@@ -154,10 +159,14 @@ final class SerialLink implements Link {
         end();
     }
 
-    /** Waits for the output, because the library discards the buffer of a port when it closes the port. */
-    private static void waitForOutput(SerialPort open) {
+    /**
+     * Waits for the output, such as a stop, because the library discards the buffer of a port when it closes the port.
+     * Pseudo-terminals, and with them many ports behind a network, report none outstanding.
+     */
+    private void waitForOutput(SerialPort open) {
         long deadlineNanos = System.nanoTime() + LONGEST_OUTPUT_NANOS;
-        while (open.bytesAwaitingWrite() > 0 && System.nanoTime() < deadlineNanos) {
+        while ((open.bytesAwaitingWrite() > 0 || System.nanoTime() - writtenNanos < UNTOLD_OUTPUT_NANOS)
+                && System.nanoTime() < deadlineNanos) {
             LockSupport.parkNanos(LOOK_NANOS);
         }
     }

@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.RepeatedTest;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -131,6 +132,14 @@ class SerialLinkTest {
         link.abort();
 
         assertThat(arrivesInAll()).isLessThan(queued);
+    }
+
+    /** A pseudo-terminal does not tell what is outstanding, and the library discards that when it closes a port. */
+    @RepeatedTest(10)
+    void whatWasWrittenRightBeforeClosingArrives() throws IOException {
+        link.write("D,0,0\r".getBytes(StandardCharsets.US_ASCII));
+        link.close();
+        assertThat(arrivesInAll()).isEqualTo(6);
     }
 
     @Test
