@@ -70,6 +70,17 @@ class ErrorWordsTest {
     }
 
     @Test
+    void aStopThatALostRobotHasNotConfirmedIsExplainedToTheEnd() {
+        assertThat(ErrorWords.german("the connection to robot 1 of desk2 was lost before its stop was confirmed; if it"
+                        + " is at rest, \"remove 5\" ends this alarm; \"add ADDRESS as 5\" connects it under another"
+                        + " address"))
+                .isEqualTo(
+                        "die Verbindung zu Roboter 1 von desk2 ging verloren, bevor sein Stopp bestätigt war; wenn er"
+                                + " steht, beendet „remove 5“ diesen Alarm; „add ADRESSE as 5“ verbindet ihn unter einer anderen"
+                                + " Adresse");
+    }
+
+    @Test
     void aReasonInAGapIsTranslatedToo() {
         String english = "/no/such/lap.majic: cannot be written (" + IoReason.of(new NoSuchFileException("x")) + ")";
         assertThat(ErrorWords.german(english))
