@@ -48,8 +48,7 @@ class PacketsInLabTest {
 
     private EncoderTicks encoders() {
         session().subscriptions().read(ReportKind.ENCODERS);
-        assertThat(session().reported().await(state -> state.encoders().isPresent(), 2))
-                .isTrue();
+        assertThat(session().await(state -> state.encoders().isPresent(), 2)).isTrue();
         return state().encoders().orElseThrow();
     }
 

@@ -101,7 +101,7 @@ public final class PioneerAccess {
     private static boolean hasFresh(PioneerSession open, ReportKind kind) {
         Subscriptions subscriptions = open.subscriptions();
         subscriptions.read(kind);
-        return !subscriptions.isMissing(kind) && open.reported().await(state -> subscriptions.isFresh(kind), REPORT_S);
+        return !subscriptions.isMissing(kind) && open.await(state -> subscriptions.isFresh(kind), REPORT_S);
     }
 
     /** Reads from the session. */
@@ -171,7 +171,7 @@ public final class PioneerAccess {
     void sendAndConfirm(Packet packet, Predicate<PioneerState> done, String complaint) {
         PioneerSession open = open();
         open.send(packet);
-        if (WaitPolicy.isAllowed() && !open.reported().await(done, CONFIRM_S)) {
+        if (WaitPolicy.isAllowed() && !open.await(done, CONFIRM_S)) {
             throw new BotException(complaint + " within " + Value.plain(CONFIRM_S) + " s");
         }
     }

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ContinuousDrive {
     private final WheelMotors motors;
-    private final ReportedState state;
+    private final Supplier<PioneerState> state;
     private final Supplier<Equipment> equipment;
     private final TimeSource time;
     private final Consumer<String> notice;
@@ -25,7 +25,7 @@ public final class ContinuousDrive {
 
     ContinuousDrive(
             WheelMotors motors,
-            ReportedState state,
+            Supplier<PioneerState> state,
             Supplier<Equipment> equipment,
             TimeSource time,
             Consumer<String> notice) {

@@ -22,8 +22,8 @@ public final class Maneuver {
     /** Assumed before the robot's SIP cycle is known, seconds. */
     private static final double USUAL_CYCLE_S = 0.1;
 
+    private final PioneerSession session;
     private final WheelMotors motors;
-    private final ReportedState state;
     private final MotionTarget target;
     private final MotionFaults faults;
     private final int holdsBefore;
@@ -31,8 +31,8 @@ public final class Maneuver {
     private double movedS;
 
     private Maneuver(PioneerSession session, MotionTarget target) {
+        this.session = session;
         this.motors = session.motors();
-        this.state = session.reported();
         this.target = target;
         this.faults = new MotionFaults(session.equipment(), target.direction(), session.state());
         this.speeds = target.controller();
@@ -56,21 +56,21 @@ public final class Maneuver {
     private Value run(Motion motion) {
         double startedS = motion.seconds();
         while (!speeds.hasArrived(motion.seconds() - startedS)) {
-            PioneerState now = state.get();
+            PioneerState now = session.state();
             double rate = speeds.next(target.covered(now), target.rate(now), motion.seconds() - startedS, cycleS(now));
             motion.send(() -> target.go(motors, rate, now));
             if (!awaitSip(now, motion)) {
                 return endEarly(motion);
             }
-            check(state.get(), motion.seconds() - startedS, motion);
+            check(session.state(), motion.seconds() - startedS, motion);
         }
         motion.send(motors::zero);
-        return target.value(state.get());
+        return target.value(session.state());
     }
 
     /** Waits for the next SIP; checks the guard condition also at other reports. */
     private boolean awaitSip(PioneerState last, Motion motion) {
-        return motion.await(() -> state.get().sip() != last.sip(), SIP_S) && motion.pause(0);
+        return motion.await(() -> session.state().sip() != last.sip(), SIP_S) && motion.pause(0);
     }
 
     private static double cycleS(PioneerState now) {
@@ -99,11 +99,11 @@ public final class Maneuver {
     private MotionFailed failed(String reason, Motion motion) {
         motion.send(motors::stop);
         try {
-            state.awaitStationary(STOP_S);
+            session.awaitStationary(STOP_S);
         } catch (LinkLost e) {
             // The last report is the last one of this session, so the pose stays there too.
         }
-        return new MotionFailed(reason + " after " + target.value(state.get()));
+        return new MotionFailed(reason + " after " + target.value(session.state()));
     }
 
     private Value endEarly(Motion motion) {
@@ -111,11 +111,11 @@ public final class Maneuver {
             throw failed("no report from the robot", motion);
         }
         motion.send(motors::stop);
-        boolean stationary = state.awaitStationary(STOP_S);
+        boolean stationary = session.awaitStationary(STOP_S);
         motion.check();
         if (!stationary) {
             throw failed("it does not come to rest", motion);
         }
-        return target.value(state.get());
+        return target.value(session.state());
     }
 }

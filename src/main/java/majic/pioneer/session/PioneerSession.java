@@ -1,6 +1,7 @@
 package majic.pioneer.session;
 
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import majic.bot.BotException;
@@ -22,7 +23,9 @@ import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
+import majic.pioneer.state.StateTracker;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -42,7 +45,6 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final TimeSource time;
     private final Listener listener;
     private final Function<String, Model> models;
-    private final ReportedState reported;
     private final RoundTrip roundTrip;
     private final WheelMotors motors;
     private final LinkWatch watch;
@@ -51,6 +53,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final Pose start;
     private final AtomicBoolean lost = new AtomicBoolean();
     private volatile Model model = Models.USUAL;
+    private volatile StateTracker tracker = new StateTracker(Models.USUAL, Pose.START);
     private volatile Equipment equipment = Equipment.of(Models.USUAL, null);
     private volatile Ramps ramps = Ramps.careful(equipment.limits());
     private volatile @Nullable PioneerIdentity identity;
@@ -92,11 +95,10 @@ public final class PioneerSession implements PioneerConnection.Listener {
         this.start = start;
         this.models = models;
         this.listener = listener;
-        this.reported = new ReportedState(line, wait.waiting());
         this.roundTrip = new RoundTrip(line, wait.waiting());
-        this.motors = new WheelMotors(line, reported, time, listener::notice);
+        this.motors = new WheelMotors(line, this::state, time, listener::notice);
         this.watch = new LinkWatch(line, motors, time, wait.waiting().changes());
-        this.driving = new ContinuousDrive(motors, reported, this::equipment, time, listener::notice);
+        this.driving = new ContinuousDrive(motors, this::state, this::equipment, time, listener::notice);
         this.subscriptions = new Subscriptions(line, time);
     }
 
@@ -146,7 +148,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     public void awaitFirstReadings(Predicate<PioneerState> come) {
         double leftS = SONAR_ROUND_S - time.secondsSince(openedNanos);
         if (leftS > 0) {
-            reported.await(come, leftS);
+            await(come, leftS);
         }
     }
 
@@ -155,7 +157,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         Model found = models.apply(known.subclass());
         model = connection.scales() ? found.scaledByLibrary() : found;
         equipment = Equipment.of(model, null);
-        reported.begin(model, start);
+        tracker = new StateTracker(model, start);
         identity = known;
     }
 
@@ -163,7 +165,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     public void configured(Config reportedConfig) {
         equipment = Equipment.of(model, reportedConfig);
         config = reportedConfig;
-        reported.use(equipment.model());
+        tracker.use(equipment.model());
         roundTrip.answered();
         listener.otherReported();
     }
@@ -173,7 +175,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         if (identity == null) {
             return;
         }
-        reported.take(report);
+        tracker.add(report);
         // Last: a thread that waits for a fresh report reads the state next.
         subscriptions.received(report);
         listener.otherReported();
@@ -184,7 +186,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         if (identity == null) {
             return;
         }
-        PioneerState now = reported.take(sip);
+        PioneerState now = tracker.track(sip, time.nanos());
         motors.reported(now);
         driving.check(now);
         listener.stateReported(this, now);
@@ -203,7 +205,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
      * @return when to call this again, seconds; the first time is {@link LinkWatch#PERIOD_S} after connecting
      */
     public double checkLink() {
-        PioneerState now = reported.last();
+        PioneerState now = tracker.last();
         if (now == null || line.hasEnded()) {
             return LinkWatch.PERIOD_S;
         }
@@ -220,7 +222,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
      * To be called every {@link Subscriptions#PERIOD_S} or more often.
      */
     public void requestReports() {
-        PioneerState now = reported.last();
+        PioneerState now = tracker.last();
         if (now != null && !motors.isHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
             subscriptions.requestDue();
         }
@@ -242,8 +244,9 @@ public final class PioneerSession implements PioneerConnection.Listener {
         connection.close();
     }
 
+    /** Whether the robot has reported a state in this session. */
     public boolean hasReported() {
-        return reported.isKnown();
+        return tracker.last() != null;
     }
 
     /**
@@ -308,9 +311,53 @@ public final class PioneerSession implements PioneerConnection.Listener {
         return config;
     }
 
-    /** The last state that the robot reported. */
+    /**
+     * The last state that the robot reported.
+     *
+     * @throws BotException before the first one; a session that has been opened has one
+     */
     public PioneerState state() {
-        return reported.get();
+        PioneerState now = tracker.last();
+        if (now == null) {
+            throw new BotException("no reading yet");
+        }
+        return now;
+    }
+
+    /**
+     * Waits until the reported state meets a condition, or the line ends. A thread that must not wait only tests the
+     * last state.
+     *
+     * @param seconds the longest wait
+     * @return whether the last state meets it
+     * @throws MotionStopped if the thread is interrupted meanwhile
+     */
+    public boolean await(Predicate<PioneerState> condition, double seconds) {
+        BooleanSupplier met = () -> {
+            PioneerState now = tracker.last();
+            return now != null && condition.test(now);
+        };
+        wait.waiting().await(() -> line.hasEnded() || met.getAsBoolean(), WaitPolicy.isAllowed() ? seconds : 0);
+        return met.getAsBoolean();
+    }
+
+    /**
+     * Waits for a SIP, newer than the last, that shows the robot stationary.
+     *
+     * @param seconds the longest wait
+     * @return whether one came in time
+     * @throws LinkLost if the line ended before: whether the robot is stationary is not known
+     * @throws MotionStopped if the thread is interrupted meanwhile
+     */
+    boolean awaitStationary(double seconds) {
+        PioneerState before = tracker.last();
+        Sip old = before == null ? null : before.sip();
+        boolean stationary = await(now -> now.sip() != old && !now.isMoving(), seconds);
+        LinkLost end = line.end();
+        if (!stationary && end != null) {
+            throw new LinkLost(end.getMessage(), end);
+        }
+        return stationary;
     }
 
     /**
@@ -325,11 +372,6 @@ public final class PioneerSession implements PioneerConnection.Listener {
     public boolean awaitStopped(double seconds) {
         long beganNanos = time.nanos();
         boolean received = config == null || !line.passesAnswers() || roundTrip.await(seconds);
-        return reported.awaitStationary(received ? seconds - time.secondsSince(beganNanos) : 0);
-    }
-
-    /** Waits for states. */
-    public ReportedState reported() {
-        return reported;
+        return awaitStationary(received ? seconds - time.secondsSince(beganNanos) : 0);
     }
 }

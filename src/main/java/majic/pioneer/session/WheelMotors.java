@@ -1,6 +1,7 @@
 package majic.pioneer.session;
 
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.MotionFailed;
 import majic.driver.Motion;
@@ -22,7 +23,7 @@ public final class WheelMotors {
     private static final double RENEWAL_S = 1;
 
     private final RobotLine line;
-    private final ReportedState state;
+    private final Supplier<PioneerState> state;
     private final TimeSource time;
     private final Consumer<String> notice;
     private volatile long requestedNanos;
@@ -33,7 +34,7 @@ public final class WheelMotors {
     private boolean held;
     private int holds;
 
-    WheelMotors(RobotLine line, ReportedState state, TimeSource time, Consumer<String> notice) {
+    WheelMotors(RobotLine line, Supplier<PioneerState> state, TimeSource time, Consumer<String> notice) {
         this.line = line;
         this.state = state;
         this.time = time;

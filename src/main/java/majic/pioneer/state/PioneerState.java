@@ -51,7 +51,7 @@ public record PioneerState(
     private static final int NO_TEMPERATURE = -127;
 
     /** This state with newer reports. */
-    public PioneerState with(LatestReports newReports) {
+    PioneerState with(LatestReports newReports) {
         return new PioneerState(
                 sip,
                 newReports,

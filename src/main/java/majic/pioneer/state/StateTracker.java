@@ -7,8 +7,9 @@ import majic.pioneer.arcos.SipField;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Makes a state of each SIP of one session: adds up the odometry, keeps sonar readings and other reports, measures the
- * SIP rate. The counters of the odometry roll over; their differences do not (ARCOS sheet 9.2). For one thread.
+ * Makes a state of each report of one session: adds up the odometry, keeps sonar readings and other reports, measures
+ * the SIP rate. The counters of the odometry roll over; their differences do not (ARCOS sheet 9.2). For one thread,
+ * except {@link #last}.
  */
 public final class StateTracker {
     /** The weight of a new interval in the SIP rate. */
@@ -23,7 +24,7 @@ public final class StateTracker {
     private final Scaling scaling;
     private SonarScan sonar;
     private LatestReports reports = LatestReports.NONE;
-    private @Nullable Sip last;
+    private volatile @Nullable PioneerState last;
     private double xMm;
     private double yMm;
     private double headingDeg;
@@ -59,18 +60,17 @@ public final class StateTracker {
      * @param nanos when it came, on the driver's clock
      */
     public PioneerState track(Sip sip, long nanos) {
-        Sip before = last;
-        last = sip;
+        PioneerState before = last;
         if (before == null) {
             beginFrame(sip);
         } else {
-            move(before, sip);
-            forgetSwitchedOff(before.get(SipField.FLAGS) & ~sip.get(SipField.FLAGS));
+            move(before.sip(), sip);
+            forgetSwitchedOff(before.sip().get(SipField.FLAGS) & ~sip.get(SipField.FLAGS));
         }
         Pose pose = new Pose(xMm, yMm, headingDeg);
         sonar = sonar.with(sip, pose, nanos);
         measure(nanos);
-        return new PioneerState(
+        PioneerState now = new PioneerState(
                 sip,
                 reports,
                 pose,
@@ -81,6 +81,8 @@ public final class StateTracker {
                 periodS > 0 ? 1 / periodS : 0,
                 longestSilenceS,
                 nanos);
+        last = now;
+        return now;
     }
 
     private void beginFrame(Sip sip) {
@@ -128,9 +130,17 @@ public final class StateTracker {
         lastNanos = nanos;
     }
 
-    /** Adds a report, for this state and all later ones. */
-    public LatestReports add(Report report) {
+    /** Adds another report, to the last state and all later ones. */
+    public void add(Report report) {
         reports = reports.with(report);
-        return reports;
+        PioneerState now = last;
+        if (now != null) {
+            last = now.with(reports);
+        }
+    }
+
+    /** The last state, from any thread; null before the first SIP. */
+    public @Nullable PioneerState last() {
+        return last;
     }
 }
