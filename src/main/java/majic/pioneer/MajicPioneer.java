@@ -210,12 +210,12 @@ public final class MajicPioneer extends BotDriver {
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
-        current().driving().drive(mmPerSec, degPerSec);
+        current().motors().drive(mmPerSec, degPerSec);
     }
 
     @Override
     protected void halt() {
-        current().driving().stop();
+        current().motors().stop();
         commands.halt();
     }
 

@@ -97,7 +97,7 @@ public final class Maneuver {
 
     /** Stops the robot first: the distance in the message is that at which it comes to rest. */
     private MotionFailed failed(String reason, Motion motion) {
-        motion.send(motors::stop);
+        motion.send(motors::sendStop);
         try {
             session.awaitStationary(STOP_S);
         } catch (LinkLost e) {
@@ -110,7 +110,7 @@ public final class Maneuver {
         if (!motion.guardReached()) {
             throw failed("no report from the robot", motion);
         }
-        motion.send(motors::stop);
+        motion.send(motors::sendStop);
         boolean stationary = session.awaitStationary(STOP_S);
         motion.check();
         if (!stationary) {

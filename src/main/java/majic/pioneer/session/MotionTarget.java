@@ -69,7 +69,7 @@ public sealed interface MotionTarget {
         public void go(WheelMotors motors, double rate, PioneerState now) {
             double off = start.turnedDeg() - now.turnedDeg();
             double correction = Math.max(-MOST_DEG_PER_SEC, Math.min(MOST_DEG_PER_SEC, HEADING_GAIN * off));
-            motors.drive(rate, rate == 0 ? 0 : correction);
+            motors.setVelocity(rate, rate == 0 ? 0 : correction);
         }
 
         @Override
@@ -109,7 +109,7 @@ public sealed interface MotionTarget {
 
         @Override
         public void go(WheelMotors motors, double rate, PioneerState now) {
-            motors.drive(0, rate);
+            motors.setVelocity(0, rate);
         }
 
         @Override

@@ -48,7 +48,6 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final RoundTrip roundTrip;
     private final WheelMotors motors;
     private final LinkWatch watch;
-    private final ContinuousDrive driving;
     private final Subscriptions subscriptions;
     private final Pose start;
     private final AtomicBoolean lost = new AtomicBoolean();
@@ -96,9 +95,8 @@ public final class PioneerSession implements PioneerConnection.Listener {
         this.models = models;
         this.listener = listener;
         this.roundTrip = new RoundTrip(line, wait.waiting());
-        this.motors = new WheelMotors(line, this::state, time, listener::notice);
+        this.motors = new WheelMotors(line, this::state, this::equipment, time, listener::notice);
         this.watch = new LinkWatch(line, motors, time, wait.waiting().changes());
-        this.driving = new ContinuousDrive(motors, this::state, this::equipment, time, listener::notice);
         this.subscriptions = new Subscriptions(line, time);
     }
 
@@ -188,7 +186,6 @@ public final class PioneerSession implements PioneerConnection.Listener {
         }
         PioneerState now = tracker.track(sip, time.nanos());
         motors.reported(now);
-        driving.check(now);
         listener.stateReported(this, now);
     }
 
@@ -280,10 +277,6 @@ public final class PioneerSession implements PioneerConnection.Listener {
 
     public WheelMotors motors() {
         return motors;
-    }
-
-    public ContinuousDrive driving() {
-        return driving;
     }
 
     /** Why a value is unknown that does not come over the connection, as half a sentence. */

@@ -7,13 +7,16 @@ import majic.bot.MotionFailed;
 import majic.driver.Motion;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Packet;
+import majic.pioneer.state.Equipment;
 import majic.pioneer.state.PioneerState;
 import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The power of the motors, and the speed and turn rate that were last sent to the robot. When its reports stop while it
- * moves, both are set to zero and held there until it reports again that it is stationary: it would resume any other
- * velocity as soon as the line works again. For one session; thread-safe.
+ * The power of the motors, and the speed and turn rate that were last sent to the robot. A drive has a velocity until
+ * the next command, and ends by itself at the same faults as a motion. When the robot's reports stop while it moves,
+ * speed and turn rate are set to zero and held there until it reports again that it is stationary: it would resume any
+ * other velocity as soon as the line works again. For one session; thread-safe.
  */
 public final class WheelMotors {
     /** Time enough for ENABLE and the SIP that shows its effect, seconds. */
@@ -24,6 +27,7 @@ public final class WheelMotors {
 
     private final RobotLine line;
     private final Supplier<PioneerState> state;
+    private final Supplier<Equipment> equipment;
     private final TimeSource time;
     private final Consumer<String> notice;
     private volatile long requestedNanos;
@@ -34,9 +38,22 @@ public final class WheelMotors {
     private boolean held;
     private int holds;
 
-    WheelMotors(RobotLine line, Supplier<PioneerState> state, TimeSource time, Consumer<String> notice) {
+    /** Those of the drive; null without one. */
+    private @Nullable MotionFaults faults;
+
+    private MotionFaults.@Nullable Direction direction;
+    private @Nullable String endReason;
+    private long beganNanos;
+
+    WheelMotors(
+            RobotLine line,
+            Supplier<PioneerState> state,
+            Supplier<Equipment> equipment,
+            TimeSource time,
+            Consumer<String> notice) {
         this.line = line;
         this.state = state;
+        this.equipment = equipment;
         this.time = time;
         this.notice = notice;
     }
@@ -57,7 +74,7 @@ public final class WheelMotors {
     }
 
     /** Switches the motors on without waiting, for a drive; sends the command at most once a second. */
-    void switchOnWithoutWaiting() {
+    private void switchOnWithoutWaiting() {
         boolean requested = requestedNanos != 0 && time.secondsSince(requestedNanos) < ON_S;
         if (!state.get().motorsOn() && !requested) {
             requestPower();
@@ -78,7 +95,10 @@ public final class WheelMotors {
         announced = false;
     }
 
-    /** Takes in a report: announces motors that were switched on, and ends a hold of a robot that is stationary. */
+    /**
+     * Takes in a report: announces motors that were switched on, ends a hold of a robot that is stationary, and stops
+     * the robot at a fault during a drive.
+     */
     void reported(PioneerState now) {
         if (!announced && now.motorsOn()) {
             announced = true;
@@ -87,6 +107,72 @@ public final class WheelMotors {
         if (!now.isMoving()) {
             release();
         }
+        endAtFault(now);
+    }
+
+    /**
+     * Begins a drive, or changes its velocity.
+     *
+     * @throws MotionFailed if a fault has ended the drive; the next call begins a new one
+     */
+    public void drive(double mmPerSec, double degPerSec) {
+        failIfEnded();
+        switchOnWithoutWaiting();
+        driveOn(mmPerSec, degPerSec);
+    }
+
+    /** Shares its lock with {@link #endAtFault}, so that no velocity is sent after the end of the drive. */
+    private synchronized void driveOn(double mmPerSec, double degPerSec) {
+        failIfEnded();
+        beginDrive(MotionFaults.Direction.of(mmPerSec));
+        setVelocity(mmPerSec, degPerSec);
+    }
+
+    private synchronized void failIfEnded() {
+        String reason = endReason;
+        if (reason != null) {
+            forgetDrive();
+            throw new MotionFailed(reason);
+        }
+    }
+
+    private void beginDrive(MotionFaults.Direction now) {
+        if (now != direction) {
+            direction = now;
+            faults = new MotionFaults(equipment.get(), now, state.get());
+            beganNanos = time.nanos();
+        }
+    }
+
+    private synchronized void endAtFault(PioneerState now) {
+        MotionFaults watched = faults;
+        String reason = watched == null ? null : watched.check(now, time.secondsSince(beganNanos));
+        if (reason != null) {
+            forgetDrive();
+            endReason = reason;
+            sendStop();
+        }
+    }
+
+    private void forgetDrive() {
+        faults = null;
+        direction = null;
+        endReason = null;
+    }
+
+    /** Ends the drive, if there is one, and stops the robot in any case. A fault that ended it before is a notice. */
+    public void stop() {
+        String reason = endAndStop();
+        if (reason != null) {
+            notice.accept("the drive ended: " + reason);
+        }
+    }
+
+    private synchronized @Nullable String endAndStop() {
+        String reason = endReason;
+        forgetDrive();
+        sendStop();
+        return reason;
     }
 
     /**
@@ -94,7 +180,7 @@ public final class WheelMotors {
      *
      * @throws MotionFailed while the setpoint is held at zero; nothing was sent
      */
-    synchronized void drive(double mmPerSec, double degPerSec) {
+    synchronized void setVelocity(double mmPerSec, double degPerSec) {
         if (held) {
             throw new MotionFailed("stopped, for the robot fell silent while it moved");
         }
@@ -116,7 +202,7 @@ public final class WheelMotors {
     }
 
     /** Stops the robot; zero velocities follow STOP, which not every server obeys. */
-    synchronized void stop() {
+    synchronized void sendStop() {
         rolling = false;
         turning = false;
         line.send(ArcosCommand.STOP.packet(), ArcosCommand.VEL.packet(0), ArcosCommand.RVEL.packet(0));
@@ -128,14 +214,14 @@ public final class WheelMotors {
      */
     synchronized void zero() {
         if (isMoving()) {
-            stop();
+            sendStop();
         }
     }
 
     /** Stops the robot if its velocity is not renewed, as when a guard condition of a program does not return. */
     synchronized void stopIfNotRenewed() {
         if (isMoving() && time.secondsSince(sentNanos) > RENEWAL_S) {
-            stop();
+            sendStop();
         }
     }
 
