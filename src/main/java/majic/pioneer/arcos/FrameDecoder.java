@@ -17,10 +17,12 @@ public final class FrameDecoder {
 
     private byte[] bytes = new byte[2048];
     private int filled;
-    private long packets;
-    private long damagedPackets;
-    private long skippedBytes;
-    private volatile PacketCounts counts = PacketCounts.NONE;
+
+    /** Counted by the one thread, read by any. */
+    private volatile long packets;
+
+    private volatile long damagedPackets;
+    private volatile long skippedBytes;
 
     /** Creates a decoder; one for each link. */
     public FrameDecoder() {}
@@ -66,7 +68,6 @@ public final class FrameDecoder {
         }
         System.arraycopy(bytes, at, bytes, 0, filled - at);
         filled -= at;
-        counts = new PacketCounts(packets, damagedPackets, skippedBytes);
     }
 
     /** The next place where a packet may begin; a last FA may be the first half of a header. */
@@ -89,6 +90,6 @@ public final class FrameDecoder {
 
     /** The counts so far; from any thread. */
     public PacketCounts counts() {
-        return counts;
+        return new PacketCounts(packets, damagedPackets, skippedBytes);
     }
 }
