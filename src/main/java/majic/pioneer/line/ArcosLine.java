@@ -75,10 +75,11 @@ final class ArcosLine implements RobotLine, LinkHandler<Packet> {
 
     @Override
     public void decode(byte[] bytes, int count, Consumer<Packet> messages) {
-        if (time.secondsSince(lastNanos) > FRAGMENT_S) {
+        long nowNanos = time.nanos();
+        if ((nowNanos - lastNanos) / 1e9 > FRAGMENT_S) {
             decoder.dropFragment(messages);
         }
-        lastNanos = time.nanos();
+        lastNanos = nowNanos;
         firstBytes.received(bytes, count);
         decoder.feed(bytes, count, messages);
     }

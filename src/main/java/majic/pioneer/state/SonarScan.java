@@ -39,8 +39,10 @@ public final class SonarScan {
     private static final Side[] SIDES = Side.values();
 
     private final Model model;
-    private final double mmPerCount;
-    private final int[] rangesMm;
+
+    /** As sent. */
+    private final int[] ranges;
+
     private final long[] atNanos;
     private final Sighting[] recent;
     private final Pose pose;
@@ -66,10 +68,9 @@ public final class SonarScan {
         this(model, new int[DISCS], new long[DISCS], new Sighting[0], Pose.START, 0);
     }
 
-    private SonarScan(Model model, int[] rangesMm, long[] atNanos, Sighting[] recent, Pose pose, long nanos) {
+    private SonarScan(Model model, int[] ranges, long[] atNanos, Sighting[] recent, Pose pose, long nanos) {
         this.model = model;
-        this.mmPerCount = model.scaling().mmPerRangeCount();
-        this.rangesMm = rangesMm;
+        this.ranges = ranges;
         this.atNanos = atNanos;
         this.recent = recent;
         this.pose = pose;
@@ -78,7 +79,7 @@ public final class SonarScan {
 
     /** This scan for a model with other sonars; drops the echoes of those before. */
     SonarScan of(Model newModel) {
-        return newModel.equals(model) ? this : new SonarScan(newModel, rangesMm, atNanos, new Sighting[0], pose, nanos);
+        return newModel.equals(model) ? this : new SonarScan(newModel, ranges, atNanos, new Sighting[0], pose, nanos);
     }
 
     /**
@@ -88,21 +89,21 @@ public final class SonarScan {
      * @param nowNanos when it came, on the driver's clock
      */
     SonarScan with(Sip sip, Pose now, long nowNanos) {
-        int[] ranges = rangesMm;
+        int[] newest = ranges;
         long[] times = atNanos;
         int count = sip.readings();
         if (count > 0) {
-            ranges = rangesMm.clone();
+            newest = ranges.clone();
             times = atNanos.clone();
         }
         for (int index = 0; index < count; index++) {
             int disc = sip.disc(index);
             if (disc < DISCS) {
-                ranges[disc] = (int) Math.round(sip.range(index) * mmPerCount);
+                newest[disc] = sip.range(index);
                 times[disc] = nowNanos == 0 ? 1 : nowNanos;
             }
         }
-        return new SonarScan(model, ranges, times, sightings(sip, now, nowNanos), now, nowNanos);
+        return new SonarScan(model, newest, times, sightings(sip, now, nowNanos), now, nowNanos);
     }
 
     private Sighting[] sightings(Sip sip, Pose now, long nowNanos) {
@@ -120,7 +121,7 @@ public final class SonarScan {
     SonarScan without(int firstDisc, int discs) {
         long[] times = atNanos.clone();
         Arrays.fill(times, firstDisc, firstDisc + discs, 0);
-        return new SonarScan(model, rangesMm, times, recent, pose, nanos);
+        return new SonarScan(model, ranges, times, recent, pose, nanos);
     }
 
     public boolean hasReading(int disc) {
@@ -129,7 +130,11 @@ public final class SonarScan {
 
     /** mm from the disc's surface; {@link #NOTHING_MM} or more without an echo. */
     public int rangeMm(int disc) {
-        return rangesMm[disc];
+        return mm(ranges[disc]);
+    }
+
+    private int mm(int range) {
+        return (int) Math.round(range * model.scaling().mmPerRangeCount());
     }
 
     /** When the disc last fired, on the driver's clock. */
@@ -205,7 +210,7 @@ public final class SonarScan {
         int count = 0;
         for (int index = 0; index < sip.readings(); index++) {
             SonarDisc disc = disc(sip.disc(index));
-            int range = (int) Math.round(sip.range(index) * mmPerCount);
+            int range = mm(sip.range(index));
             if (disc != null && range < NOTHING_MM) {
                 double x = disc.echoX(range);
                 double y = disc.echoY(range);
