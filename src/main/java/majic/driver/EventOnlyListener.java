@@ -3,7 +3,7 @@ package majic.driver;
 import majic.bot.BotListener;
 
 /**
- * A listener that leaves {@link #stateChanged} empty. While a robot has no other listeners, new readings do not wake
+ * A listener whose {@link #stateChanged} is not called. While a robot has no other listeners, new readings do not wake
  * its listener thread, which saves a tenth of the processor time of a robot that reports.
  */
 public interface EventOnlyListener extends BotListener {}

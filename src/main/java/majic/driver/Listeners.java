@@ -118,22 +118,32 @@ final class Listeners {
             return;
         }
         if (statePending.compareAndSet(false, true)) {
-            events.put(() -> {
-                statePending.set(false);
-                BotState newest = bot.state();
-                call(listener -> listener.stateChanged(bot, newest));
-            });
+            events.put(this::deliverState);
         }
         pass();
     }
 
+    private void deliverState() {
+        statePending.set(false);
+        BotState newest = bot.state();
+        for (BotListener listener : all) {
+            if (readsStates(listener)) {
+                call(listener, to -> to.stateChanged(bot, newest));
+            }
+        }
+    }
+
     private boolean areStatesRead() {
         for (BotListener listener : all) {
-            if (!(listener instanceof EventOnlyListener)) {
+            if (readsStates(listener)) {
                 return true;
             }
         }
         return false;
+    }
+
+    private static boolean readsStates(BotListener listener) {
+        return !(listener instanceof EventOnlyListener);
     }
 
     /** Delivers a picture of the camera. */
@@ -181,10 +191,6 @@ final class Listeners {
             events.deliver();
         }
         changed.raise();
-    }
-
-    private void call(Consumer<BotListener> news) {
-        all.forEach(listener -> call(listener, news));
     }
 
     private void call(BotListener listener, Consumer<BotListener> news) {

@@ -75,6 +75,7 @@ class ListenersTest {
         listeners.stateChanged();
 
         verify(second).stateChanged(any(), any());
+        verifyNoInteractions(eventOnly);
     }
 
     @Test
