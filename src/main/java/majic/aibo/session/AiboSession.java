@@ -68,12 +68,12 @@ public final class AiboSession {
         this.dog = dog;
         this.robot = robot;
         Consumer<String> notice = robot::notice;
-        this.clock = new DogClock(waiting);
+        this.clock = new DogClock(waiting.time());
         this.battery = new BatteryWatch(notice);
         this.connections = new AiboConnections(transport, waiting, this::received, this::lost);
         PollCommands poll = new PollCommands(tags);
         this.pace = new PollPace(poll, connections.sensors(), clock);
-        this.router = new MessageRouter(waiting, dog, poll, clock, battery, pace, robot::sensed);
+        this.router = new MessageRouter(waiting.time(), dog, poll, clock, battery, pace, robot::sensed);
         this.executor = new MotionExecutor(connections, tags, waiting, dog, robot::sensed);
         this.guard = new DogGuard(connections, tags, waiting, clock);
         this.sweep = new HeadSweep(connections.sensors(), tags);

@@ -14,7 +14,7 @@ import majic.aibo.body.Sensor;
 import majic.aibo.urbi.DogClock;
 import majic.aibo.urbi.UrbiMessage;
 import majic.aibo.urbi.UrbiValue;
-import majic.driver.RobotWait;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** Routes messages that answer no request: readings, battery lines, the rest. Called on the readers' threads. */
@@ -25,7 +25,7 @@ final class MessageRouter {
     private static final Logger LOG = System.getLogger(MessageRouter.class.getName());
     private static final Pattern BATTERY = Pattern.compile("Battery at (\\d{1,3}) ?%.*");
 
-    private final RobotWait waiting;
+    private final TimeSource time;
     private final DogState dog;
     private final PollCommands poll;
     private final DogClock clock;
@@ -38,14 +38,14 @@ final class MessageRouter {
 
     /** Calls the last argument when a set of readings is in. */
     MessageRouter(
-            RobotWait waiting,
+            TimeSource time,
             DogState dog,
             PollCommands poll,
             DogClock clock,
             BatteryWatch battery,
             PollPace pace,
             Runnable whenSensed) {
-        this.waiting = waiting;
+        this.time = time;
         this.dog = dog;
         this.poll = poll;
         this.clock = clock;
@@ -57,7 +57,7 @@ final class MessageRouter {
 
     /** For how long no reading has come, seconds. */
     double silenceS() {
-        return waiting.time().secondsSince(lastReadingNanos);
+        return time.secondsSince(lastReadingNanos);
     }
 
     /** Why the dog must not move, as half a sentence: there is no reading that is new enough; null if there is one. */
@@ -66,7 +66,7 @@ final class MessageRouter {
         if (silenceS() > SILENCE_S) {
             return "no message from the dog for " + SILENCE_S + " s";
         }
-        double ageS = waiting.time().secondsSince(measuredNanos);
+        double ageS = time.secondsSince(measuredNanos);
         return ageS > SILENCE_S
                 ? String.format(Locale.ROOT, "the link to the dog is slow: its newest reading is %.1f s old", ageS)
                 : null;
@@ -74,7 +74,7 @@ final class MessageRouter {
 
     /** Counts the silence from now on. */
     void restartSilence() {
-        lastReadingNanos = waiting.time().nanos();
+        lastReadingNanos = time.nanos();
         measuredNanos = lastReadingNanos;
     }
 
@@ -112,7 +112,7 @@ final class MessageRouter {
     }
 
     private void sensed(Sensor sensor, UrbiMessage message) {
-        lastReadingNanos = waiting.time().nanos();
+        lastReadingNanos = time.nanos();
         clock.received(message.timeMs());
         if (message.body() instanceof UrbiMessage.Result result) {
             sensed(sensor, result.value(), message.timeMs());

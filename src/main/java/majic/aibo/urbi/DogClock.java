@@ -1,6 +1,6 @@
 package majic.aibo.urbi;
 
-import majic.driver.RobotWait;
+import majic.time.TimeSource;
 
 /**
  * Estimates what the dog's clock shows now. A message was sent before it was received, and an answer was sent after its
@@ -17,7 +17,7 @@ public final class DogClock {
     /** If so many in a row contradict a bound, the bound comes from a damaged time stamp. */
     private static final int ENOUGH_AGAINST_IT = 3;
 
-    private final RobotWait waiting;
+    private final TimeSource time;
     private Bounds now = Bounds.NONE;
     private Bounds before = Bounds.NONE;
     private long renewedNanos;
@@ -33,20 +33,20 @@ public final class DogClock {
         }
     }
 
-    public DogClock(RobotWait waiting) {
-        this.waiting = waiting;
-        this.renewedNanos = waiting.time().nanos();
+    public DogClock(TimeSource time) {
+        this.time = time;
+        this.renewedNanos = time.nanos();
     }
 
     private double nowMs() {
-        return waiting.time().nanos() / 1e6;
+        return time.nanos() / 1e6;
     }
 
     /** Records that a message with this time stamp was received now. */
     public synchronized void received(long stampMs) {
         renew();
         double aheadMs = stampMs - nowMs();
-        boolean fits = aheadMs < known().mostMs() + DOUBTFUL_MS;
+        boolean fits = aheadMs < known().mostMs + DOUBTFUL_MS;
         messagesAgainst = fits ? 0 : messagesAgainst + 1;
         if (fits || startsOver(messagesAgainst)) {
             now = now.and(aheadMs, Double.POSITIVE_INFINITY);
@@ -57,7 +57,7 @@ public final class DogClock {
     public synchronized void answered(long stampMs, long askedNanos) {
         received(stampMs);
         double aheadMs = stampMs - askedNanos / 1e6;
-        boolean fits = aheadMs > known().leastMs() - DOUBTFUL_MS;
+        boolean fits = aheadMs > known().leastMs - DOUBTFUL_MS;
         answersAgainst = fits ? 0 : answersAgainst + 1;
         if (fits) {
             now = now.and(Double.NEGATIVE_INFINITY, aheadMs);
@@ -79,15 +79,15 @@ public final class DogClock {
     }
 
     private void renew() {
-        if (waiting.time().secondsSince(renewedNanos) > KEPT_S) {
-            renewedNanos = waiting.time().nanos();
+        if (time.secondsSince(renewedNanos) > KEPT_S) {
+            renewedNanos = time.nanos();
             before = now;
             now = Bounds.NONE;
         }
     }
 
     private Bounds known() {
-        return now.and(before.leastMs(), before.mostMs());
+        return now.and(before.leastMs, before.mostMs);
     }
 
     /**
@@ -95,20 +95,20 @@ public final class DogClock {
      */
     public synchronized double estimateMs() {
         Bounds known = known();
-        double aheadMs = Double.isInfinite(known.mostMs()) ? known.leastMs() : (known.leastMs() + known.mostMs()) / 2;
+        double aheadMs = Double.isInfinite(known.mostMs) ? known.leastMs : (known.leastMs + known.mostMs) / 2;
         return nowMs() + aheadMs;
     }
 
     /** Returns when the dog's clock showed a time stamp, on this computer's clock; not later than now, ns. */
     public synchronized long nanosAt(long stampMs) {
         double ageMs = Math.max(0, estimateMs() - stampMs);
-        return waiting.time().nanos() - (long) (ageMs * 1e6);
+        return time.nanos() - (long) (ageMs * 1e6);
     }
 
     /** How long the dog takes to answer at best, seconds; 0 before it is known. */
     public synchronized double roundTripS() {
         Bounds known = known();
-        double roundTripMs = known.mostMs() - known.leastMs();
+        double roundTripMs = known.mostMs - known.leastMs;
         return Double.isFinite(roundTripMs) ? Math.max(0, roundTripMs / 1000) : 0;
     }
 }

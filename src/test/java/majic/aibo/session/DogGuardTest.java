@@ -36,7 +36,7 @@ class DogGuardTest {
                 said -> {},
                 lost -> {});
         connections.open();
-        guard = new DogGuard(connections, new Tags(), waiting, new DogClock(waiting));
+        guard = new DogGuard(connections, new Tags(), waiting, new DogClock(waiting.time()));
         guard.install();
     }
 

@@ -3,7 +3,6 @@ package majic.aibo.urbi;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import majic.driver.RobotWait;
 import majic.drivertest.TestClock;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -14,8 +13,7 @@ class DogClockTest {
     @AutoClose
     private final TestClock time = new TestClock();
 
-    private final DogClock clock =
-            new DogClock(new RobotWait(time.time(), time.time().signal()));
+    private final DogClock clock = new DogClock(time.time());
 
     @Test
     void aWordIsNoNewerThanItsTimeStamp() throws InterruptedException {

@@ -33,7 +33,7 @@ class PingProbeTest {
                 lost -> {});
         connections.open();
         RobotWait stepped = new RobotWait(clock.time(), clock.time().signal());
-        probe = new PingProbe(connections.stop(), new Tags(), stepped, new DogClock(stepped));
+        probe = new PingProbe(connections.stop(), new Tags(), stepped, new DogClock(stepped.time()));
     }
 
     @AfterEach
