@@ -39,7 +39,7 @@ public final class AiboSession {
     private final DogState dog;
     private final Robot robot;
     private final Tags tags = new Tags();
-    private final PollPace pace;
+    private final SensorPolling polling;
     private final DogClock clock;
     private final BatteryWatch battery;
     private final MessageRouter router;
@@ -71,9 +71,8 @@ public final class AiboSession {
         this.clock = new DogClock(waiting.time());
         this.battery = new BatteryWatch(notice);
         this.connections = new AiboConnections(transport, waiting, this::received, this::lost);
-        PollCommands poll = new PollCommands(tags);
-        this.pace = new PollPace(poll, connections.sensors(), clock);
-        this.router = new MessageRouter(waiting.time(), dog, poll, clock, battery, pace, robot::sensed);
+        this.polling = new SensorPolling(tags, connections.sensors(), clock);
+        this.router = new MessageRouter(waiting.time(), dog, clock, battery, polling, robot::sensed);
         this.executor = new MotionExecutor(connections, tags, waiting, dog, robot::sensed);
         this.guard = new DogGuard(connections, tags, waiting, clock);
         this.sweep = new HeadSweep(connections.sensors(), tags);
@@ -107,7 +106,7 @@ public final class AiboSession {
     }
 
     private void awaitFirstReadings() {
-        pace.begin();
+        polling.begin();
         boolean all = waiting.awaitConnecting(() -> router.answered() == Sensor.values().length, FIRST_READINGS_S);
         if (!all && router.answered() == 0) {
             throw new ConnectFailed(
@@ -187,7 +186,7 @@ public final class AiboSession {
         if (current != null) {
             current.tick();
             haltInSilence(current);
-            pace.tick(executor.current() != null);
+            polling.tick(executor.current() != null);
         }
         executor.repeatStop();
         drive.tick();
@@ -214,7 +213,7 @@ public final class AiboSession {
     private String closingCommands() {
         RunningMotion running = executor.current();
         String own = running == null ? "" : " " + running.stopCommands();
-        return UrbiCommands.STOP_GAITS + own + sweep.halt() + " " + guard.stop() + " " + pace.stop()
+        return UrbiCommands.STOP_GAITS + own + sweep.halt() + " " + guard.stop() + " " + polling.stop()
                 + microphone.stopCommand() + " ";
     }
 

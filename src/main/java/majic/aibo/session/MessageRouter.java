@@ -27,10 +27,9 @@ final class MessageRouter {
 
     private final TimeSource time;
     private final DogState dog;
-    private final PollCommands poll;
     private final DogClock clock;
     private final BatteryWatch battery;
-    private final PollPace pace;
+    private final SensorPolling polling;
     private final Runnable whenSensed;
     private final List<Consumer<UrbiMessage>> listeners = new CopyOnWriteArrayList<>();
     private volatile long lastReadingNanos;
@@ -40,17 +39,15 @@ final class MessageRouter {
     MessageRouter(
             TimeSource time,
             DogState dog,
-            PollCommands poll,
             DogClock clock,
             BatteryWatch battery,
-            PollPace pace,
+            SensorPolling polling,
             Runnable whenSensed) {
         this.time = time;
         this.dog = dog;
-        this.poll = poll;
         this.clock = clock;
         this.battery = battery;
-        this.pace = pace;
+        this.polling = polling;
         this.whenSensed = whenSensed;
         restartSilence();
     }
@@ -91,7 +88,7 @@ final class MessageRouter {
 
     /** Takes a message that answers no command. */
     void received(UrbiMessage message) {
-        Sensor sensor = poll.sensor(message);
+        Sensor sensor = polling.sensor(message);
         if (sensor != null) {
             sensed(sensor, message);
         } else if (dog.leds().take(message)) {
@@ -130,7 +127,7 @@ final class MessageRouter {
         long nanos = clock.nanosAt(stampMs);
         measuredNanos = Math.max(measuredNanos, nanos);
         dog.sensed(stampMs, nanos);
-        pace.arrived(stampMs);
+        polling.arrived(stampMs);
     }
 
     private void sensed(Sensor sensor, UrbiValue value, long stampMs) {

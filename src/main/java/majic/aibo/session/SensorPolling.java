@@ -1,15 +1,23 @@
 package majic.aibo.session;
 
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.Collectors;
 import majic.aibo.body.Sensor;
 import majic.aibo.urbi.DogClock;
+import majic.aibo.urbi.Tags;
 import majic.aibo.urbi.UrbiConnection;
+import majic.aibo.urbi.UrbiMessage;
+import org.jspecify.annotations.Nullable;
 
 /**
- * Paces the periodic reports of the sensors to the link. Reports that the dog sends faster than the link carries them
- * queue up and arrive ever later; then the dog is ordered to send them at half or a quarter of the rate. It is ordered
- * to send them faster again when they have been on time for a while and the dog does not move. Thread-safe.
+ * Orders the periodic reports of the sensors (URBI sheet 8), and paces them to the link. Reports that the dog sends
+ * faster than the link carries them queue up and arrive ever later; then the dog is ordered to send them at half or a
+ * quarter of the rate. It is ordered to send them faster again when they have been on time for a while and the dog does
+ * not move. Thread-safe.
  */
-final class PollPace {
+final class SensorPolling {
     /** Readings that arrive this much later than the quickest are late, s. */
     private static final double LATE_S = 0.15;
 
@@ -28,10 +36,14 @@ final class PollPace {
     private static final double LONGEST_CALM_S = 160;
     private static final int SLOWEST = 8;
 
-    private final PollCommands poll;
+    private final Tags tags;
     private final UrbiConnection sensors;
     private final DogClock clock;
+    private final Map<String, Sensor> byTag = new HashMap<>();
+
+    /** How many times their usual period the sensors are reported with. */
     private int slowness = 1;
+
     private double orderedMs = Double.POSITIVE_INFINITY;
     private int counted;
     private double leastLateS;
@@ -40,20 +52,31 @@ final class PollPace {
     private double calmSinceMs;
     private double calmS = FIRST_CALM_S;
 
-    PollPace(PollCommands poll, UrbiConnection sensors, DogClock clock) {
-        this.poll = poll;
+    SensorPolling(Tags tags, UrbiConnection sensors, DogClock clock) {
+        this.tags = tags;
         this.sensors = sensors;
         this.clock = clock;
+        for (Sensor sensor : Sensor.values()) {
+            byTag.put(tags.named(sensor.tagName()), sensor);
+        }
+    }
+
+    /** Returns the sensor that a message reports; null if none. */
+    @Nullable
+    Sensor sensor(UrbiMessage message) {
+        return byTag.get(message.tag());
     }
 
     /** Orders the reports at their full rate. */
     void begin() {
-        sensors.send(order(slowness));
+        sensors.send(orderAt(slowness));
     }
 
-    /** What ends all reports. */
+    /** What ends all reports. Those at another rate have other tags, so they are not ended with them. */
     synchronized String stop() {
-        return poll.stop(slowness);
+        return Arrays.stream(Sensor.Rate.values())
+                .map(rate -> "stop " + pollTag(rate) + ", ")
+                .collect(Collectors.joining());
     }
 
     /**
@@ -103,19 +126,31 @@ final class PollPace {
         }
         if (slower > 1 && slowness < SLOWEST) {
             calmS = Math.min(2 * calmS, LONGEST_CALM_S);
-            return stop() + order(Math.min(slowness * slower, SLOWEST));
+            return stop() + orderAt(Math.min(slowness * slower, SLOWEST));
         }
         boolean calm = clock.estimateMs() - calmSinceMs > calmS * 1000;
-        return calm && slowness > 1 ? stop() + order(slowness / 2) : "";
+        return calm && slowness > 1 ? stop() + orderAt(slowness / 2) : "";
     }
 
-    private synchronized String order(int newSlowness) {
+    private synchronized String orderAt(int newSlowness) {
         slowness = newSlowness;
         orderedMs = clock.estimateMs() + clock.roundTripS() * 1000;
         calmSinceMs = orderedMs;
         slower = 1;
         lastWindowS = 0;
         restartWindow();
-        return poll.start(slowness, sensors.version());
+        return Arrays.stream(Sensor.Rate.values()).map(this::order).collect(Collectors.joining(" "));
+    }
+
+    /** The order for all sensors of a rate; a name that the dog does not have spoils only its own reading. */
+    private String order(Sensor.Rate rate) {
+        String readings = rate.sensors().stream()
+                .map(sensor -> sensors.version().labelled(tags.named(sensor.tagName()), sensor.expression()))
+                .collect(Collectors.joining(" & "));
+        return pollTag(rate) + ": every(" + slowness * rate.periodMs() + ") { " + readings + " },";
+    }
+
+    private String pollTag(Sensor.Rate rate) {
+        return tags.named("poll" + rate.ordinal() + "x" + slowness);
     }
 }
