@@ -12,6 +12,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.util.function.BiConsumer;
 import majic.aibo.urbi.LinkTransport;
 import majic.aibo.urbi.UrbiConnection;
 import majic.aibo.urbi.UrbiRefusal;
@@ -27,7 +28,7 @@ import org.junit.jupiter.api.Test;
 /** Binaries to a server, also to one that goes away or takes no more in the middle of one. */
 class UploadTest {
 
-    private final UrbiConnection.Owner owner = mock();
+    private final BiConsumer<UrbiConnection, String> whenBroken = mock();
     private ServerSocket server;
     private UrbiConnection connection;
     private Socket peer;
@@ -39,8 +40,9 @@ class UploadTest {
                 "sensors",
                 new LinkTransport(
                         Links.of("//127.0.0.1:" + server.getLocalPort(), AiboType.PORT, 0), TimeSource.system()),
-                owner,
-                new RobotWait(TimeSource.system(), TimeSource.system().signal()));
+                new RobotWait(TimeSource.system(), TimeSource.system().signal()),
+                message -> {},
+                whenBroken);
         connection.open(1000);
         peer = server.accept();
     }
@@ -88,7 +90,7 @@ class UploadTest {
                 .hasMessageContaining("takes no more data");
 
         assertThatThrownBy(() -> connection.send("stop x;")).isInstanceOf(LinkLost.class);
-        verify(owner, timeout(WaitLimit.MS)).broken(any(), any());
+        verify(whenBroken, timeout(WaitLimit.MS)).accept(any(), any());
     }
 
     @Test

@@ -78,7 +78,7 @@ public class CameraStreamBenchmark {
 
     /** The driver's connection. */
     @State(Scope.Thread)
-    public static class Client implements UrbiConnection.Owner {
+    public static class Client {
         private final Semaphore arrived = new Semaphore(0);
         private UrbiConnection connection;
 
@@ -89,19 +89,12 @@ public class CameraStreamBenchmark {
             connection = new UrbiConnection(
                     "pictures",
                     new LinkTransport(Links.of("//127.0.0.1:" + camera.dog.port(), AiboType.PORT, 0), time),
-                    this,
-                    new RobotWait(time, time.signal()));
+                    new RobotWait(time, time.signal()),
+                    message -> arrived.release(),
+                    (from, why) -> {
+                        throw new IllegalStateException(why);
+                    });
             connection.open(CONNECT_MS);
-        }
-
-        @Override
-        public void received(UrbiMessage message) {
-            arrived.release();
-        }
-
-        @Override
-        public void broken(UrbiConnection from, String why) {
-            throw new IllegalStateException(why);
         }
 
         /** Discards frames that arrived before the next iteration. */

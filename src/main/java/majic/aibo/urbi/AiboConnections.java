@@ -21,7 +21,7 @@ import org.jspecify.annotations.Nullable;
  * waits behind another command. If one breaks, all end: commands that are not yet sent are discarded, so that no walk
  * reaches the dog late, and a stop is sent over a remaining connection.
  */
-public final class AiboConnections implements UrbiConnection.Owner {
+public final class AiboConnections {
     private static final Logger LOG = System.getLogger(AiboConnections.class.getName());
     private static final int OPEN_TIMEOUT_MS = 4000;
     private static final double IDENT_TIMEOUT_S = 4;
@@ -33,7 +33,6 @@ public final class AiboConnections implements UrbiConnection.Owner {
     private final UrbiConnection motion;
     private final UrbiConnection sensors;
     private final UrbiConnection stop;
-    private final Consumer<UrbiMessage> listener;
     private final Consumer<LinkLost> whenLost;
     private @Nullable String brokenBecause;
     private boolean opened;
@@ -44,9 +43,9 @@ public final class AiboConnections implements UrbiConnection.Owner {
             Consumer<UrbiMessage> listener,
             Consumer<LinkLost> whenLost) {
         this.waiting = waiting;
-        this.listener = listener;
         this.whenLost = whenLost;
-        Function<String, UrbiConnection> make = purpose -> new UrbiConnection(purpose, transport.get(), this, waiting);
+        Function<String, UrbiConnection> make =
+                purpose -> new UrbiConnection(purpose, transport.get(), waiting, listener, this::broken);
         this.motion = make.apply("motion");
         this.sensors = make.apply("sensors");
         this.stop = make.apply("stop");
@@ -138,12 +137,7 @@ public final class AiboConnections implements UrbiConnection.Owner {
         }
     }
 
-    @Override
-    public void received(UrbiMessage message) {
-        listener.accept(message);
-    }
-
-    @Override
+    /** Ends all connections because one is broken, and reports that once; does nothing the second time. */
     public void broken(UrbiConnection connection, String why) {
         boolean report;
         synchronized (this) {

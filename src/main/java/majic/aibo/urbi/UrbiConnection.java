@@ -5,14 +5,16 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import majic.bot.LinkLost;
 import majic.driver.FirstBytes;
 import majic.driver.RobotWait;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One connection to an URBI server: writes commands, passes each answer to its request, and all other messages to the
- * owner. The server runs the commands of one connection in order, so each purpose has its own. Thread-safe.
+ * One connection to an URBI server: writes commands, passes each answer to its request, and all other messages to a
+ * listener. The server runs the commands of one connection in order, so each purpose has its own. Thread-safe.
  */
 public final class UrbiConnection implements UrbiTransport.Receiver {
     private static final Logger LOG = System.getLogger(UrbiConnection.class.getName());
@@ -20,19 +22,11 @@ public final class UrbiConnection implements UrbiTransport.Receiver {
     /** The largest binary that fits with its header into the server's queue of 32 KiB (URBI sheet 2). */
     public static final int LARGEST_BINARY = 24 * 1024;
 
-    /** Receives the messages that answer no request. Called on the reader thread. */
-    public interface Owner {
-        /** Takes a message that answers no request. */
-        void received(UrbiMessage message);
-
-        /** The connection broke; called once, never after {@link #expectEnd}. */
-        void broken(UrbiConnection connection, String why);
-    }
-
     private final String purpose;
     private final UrbiTransport transport;
-    private final Owner owner;
     private final RobotWait waiting;
+    private final Consumer<UrbiMessage> listener;
+    private final BiConsumer<UrbiConnection, String> whenBroken;
     private final PendingRequests pending = new PendingRequests();
     private final FirstBytes foreign = new FirstBytes();
     private volatile boolean identified;
@@ -41,11 +35,25 @@ public final class UrbiConnection implements UrbiTransport.Receiver {
     private volatile UrbiVersion version = UrbiVersion.V1_0;
     private volatile long lastTimeMs;
 
-    public UrbiConnection(String purpose, UrbiTransport transport, Owner owner, RobotWait waiting) {
+    /**
+     * Creates a connection; opens nothing.
+     *
+     * @param purpose names it in threads and the log
+     * @param waiting woken by what it receives, and by its end
+     * @param listener takes each message that answers no request, on the reader thread
+     * @param whenBroken called once with the cause if the connection breaks, never after {@link #expectEnd}
+     */
+    public UrbiConnection(
+            String purpose,
+            UrbiTransport transport,
+            RobotWait waiting,
+            Consumer<UrbiMessage> listener,
+            BiConsumer<UrbiConnection, String> whenBroken) {
         this.purpose = purpose;
         this.transport = transport;
-        this.owner = owner;
         this.waiting = waiting;
+        this.listener = listener;
+        this.whenBroken = whenBroken;
     }
 
     /** Connects; messages are delivered from then on. */
@@ -83,7 +91,7 @@ public final class UrbiConnection implements UrbiTransport.Receiver {
         if (message.tag().equals("start") && message.body() instanceof UrbiMessage.Info line) {
             version = UrbiVersion.of(line.text(), version);
         }
-        owner.received(message);
+        listener.accept(message);
     }
 
     private void raiseIfDone(UrbiRequest ask) {
@@ -100,7 +108,7 @@ public final class UrbiConnection implements UrbiTransport.Receiver {
     /**
      * Writes commands, in one piece.
      *
-     * @throws LinkLost if the connection is broken; its owner was notified
+     * @throws LinkLost if the connection is broken; {@code whenBroken} has been called
      * @throws UrbiRefusal if they are too long or harmful; nothing was sent
      */
     public void send(String commands) {
@@ -120,7 +128,7 @@ public final class UrbiConnection implements UrbiTransport.Receiver {
      * @param variable such as {@code speaker.val}
      * @param format the description of the bytes for the server, such as {@code raw 1 16000 16 1}
      * @param bytes at most {@value #LARGEST_BINARY}
-     * @throws LinkLost if the connection is broken; its owner was notified
+     * @throws LinkLost if the connection is broken; {@code whenBroken} has been called
      * @throws UrbiRefusal if it is too long or harmful; nothing was sent
      */
     public void upload(String variable, String format, byte[] bytes) {
@@ -148,7 +156,7 @@ public final class UrbiConnection implements UrbiTransport.Receiver {
     /**
      * Writes commands of which one is tagged with the ask's tag.
      *
-     * @throws LinkLost if the connection is broken; its owner was notified
+     * @throws LinkLost if the connection is broken; {@code whenBroken} has been called
      * @throws UrbiRefusal if they are too long or harmful; nothing was sent, and nothing is expected
      */
     public UrbiRequest send(UrbiRequest ask, String commands) {
@@ -180,7 +188,7 @@ public final class UrbiConnection implements UrbiTransport.Receiver {
             endExpected = true;
         }
         if (first) {
-            owner.broken(this, why);
+            whenBroken.accept(this, why);
         }
     }
 

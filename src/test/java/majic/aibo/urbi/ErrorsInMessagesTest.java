@@ -12,6 +12,8 @@ import static org.mockito.Mockito.verify;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.function.BiConsumer;
+import java.util.function.Consumer;
 import majic.driver.ReplayLink;
 import majic.driver.RobotWait;
 import majic.time.TimeSource;
@@ -24,21 +26,27 @@ class ErrorsInMessagesTest {
     void oneMessageThatCannotBeHandledDoesNotCostTheConnection() throws IOException {
         ReplayLink link = new ReplayLink(line("[1:a] 1.000000"), line("[2:b] 2.000000"), line("[3:c] 3.000000"));
         TimeSource time = TimeSource.system();
-        UrbiConnection.Owner owner = mock();
+        Consumer<UrbiMessage> listener = mock();
+        BiConsumer<UrbiConnection, String> whenBroken = mock();
         doThrow(new IllegalStateException("made up"))
                 .doThrow(new LinkageError("made up"))
-                .when(owner)
-                .received(any());
+                .when(listener)
+                .accept(any());
 
-        new UrbiConnection("sensors", new LinkTransport(link, time), owner, new RobotWait(time, time.signal()))
+        new UrbiConnection(
+                        "sensors",
+                        new LinkTransport(link, time),
+                        new RobotWait(time, time.signal()),
+                        listener,
+                        whenBroken)
                 .open(1000);
 
-        verify(owner, timeout(WaitLimit.MS)).broken(any(), eq("the dog closed it"));
-        InOrder order = inOrder(owner);
+        verify(whenBroken, timeout(WaitLimit.MS)).accept(any(), eq("the dog closed it"));
+        InOrder order = inOrder(listener, whenBroken);
         for (String tag : List.of("a", "b", "c")) {
-            order.verify(owner).received(argThat(message -> message.tag().equals(tag)));
+            order.verify(listener).accept(argThat(message -> message.tag().equals(tag)));
         }
-        order.verify(owner).broken(any(), any());
+        order.verify(whenBroken).accept(any(), any());
         order.verifyNoMoreInteractions();
     }
 
