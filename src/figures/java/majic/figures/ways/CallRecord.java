@@ -21,6 +21,11 @@ final class CallRecord {
      * @param method its name
      */
     record Call(String thread, String type, String method) {
+        /** Whether it is a mark of the program that measures. */
+        boolean isMark(String name) {
+            return type.isEmpty() && method.equals(name);
+        }
+
         boolean isWrite() {
             return type.startsWith("majic.link.") && method.equals("write");
         }

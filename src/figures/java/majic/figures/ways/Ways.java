@@ -86,7 +86,7 @@ public final class Ways implements TeamListener, BotListener {
         List<List<Call>> stops = new ArrayList<>();
         for (int round = 0; round < ROUNDS; round++) {
             moves.add(command("1 move 300", Call::isWrite));
-            gets.add(command("1 get " + parameter, call -> call.method().equals(ANSWERED)));
+            gets.add(command("1 get " + parameter, call -> call.isMark(ANSWERED)));
             stops.add(command("all stop", Call::isWrite));
             parser.parseText("release");
         }
@@ -127,7 +127,7 @@ public final class Ways implements TeamListener, BotListener {
         Set<String> readers =
                 all.stream().filter(Call::isRead).map(Call::thread).collect(Collectors.toSet());
         String listening = all.stream()
-                .filter(call -> call.method().equals(REPORTED))
+                .filter(call -> call.isMark(REPORTED))
                 .map(Call::thread)
                 .findFirst()
                 .orElse("");
@@ -145,7 +145,7 @@ public final class Ways implements TeamListener, BotListener {
             }
         }
         return pieces.stream()
-                .filter(piece -> piece.stream().anyMatch(call -> call.method().equals(REPORTED)))
+                .filter(piece -> piece.stream().anyMatch(call -> call.isMark(REPORTED)))
                 .toList();
     }
 
@@ -154,7 +154,9 @@ public final class Ways implements TeamListener, BotListener {
         List<List<Call>> sorted = ways.subList(1, Math.max(2, ways.size() - 1)).stream()
                 .sorted(Comparator.comparingInt(List::size))
                 .toList();
-        List<Call> median = sorted.get(sorted.size() / 2);
+        List<Call> median = sorted.get(sorted.size() / 2).stream()
+                .filter(call -> !call.type().isEmpty())
+                .toList();
         if (listing) {
             System.out.println("== " + what);
             median.forEach(call -> System.out.println("   " + call));
