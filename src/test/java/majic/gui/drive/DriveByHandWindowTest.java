@@ -139,10 +139,17 @@ class DriveByHandWindowTest {
         }
     }
 
-    /** Submits commands, of which the first waits for a latch, until one is refused. */
+    /** Submits commands until one is refused, once the first has left the queue to wait for a latch. */
     private static void fillQueue(Member member, CountDownLatch end) {
+        CountDownLatch begun = new CountDownLatch(1);
         while (true) {
-            member.submit(new QueuedCommand("turn 5", true, robot -> awaited(end)), null);
+            member.submit(
+                    new QueuedCommand("turn 5", true, robot -> {
+                        begun.countDown();
+                        return awaited(end);
+                    }),
+                    null);
+            awaited(begun);
         }
     }
 
