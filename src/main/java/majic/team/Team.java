@@ -296,7 +296,8 @@ public final class Team implements AutoCloseable {
     }
 
     /**
-     * Calls owners and listeners on other threads, and waits briefly for them, so that later work follows the calls.
+     * Calls the programs that share STOP, owners and listeners on other threads, and waits briefly for them, so that
+     * later work follows the calls.
      */
     private void notifyAfterStop(List<Leases.Stopped> stopped, Runnable afterwards) {
         List<Runnable> callbacks = new ArrayList<>();
