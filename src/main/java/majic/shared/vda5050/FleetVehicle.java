@@ -47,6 +47,7 @@ public final class FleetVehicle implements AutoCloseable {
     private volatile String rejected = "";
     private volatile String shown = "";
     private volatile long publishedNanos;
+    private volatile boolean online;
     private volatile boolean closed;
 
     /**
@@ -88,7 +89,13 @@ public final class FleetVehicle implements AutoCloseable {
             public void connected() {
                 publish(header.connection("ONLINE"));
                 publishFactsheet();
+                online = true;
                 publishState();
+            }
+
+            @Override
+            public void lost(String reason) {
+                online = false;
             }
 
             @Override
@@ -138,7 +145,11 @@ public final class FleetVehicle implements AutoCloseable {
         return team.stopStatus().problem(robot.member().number());
     }
 
+    /** Before the vehicle is online nothing could be sent, and the number of the message would be used up. */
     private synchronized void publishState() {
+        if (!online || !connection.isConnected()) {
+            return;
+        }
         Member member = robot.member();
         publishedNanos = connection.time().nanos();
         shown = events();
