@@ -80,7 +80,8 @@ public class RobotTabs extends JTabbedPane {
         setTabComponentAt(place, tab);
         tab.getAccessibleContext().setAccessibleParent(this);
         tab.setFocusable(tabs.size() == 1);
-        showSelected();
+        mark(place);
+        showMarked();
     }
 
     /** Removes a tab and its pane; afterwards no other one is selected instead of it. */
@@ -128,11 +129,18 @@ public class RobotTabs extends JTabbedPane {
 
     /** Marks the selected robots, and scrolls to the first if none of them is visible; Tab goes to the first. */
     final void showSelected() {
-        tabs.forEach(tab -> tab.setSelected(isChosen(tab)));
         for (int index = 0; index < getTabCount(); index++) {
-            Component pane = getComponentAt(index);
-            pane.setVisible(isShown(index));
+            mark(index);
         }
+        showMarked();
+    }
+
+    private void mark(int index) {
+        tabs.get(index).setSelected(isChosen(tabs.get(index)));
+        getComponentAt(index).setVisible(isShown(index));
+    }
+
+    private void showMarked() {
         List<RobotTab> chosen = tabs.stream().filter(RobotTab::isSelected).toList();
         if (!chosen.isEmpty()) {
             columns().show(chosen);
