@@ -146,11 +146,12 @@ class AccessWindowTest {
         soft.assertAll();
     }
 
+    /** Each window follows in an event of its own: all of them in one would keep the thread for a second. */
     private List<String> paleIn(FlatLaf look) throws Exception {
-        SwingUtilities.invokeAndWait(() -> {
-            FlatLaf.setup(look);
-            FlatLaf.updateUI();
-        });
+        SwingUtilities.invokeAndWait(() -> FlatLaf.setup(look));
+        for (Window open : Window.getWindows()) {
+            SwingUtilities.invokeAndWait(() -> SwingUtilities.updateComponentTreeUI(open));
+        }
         return found(root -> WindowAudit.pale(root, Contrast.TEXT));
     }
 
