@@ -4,10 +4,23 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 import static org.assertj.core.api.Assertions.within;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.Mockito.doAnswer;
+import static org.mockito.Mockito.mock;
 
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.MajicBot;
+import majic.driver.RobotWait;
+import majic.link.LinkAddress;
+import majic.pioneer.arcos.Sip;
+import majic.pioneer.line.ArcosConnection;
+import majic.pioneer.session.ConnectWait;
+import majic.pioneer.session.PioneerConnection;
+import majic.time.Signal;
 import org.junit.jupiter.api.Test;
 
 /** Connecting, up to the first readings, with usual and unusual answers. */
@@ -74,6 +87,47 @@ class ConnectingTest {
             assertThat(stage.bot.get("firmware")).hasToString("S.0");
             assertThat(robot.heardAt.get(robot.heard.indexOf("CONFIG 1")))
                     .isCloseTo(robot.heardAt.get(robot.heard.indexOf("OPEN 1")), within(5L));
+        }
+    }
+
+    @Test
+    void connectingGoesOnWhenTheFirstReportHasBeenTakenIn() {
+        try (SteppedPeer line = new SteppedPeer(ScriptedPioneer.robot())) {
+            LastWait last = new LastWait(line.time().signal());
+            List<Boolean> wentOn = new CopyOnWriteArrayList<>();
+            PioneerConnection.Listener listener = mock();
+            doAnswer(sip -> wentOn.add(last.condition.getAsBoolean()))
+                    .when(listener)
+                    .reported(any(Sip.class));
+            ArcosConnection connection = new ArcosConnection(
+                    LinkAddress.of(line.address(), 0, 0).newLink(),
+                    new ConnectWait(new RobotWait(line.time(), last), () -> false));
+
+            connection.open(listener);
+            connection.close();
+
+            assertThat(wentOn).startsWith(false);
+        }
+    }
+
+    /** Keeps the condition of the last wait. */
+    private static final class LastWait implements Signal {
+        private final Signal signal;
+        private volatile BooleanSupplier condition = () -> false;
+
+        private LastWait(Signal signal) {
+            this.signal = signal;
+        }
+
+        @Override
+        public boolean await(BooleanSupplier awaited, double seconds) throws InterruptedException {
+            condition = awaited;
+            return signal.await(awaited, seconds);
+        }
+
+        @Override
+        public void raise() {
+            signal.raise();
         }
     }
 

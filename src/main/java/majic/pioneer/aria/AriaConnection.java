@@ -152,8 +152,9 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         }
         Sip sip = news.sip;
         if (sip != null) {
-            reported = true;
             deliver(sip, news.others, listener);
+            reported = true;
+            wait.raise();
         }
     }
 

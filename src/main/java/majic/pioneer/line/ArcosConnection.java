@@ -97,8 +97,10 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
         } else if (packet.isSip()) {
             Sip sip = Sip.decode(packet);
             if (sip != null) {
-                sips = sips + 1;
                 receiver.reported(sip);
+                // Last: the thread that waits for the first one reads the state next.
+                sips = sips + 1;
+                wait.raise();
             }
         } else {
             receiveOther(packet, receiver);
@@ -111,8 +113,9 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
             receiver.reported(report);
         } else if (packet.type() == Config.TYPE) {
             Config decoded = Config.decode(packet);
-            config = decoded;
             receiver.configured(decoded);
+            config = decoded;
+            wait.raise();
         } else if (packet.isReset()) {
             LinkLost cause = new LinkLost("connection lost: the robot's controller was reset");
             line.abort(cause);
