@@ -7,9 +7,18 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executor;
+import java.util.concurrent.TimeUnit;
 
-/** Whole programs, each a process with arguments, input, output and an exit status; closing ends them. */
+/**
+ * Whole programs, each a process with arguments, input, output and an exit status; closing ends them. A program that
+ * has not ended after two minutes is ended, so that a test that reads what it never prints fails instead of waiting.
+ */
 final class MajicProcesses implements AutoCloseable {
+    private static final int LIMIT_S = 120;
+    private static final Executor LATER = CompletableFuture.delayedExecutor(LIMIT_S, TimeUnit.SECONDS);
+
     private final List<Process> started = new ArrayList<>();
 
     /**
@@ -40,6 +49,7 @@ final class MajicProcesses implements AutoCloseable {
         builder.environment().putAll(variables);
         Process process = builder.start();
         started.add(process);
+        LATER.execute(process::destroyForcibly);
         return process;
     }
 

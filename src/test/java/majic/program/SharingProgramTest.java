@@ -41,12 +41,14 @@ class SharingProgramTest {
     /** Waits for lines in any order: the robots of the lab are connected side by side. */
     private static void awaitAll(BufferedReader printed, String... texts) throws IOException {
         List<String> missing = new ArrayList<>(List.of(texts));
+        List<String> seen = new ArrayList<>();
         String line = "";
         while (line != null && !missing.isEmpty()) {
             line = printed.readLine();
             missing.removeIf(String.valueOf(line)::contains);
+            seen.add(line);
         }
-        assertThat(missing).isEmpty();
+        assertThat(missing).as("not printed: %s", seen).isEmpty();
     }
 
     /** Reads what a program prints up to a line that contains a text. */
