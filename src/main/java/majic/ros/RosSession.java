@@ -177,9 +177,11 @@ final class RosSession implements VelocityOutput {
         }
         try {
             OdometryMessage reading = OdometryMessage.from(message);
-            reporting = true;
             long measured = stamps.measuredNanos(message, waiting.time().nanos(), roundTripS());
             events.odometry(this, reading, measured);
+            // Last: the thread that waits for the first one reads the pose next.
+            reporting = true;
+            waiting.changes().raise();
         } catch (UnusableMessage e) {
             String reason = String.valueOf(e.getMessage());
             problem = reason;

@@ -10,7 +10,6 @@ import static org.mockito.Mockito.mock;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
-import java.util.function.BooleanSupplier;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.MajicBot;
@@ -20,7 +19,7 @@ import majic.pioneer.arcos.Sip;
 import majic.pioneer.line.ArcosConnection;
 import majic.pioneer.session.ConnectWait;
 import majic.pioneer.session.PioneerConnection;
-import majic.time.Signal;
+import majic.time.LastWait;
 import org.junit.jupiter.api.Test;
 
 /** Connecting, up to the first readings, with usual and unusual answers. */
@@ -96,9 +95,7 @@ class ConnectingTest {
             LastWait last = new LastWait(line.time().signal());
             List<Boolean> wentOn = new CopyOnWriteArrayList<>();
             PioneerConnection.Listener listener = mock();
-            doAnswer(sip -> wentOn.add(last.condition.getAsBoolean()))
-                    .when(listener)
-                    .reported(any(Sip.class));
+            doAnswer(sip -> wentOn.add(last.isOver())).when(listener).reported(any(Sip.class));
             ArcosConnection connection = new ArcosConnection(
                     LinkAddress.of(line.address(), 0, 0).newLink(),
                     new ConnectWait(new RobotWait(line.time(), last), () -> false));
@@ -107,27 +104,6 @@ class ConnectingTest {
             connection.close();
 
             assertThat(wentOn).startsWith(false);
-        }
-    }
-
-    /** Keeps the condition of the last wait. */
-    private static final class LastWait implements Signal {
-        private final Signal signal;
-        private volatile BooleanSupplier condition = () -> false;
-
-        private LastWait(Signal signal) {
-            this.signal = signal;
-        }
-
-        @Override
-        public boolean await(BooleanSupplier awaited, double seconds) throws InterruptedException {
-            condition = awaited;
-            return signal.await(awaited, seconds);
-        }
-
-        @Override
-        public void raise() {
-            signal.raise();
         }
     }
 

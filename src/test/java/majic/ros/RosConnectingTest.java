@@ -2,6 +2,10 @@ package majic.ros;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.mockito.ArgumentMatchers.any;
+import static org.mockito.ArgumentMatchers.anyLong;
+import static org.mockito.Mockito.doAnswer;
+import static org.mockito.Mockito.mock;
 
 import java.nio.charset.StandardCharsets;
 import java.util.List;
@@ -15,11 +19,15 @@ import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
+import majic.driver.RobotWait;
 import majic.drivertest.ScriptedPeer;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.link.Links;
 import majic.link.Loopback;
+import majic.ros.graph.KnownRobots;
+import majic.time.LastWait;
+import majic.time.TimeSource;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -66,6 +74,27 @@ class RosConnectingTest {
             assertThat(robot.received)
                     .noneMatch(operation -> operation.path("op").asText().equals("publish"));
             assertThat(robot.bot().state()).isNotEqualTo(BotState.UNKNOWN);
+        }
+    }
+
+    @Test
+    void connectingGoesOnWhenTheFirstOdometryHasBeenTakenIn() {
+        try (ScriptedRos robot = new ScriptedRos()) {
+            TimeSource time = robot.peer.clock().time();
+            LastWait last = new LastWait(time.signal());
+            List<Boolean> wentOn = new CopyOnWriteArrayList<>();
+            RosSession.Events events = mock();
+            doAnswer(reading -> wentOn.add(last.isOver())).when(events).odometry(any(), any(), anyLong());
+            RosSession session = new RosSession(
+                    RosAddress.parse(new BotAddress("ros", "//" + robot.peer.address())),
+                    new RobotWait(time, last),
+                    events);
+
+            session.find(KnownRobots.builtIn());
+            session.awaitOdometry();
+            session.abort();
+
+            assertThat(wentOn).startsWith(false);
         }
     }
 
