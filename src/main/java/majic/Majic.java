@@ -6,6 +6,7 @@ import majic.cli.ClassDataCommand;
 import majic.cli.KeyCommand;
 import majic.cli.LabCommand;
 import majic.cli.MajicCommand;
+import majic.cli.MapCommand;
 import majic.cli.NewCommand;
 import majic.cli.PackageCommand;
 import majic.cli.RunCommand;
@@ -61,6 +62,7 @@ public final class Majic {
                         .addSubcommand(new RunCommand(folder))
                         .addSubcommand(new KeyCommand(folder))
                         .addSubcommand(new ActCommand())
+                        .addSubcommand(new MapCommand())
                         .addSubcommand(new NewCommand())
                         .addSubcommand(new PackageCommand())
                         .addSubcommand(new ClassDataCommand()))
