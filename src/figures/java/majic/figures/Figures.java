@@ -19,10 +19,11 @@ import majic.shared.broker.Mosquitto;
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed.
  * Each figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
  * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab},
- * {@code load}, {@code crash}, {@code shared}, {@code ros}, {@code ways}; without arguments all are measured.
- * {@code shared:10x100} measures one row of {@code shared}, with 10 desks and 100 robots, and {@code lab:500} one row
- * of {@code lab}. The address of a robot behind a rosbridge server, such as {@code ros://127.0.0.1:9090}, measures what
- * {@code ros} does with that robot, which turns to and fro by up to 12 degrees.
+ * {@code load}, {@code crash}, {@code shared}, {@code ros}, {@code ways}, {@code mapping}, {@code localisation};
+ * without arguments all are measured. {@code shared:10x100} measures one row of {@code shared}, with 10 desks and 100
+ * robots, and {@code lab:500} one row of {@code lab}. The address of a robot behind a rosbridge server, such as
+ * {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to 12
+ * degrees.
  */
 public final class Figures {
     /** The robots of the window that {@code large} measures. */
@@ -44,10 +45,25 @@ public final class Figures {
     private static final List<Integer> LABS = List.of(1, 10, 45, 100, 500);
     private static final String LAB_ROW = "lab:";
     private static final List<String> ALL = List.of(
-            "start", "idle", "events", "large", "line", "memory", "stop", "flood", "lab", "load", "crash", "shared",
-            "ros", "ways");
+            "start",
+            "idle",
+            "events",
+            "large",
+            "line",
+            "memory",
+            "stop",
+            "flood",
+            "lab",
+            "load",
+            "crash",
+            "shared",
+            "ros",
+            "ways",
+            "mapping",
+            "localisation");
 
-    private static final List<String> WITHOUT_WINDOW = List.of("lab", "load", "crash", "shared", "ros", "ways");
+    private static final List<String> WITHOUT_WINDOW =
+            List.of("lab", "load", "crash", "shared", "ros", "ways", "mapping", "localisation");
 
     private final ChildProgram programs;
 
@@ -77,6 +93,8 @@ public final class Figures {
                 case "shared" -> figures.shared(SHARED);
                 case "ros" -> figures.ros();
                 case "ways" -> figures.ways();
+                case "mapping" -> figures.mapping();
+                case "localisation" -> figures.localisation();
                 default -> figures.measureNamed(name);
             }
         }
@@ -261,6 +279,16 @@ public final class Figures {
     private void crash() throws IOException, InterruptedException {
         say("kill -9 during a session, while its robots drive (no setting and no line within a file may be lost)");
         Crashes.measure().forEach(line -> say("  " + line));
+    }
+
+    private void mapping() throws IOException {
+        say("a map from a public log (at most 60 s of processor time)");
+        new MappingFigures().mapping().forEach(line -> say("  %s", line));
+    }
+
+    private void localisation() throws IOException {
+        say("localisation in the second half of a public log, on the map of its first half");
+        new MappingFigures().localisation().forEach(line -> say("  %s", line));
     }
 
     private void ros() throws IOException, InterruptedException {

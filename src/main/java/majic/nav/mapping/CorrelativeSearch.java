@@ -38,7 +38,7 @@ final class CorrelativeSearch {
      */
     private record Candidate(Turned points, int right, int up, int level, double bound) {}
 
-    private CorrelativeSearch(ReferenceGrid reference, ScanPoints points, SearchWindow window, double least) {
+    private CorrelativeSearch(ReferenceGrid reference, EchoPoints points, SearchWindow window, double least) {
         this.reference = reference;
         this.window = window;
         this.count = points.count;
@@ -63,13 +63,13 @@ final class CorrelativeSearch {
      * @param least the score that the result exceeds, 0 to 1
      * @return the pose of the best score; empty if none exceeds {@code least}
      */
-    static Optional<Pose> best(ReferenceGrid reference, ScanPoints points, SearchWindow window, double least) {
+    static Optional<Pose> best(ReferenceGrid reference, EchoPoints points, SearchWindow window, double least) {
         CorrelativeSearch search = new CorrelativeSearch(reference, points, window, least);
         search.run();
         return search.best > least ? Optional.of(search.pose()) : Optional.empty();
     }
 
-    private Turned turn(ScanPoints points, double byDeg) {
+    private Turned turn(EchoPoints points, double byDeg) {
         Pose centre = window.centre();
         double angle = Math.toRadians(centre.headingDeg() + byDeg);
         double cos = Math.cos(angle) / ReferenceGrid.CELL_MM;

@@ -12,7 +12,7 @@ import majic.nav.range.RelativePose;
 final class KeyScans {
     private final PoseGraph graph = new PoseGraph();
     private final List<RangeScan> scans = new ArrayList<>();
-    private final List<ScanPoints> points = new ArrayList<>();
+    private final List<EchoPoints> points = new ArrayList<>();
     private long echoes;
 
     int size() {
@@ -27,7 +27,7 @@ final class KeyScans {
         return scans.get(key);
     }
 
-    ScanPoints points(int key) {
+    EchoPoints points(int key) {
         return points.get(key);
     }
 
@@ -39,7 +39,7 @@ final class KeyScans {
         return graph;
     }
 
-    int add(RangeScan scan, ScanPoints own, Pose pose) {
+    int add(RangeScan scan, EchoPoints own, Pose pose) {
         scans.add(scan);
         points.add(own);
         echoes += own.count;

@@ -31,6 +31,9 @@ final class LoopCloser {
 
     private static final int TOGETHER = 10;
 
+    /** A place is ambiguous if the scan fits this much as well without a correction. */
+    private static final double AMBIGUOUS = 0.5;
+
     /** Visits to one place are apart by at least this many scans that are farther away. */
     private static final int APART = 5;
 
@@ -150,11 +153,23 @@ final class LoopCloser {
         if (window.sigmaMm() <= CERTAIN_MM) {
             return add(new Pending(key, newest, match.get()));
         }
-        return fitsTogether(reference, newest, match.get().pose()) && agrees(new Pending(key, newest, match.get()));
+        return fitsTogether(reference, newest, match.get().pose())
+                && !isAmbiguous(reference, newest, match.get())
+                && agrees(new Pending(key, newest, match.get()));
+    }
+
+    /** Whether the scan fits nearly as well where it is now: then the match may be a place that looks alike. */
+    private boolean isAmbiguous(ReferenceGrid reference, int newest, ScanMatch found) {
+        Pose here = keys.pose(newest);
+        SearchWindow near = new SearchWindow(here, CERTAIN_MM / 3, MOST_SIGMA_DEG / 3);
+        return found.pose().distanceMm(here) > CERTAIN_MM
+                && ScanMatcher.match(reference, keys.points(newest), near, Information.NONE, 0)
+                        .filter(other -> other.response() > AMBIGUOUS * found.response())
+                        .isPresent();
     }
 
     private boolean fitsTogether(ReferenceGrid reference, int newest, Pose pose) {
-        ScanPoints together = ScanPoints.joined(keys.placed(newest - TOGETHER + 1, newest), keys.pose(newest));
+        EchoPoints together = EchoPoints.joined(keys.placed(newest - TOGETHER + 1, newest), keys.pose(newest));
         return ScanMatcher.refine(reference, together, pose, pose, Information.NONE)
                 .filter(found ->
                         found.response() > LEAST_RESPONSE && found.pose().distanceMm(pose) < AGREE_MM)

@@ -33,13 +33,6 @@ public final class Mapper {
     /** About 10 m of way: more than a scanner sees around corners, less than what odometry drifts on. */
     static final int RECENT = 25;
 
-    /** Errors of wheel odometry: 10 % of a way and of a turn, and 2 degrees a metre (Thrun, Burgard, Fox 2005, 5.4). */
-    private static final double SHARE = 0.1;
-
-    private static final double DEG_PER_MM = 0.002;
-    private static final double LEAST_MM = 20;
-    private static final double LEAST_DEG = 1;
-
     /** So few echoes on known surfaces that the prediction is better. */
     private static final double LEAST_SCORE = 0.2;
 
@@ -62,7 +55,7 @@ public final class Mapper {
         if (isFull()) {
             return false;
         }
-        ScanPoints points = ScanPoints.of(scan);
+        EchoPoints points = EchoPoints.of(scan);
         if (keys.size() == 0) {
             keys.add(scan, points, Pose.START);
             return true;
@@ -74,8 +67,7 @@ public final class Mapper {
         if (way < KEY_MM && turn < KEY_DEG) {
             return false;
         }
-        SearchWindow window = new SearchWindow(
-                keys.pose(last).plus(moved), LEAST_MM + SHARE * way, LEAST_DEG + SHARE * turn + DEG_PER_MM * way);
+        SearchWindow window = SearchWindow.afterMotion(keys.pose(last), moved);
         ScanMatch match = match(points, window);
         keys.add(scan, points, match.pose());
         keys.connect(last, last + 1, match, false);
@@ -86,7 +78,7 @@ public final class Mapper {
     }
 
     /** Matches the newest scan to the last ones; the prediction, with its uncertainty, if it fits nowhere. */
-    private ScanMatch match(ScanPoints points, SearchWindow window) {
+    private ScanMatch match(EchoPoints points, SearchWindow window) {
         Information prior = Information.ofSigmas(window.sigmaMm(), window.sigmaDeg());
         ReferenceGrid reference = new ReferenceGrid(keys.placed(keys.size() - RECENT, keys.size() - 1), LEVELS);
         Optional<ScanMatch> match = ScanMatcher.match(reference, points, window, prior, LEAST_SCORE);

@@ -26,7 +26,7 @@ final class ReferenceGrid {
     private static final byte[] LIKELIHOOD = likelihoods();
 
     /** A scan at its place. */
-    record PlacedPoints(ScanPoints points, Pose pose) {}
+    record PlacedPoints(EchoPoints points, Pose pose) {}
 
     final double minX;
     final double minY;
@@ -34,12 +34,12 @@ final class ReferenceGrid {
     private final int height;
     private final float[] squared;
     private final int[] nearest;
-    private final ScanPoints points;
+    private final EchoPoints points;
     private final byte[][] levels;
 
     /** Builds the grid with levels 0 to {@code highest}. */
     ReferenceGrid(List<PlacedPoints> scans, int highest) {
-        points = ScanPoints.joined(scans, Pose.START);
+        points = EchoPoints.joined(scans, Pose.START);
         minX = least(points.x) - FAR_MM - CELL_MM;
         minY = least(points.y) - FAR_MM - CELL_MM;
         width = (int) ((greatest(points.x) - minX + FAR_MM) / CELL_MM) + 2;
@@ -179,7 +179,7 @@ final class ReferenceGrid {
     }
 
     /** All points, in the frame of the reference. */
-    ScanPoints points() {
+    EchoPoints points() {
         return points;
     }
 }

@@ -45,14 +45,14 @@ final class ScanMatcher {
      * @return the match, or empty if there is none of this score
      */
     static Optional<ScanMatch> match(
-            ReferenceGrid reference, ScanPoints points, SearchWindow window, Information prior, double least) {
+            ReferenceGrid reference, EchoPoints points, SearchWindow window, Information prior, double least) {
         return CorrelativeSearch.best(reference, points, window, least)
                 .flatMap(start -> refine(reference, points, start, window.centre(), prior));
     }
 
     /** Refines from a start that is within 200 mm and a few degrees; empty if nothing fits there. */
     static Optional<ScanMatch> refine(
-            ReferenceGrid reference, ScanPoints points, Pose start, Pose predicted, Information prior) {
+            ReferenceGrid reference, EchoPoints points, Pose start, Pose predicted, Information prior) {
         double x = start.xMm();
         double y = start.yMm();
         double t = Math.toRadians(start.headingDeg());
@@ -98,7 +98,7 @@ final class ScanMatcher {
         private double gt;
         private double response;
 
-        void of(ReferenceGrid reference, ScanPoints points, double x, double y, double t) {
+        void of(ReferenceGrid reference, EchoPoints points, double x, double y, double t) {
             xx = 0;
             xy = 0;
             xt = 0;
@@ -109,7 +109,7 @@ final class ScanMatcher {
             gy = 0;
             gt = 0;
             response = 0;
-            ScanPoints surfaces = reference.points();
+            EchoPoints surfaces = reference.points();
             double cos = Math.cos(t);
             double sin = Math.sin(t);
             for (int index = 0; index < points.count; index++) {

@@ -30,12 +30,12 @@ class MapperTest {
         Mapper mapper = mapped(WAY, 0.03, 0.5);
         mapper.finish();
 
-        assertThat(mapper.loops()).isGreaterThanOrEqualTo(3);
+        assertThat(mapper.loops()).isGreaterThanOrEqualTo(10);
         for (int index = 0; index < mapper.scans(); index++) {
             Pose truth = WAY.get((int) mapper.scan(index).timeS());
-            assertThat(mapper.pose(index).distanceMm(truth)).isLessThan(200);
+            assertThat(mapper.pose(index).distanceMm(truth)).isLessThan(100);
             assertThat(Pose.normalised(mapper.pose(index).headingDeg() - truth.headingDeg()))
-                    .isCloseTo(0, within(1.5));
+                    .isCloseTo(0, within(0.5));
         }
     }
 

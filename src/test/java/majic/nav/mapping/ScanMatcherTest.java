@@ -14,8 +14,8 @@ class ScanMatcherTest {
     private static final Pose CORNER = new Pose(21_000, 0, 20);
     private final Floor floor = Floor.ring(3);
 
-    private ScanPoints points(Pose truth) {
-        return ScanPoints.of(floor.scan(Floor.LASER, 0, truth, truth));
+    private EchoPoints points(Pose truth) {
+        return EchoPoints.of(floor.scan(Floor.LASER, 0, truth, truth));
     }
 
     private ReferenceGrid reference(int levels) {
@@ -54,8 +54,8 @@ class ScanMatcherTest {
 
     /** Scans without the noise that an earlier one has used up. */
     private static final class Floors {
-        ScanPoints same(Pose truth) {
-            return ScanPoints.of(Floor.ring(3).scan(Floor.LASER, 0, truth, truth));
+        EchoPoints same(Pose truth) {
+            return EchoPoints.of(Floor.ring(3).scan(Floor.LASER, 0, truth, truth));
         }
     }
 
@@ -66,7 +66,7 @@ class ScanMatcherTest {
         for (int index = 0; index < ranges.length; index++) {
             ranges[index] = (float) (1000 / Math.abs(Math.sin(Math.toRadians(index - 90))));
         }
-        ScanPoints corridor = ScanPoints.of(new majic.nav.range.RangeScan(Floor.LASER, 0, middle, ranges));
+        EchoPoints corridor = EchoPoints.of(new majic.nav.range.RangeScan(Floor.LASER, 0, middle, ranges));
         ReferenceGrid reference = new ReferenceGrid(List.of(new PlacedPoints(corridor, middle)), 3);
 
         ScanMatch match = ScanMatcher.refine(reference, corridor, middle, middle, Information.NONE)
@@ -78,7 +78,7 @@ class ScanMatcherTest {
 
     @Test
     void aScanOfAnotherPlaceIsNotFound() {
-        ScanPoints elsewhere = points(new Pose(8000, 16_000, 180));
+        EchoPoints elsewhere = points(new Pose(8000, 16_000, 180));
 
         assertThat(ScanMatcher.match(reference(5), elsewhere, new SearchWindow(CORNER, 100, 5), Information.NONE, 0.4)
                         .filter(match -> match.response() > 0.6))

@@ -12,7 +12,7 @@ import majic.nav.range.RelativePose;
  * The echoes of a scan as points in the robot's frame, mm, each with the direction in which the surface there is seen:
  * the normal of the line through its neighbours. Immutable.
  */
-final class ScanPoints {
+final class EchoPoints {
     /**
      * An echo at a greater distance is not used: there, neighbouring beams of a scanner with steps of 1 degree are 0.5
      * m apart, and an error of the heading of half a degree displaces it by more than a quarter of a metre.
@@ -45,7 +45,7 @@ final class ScanPoints {
 
     final float[] normalY;
 
-    private ScanPoints(int count, float[] x, float[] y, float[] normalX, float[] normalY) {
+    private EchoPoints(int count, float[] x, float[] y, float[] normalX, float[] normalY) {
         this.count = count;
         this.x = x;
         this.y = y;
@@ -53,7 +53,7 @@ final class ScanPoints {
         this.normalY = normalY;
     }
 
-    static ScanPoints of(RangeScan scan) {
+    static EchoPoints of(RangeScan scan) {
         List<Beam> beams = scan.sensor().beams();
         float[] x = new float[scan.size()];
         float[] y = new float[scan.size()];
@@ -72,7 +72,7 @@ final class ScanPoints {
                 }
             }
         }
-        ScanPoints points = new ScanPoints(
+        EchoPoints points = new EchoPoints(
                 count, Arrays.copyOf(x, count), Arrays.copyOf(y, count), new float[count], new float[count]);
         double spacing = spacing(beams);
         for (int index = 0; index < count; index++) {
@@ -90,9 +90,9 @@ final class ScanPoints {
     }
 
     /** Joins scans at their places, as one scan taken from the given pose. */
-    static ScanPoints joined(List<PlacedPoints> scans, Pose from) {
+    static EchoPoints joined(List<PlacedPoints> scans, Pose from) {
         int count = scans.stream().mapToInt(scan -> scan.points().count).sum();
-        ScanPoints all = new ScanPoints(count, new float[count], new float[count], new float[count], new float[count]);
+        EchoPoints all = new EchoPoints(count, new float[count], new float[count], new float[count], new float[count]);
         int next = 0;
         for (PlacedPoints scan : scans) {
             Pose pose = RelativePose.of(from, scan.pose());
@@ -101,7 +101,7 @@ final class ScanPoints {
         return all;
     }
 
-    private int copy(ScanPoints from, Pose pose, int start) {
+    private int copy(EchoPoints from, Pose pose, int start) {
         double angle = Math.toRadians(pose.headingDeg());
         double cos = Math.cos(angle);
         double sin = Math.sin(angle);

@@ -1,0 +1,124 @@
+package majic.nav.localisation;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.stream.IntStream;
+import majic.bot.Pose;
+import majic.nav.grid.GridBuilder;
+import majic.nav.grid.OccupancyGrid;
+import majic.nav.range.Beam;
+import majic.nav.range.Floor;
+import majic.nav.range.RangeSensor;
+import org.junit.jupiter.api.Test;
+
+/** Localisation in a ring of corridors whose map is drawn from true places. */
+class LocalizerTest {
+    private static final List<Pose> WAY = Floor.around(1);
+    private static final OccupancyGrid MAP = map();
+
+    /** Eight sonars ahead and to the sides, as a Pioneer has them. */
+    private static final RangeSensor SONARS = new RangeSensor(
+            "sonars",
+            IntStream.of(90, 50, 30, 10, -10, -30, -50, -90)
+                    .mapToObj(angle -> new Beam(new Pose(100, 0, 0).plus(new Pose(0, 0, angle)), 15, 100, 5000, 20))
+                    .toList());
+
+    private final Floor floor = Floor.ring(5);
+    private final List<Pose> odometry = floor.odometry(WAY, 0.02, 0.3);
+
+    private static OccupancyGrid map() {
+        Floor floor = Floor.ring(2);
+        GridBuilder grid = new GridBuilder();
+        for (Pose pose : WAY) {
+            grid.add(floor.scan(Floor.LASER, 0, pose, pose), pose);
+        }
+        return grid.toGrid();
+    }
+
+    private PoseEstimate follow(Localizer localizer, RangeSensor sensor, int from, int to) {
+        for (int index = from; index < to; index++) {
+            localizer.add(floor.scan(sensor, index, WAY.get(index), odometry.get(index)));
+        }
+        return localizer.estimate(odometry.get(to - 1));
+    }
+
+    @Test
+    void aPlacedRobotIsTrackedAlongTheWay() {
+        Localizer localizer = new Localizer(MAP, 1);
+        localizer.place(WAY.get(0), 100, 5);
+        for (int index = 0; index < 300; index += 20) {
+            PoseEstimate is = follow(localizer, Floor.LASER, index, index + 20);
+
+            assertThat(is.placed()).isTrue();
+            assertThat(is.pose().distanceMm(WAY.get(index + 19))).isLessThan(200);
+            assertThat(Pose.normalised(
+                            is.pose().headingDeg() - WAY.get(index + 19).headingDeg()))
+                    .isCloseTo(0, within(3.0));
+        }
+    }
+
+    @Test
+    void aRobotWithSonarsIsTracked() {
+        Localizer localizer = new Localizer(MAP, 1);
+        localizer.place(WAY.get(0), 100, 5);
+
+        PoseEstimate is = follow(localizer, SONARS, 0, 200);
+
+        assertThat(is.placed()).isTrue();
+        assertThat(is.pose().distanceMm(WAY.get(199))).isLessThan(600);
+    }
+
+    @Test
+    void aRobotThatFindsItselfIsRightAndIsNotPlacedBefore() {
+        Localizer localizer = new Localizer(MAP, 3);
+
+        assertThat(localizer.estimate(odometry.get(0)).placed()).isFalse();
+        for (int index = 30; index < 330; index++) {
+            PoseEstimate is = follow(localizer, Floor.LASER, index, index + 1);
+            if (is.placed()) {
+                assertThat(is.pose().distanceMm(WAY.get(index))).isLessThan(500);
+                return;
+            }
+        }
+        assertThat(localizer.estimate(odometry.get(329)).placed()).isFalse();
+    }
+
+    @Test
+    void theSameSeedGivesTheSameEstimates() {
+        Localizer one = new Localizer(MAP, 9);
+        Localizer other = new Localizer(MAP, 9);
+        one.place(WAY.get(0), 200, 5);
+        other.place(WAY.get(0), 200, 5);
+        var scan = floor.scan(Floor.LASER, 0, WAY.get(5), odometry.get(5));
+        one.add(scan);
+        other.add(scan);
+
+        assertThat(one.estimate(odometry.get(5))).isEqualTo(other.estimate(odometry.get(5)));
+    }
+
+    @Test
+    void theUncertaintyOfOdometryGrowsMostAcrossTheWay() {
+        OdometryPlace place = new OdometryPlace(Pose.START, Pose.START, 10, 1);
+        for (int step = 1; step <= 50; step++) {
+            place.moved(new Pose(100 * step, 0, 0));
+        }
+
+        PoseEstimate is = place.estimate();
+
+        assertThat(is.pose().xMm()).isCloseTo(5000, within(1e-6));
+        assertThat(Math.sqrt(is.varianceXmm2())).isCloseTo(100 * Math.sqrt(5), within(5.0));
+        assertThat(is.varianceYmm2()).isGreaterThan(is.varianceXmm2());
+        assertThat(is.sigmaDeg()).isCloseTo(Math.sqrt(1 + 9 * 5), within(0.1));
+        assertThat(is.sigmaMm()).isCloseTo(Math.sqrt(is.varianceYmm2()), within(1.0));
+    }
+
+    @Test
+    void theOdometryMayBeginAnywhereInItsOwnFrame() {
+        OdometryPlace place = new OdometryPlace(new Pose(1000, 0, 90), new Pose(-500, 300, 45), 0, 0);
+        place.moved(new Pose(-500, 300, 45).plus(new Pose(200, 0, 10)));
+
+        assertThat(place.estimate().pose().distanceMm(new Pose(1000, 200, 100))).isLessThan(0.001);
+    }
+}
