@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.TreeMap;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.nav.file.CarmenLog;
 import majic.nav.grid.GridBuilder;
 import majic.nav.grid.LikelihoodField;
@@ -17,8 +18,6 @@ import majic.nav.localisation.Localizer;
 import majic.nav.localisation.PoseEstimate;
 import majic.nav.mapping.Mapper;
 import majic.nav.mapping.Trajectory;
-import majic.nav.range.RangeScan;
-import majic.nav.range.RelativePose;
 
 /**
  * Builds a map from a public log, and finds the robot of its second half on the map of its first. The system property
@@ -105,7 +104,7 @@ final class MappingFigures {
                         Double.parseDouble(fields[2]) * MM,
                         Double.parseDouble(fields[3]) * MM,
                         Math.toDegrees(Double.parseDouble(fields[7])));
-                Pose error = RelativePose.of(wanted, RelativePose.of(from, to));
+                Pose error = to.seenFrom(from).seenFrom(wanted);
                 places.add(error.distanceMm(Pose.START) / MM);
                 headings.add(Math.abs(error.headingDeg()));
             }

@@ -92,4 +92,14 @@ public record Pose(double xMm, double yMm, double headingDeg) {
         Pose offset = turned.plus(relative);
         return new Pose(xMm - offset.xMm, yMm - offset.yMm, turned.headingDeg);
     }
+
+    /**
+     * Returns this pose in the frame of another one.
+     *
+     * @param from the pose that is the origin of the new frame
+     * @return the pose for which {@code from.plus(result)} is this one
+     */
+    public Pose seenFrom(Pose from) {
+        return START.originOf(from).plus(this);
+    }
 }

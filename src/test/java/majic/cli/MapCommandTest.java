@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import majic.bot.Pose;
 import majic.nav.file.CarmenLog;
-import majic.nav.range.Floor;
+import majic.nav.mapping.Floor;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;

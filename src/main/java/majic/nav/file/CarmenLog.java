@@ -7,9 +7,8 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.function.DoubleConsumer;
 import majic.bot.Pose;
-import majic.nav.range.RangeScan;
-import majic.nav.range.RangeSensor;
-import majic.nav.range.RelativePose;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 
 /**
  * Logs of odometry and laser scans in the format of CARMEN (Montemerlo, Roy, Thrun 2003; its logger's manual), plain or
@@ -139,7 +138,7 @@ public final class CarmenLog {
         }
 
         private static Pose mount(Pose robot, Pose laser) {
-            Pose mount = RelativePose.of(robot, laser);
+            Pose mount = laser.seenFrom(robot);
             return mount.distanceMm(Pose.START) <= MOST_OFFSET_MM ? mount : Pose.START;
         }
 

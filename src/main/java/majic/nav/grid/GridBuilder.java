@@ -2,9 +2,9 @@ package majic.nav.grid;
 
 import java.util.Arrays;
 import java.util.List;
+import majic.bot.Beam;
 import majic.bot.Pose;
-import majic.nav.range.Beam;
-import majic.nav.range.RangeScan;
+import majic.bot.RangeScan;
 
 /**
  * Draws scans into a grid that grows with them: cells in front of an echo become less likely to be occupied, those at

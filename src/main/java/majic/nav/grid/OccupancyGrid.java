@@ -1,7 +1,6 @@
 package majic.nav.grid;
 
 import majic.bot.Pose;
-import majic.nav.range.RelativePose;
 
 /**
  * A map of square cells, each with the probability that it is occupied (Moravec and Elfes 1985). Immutable.
@@ -152,7 +151,7 @@ public final class OccupancyGrid {
      * @return the state of the cell there
      */
     public State stateAt(double xMm, double yMm) {
-        Pose seen = RelativePose.of(origin, new Pose(xMm, yMm, 0));
+        Pose seen = new Pose(xMm, yMm, 0).seenFrom(origin);
         return state((int) Math.floor(seen.xMm() / cellMm), (int) Math.floor(seen.yMm() / cellMm));
     }
 

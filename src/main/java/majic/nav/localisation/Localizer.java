@@ -6,14 +6,13 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import majic.bot.Beam;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.nav.grid.LikelihoodField;
 import majic.nav.grid.OccupancyGrid;
 import majic.nav.grid.OccupancyGrid.State;
 import majic.nav.mapping.ScanOdometry;
-import majic.nav.range.Beam;
-import majic.nav.range.RangeScan;
-import majic.nav.range.RelativePose;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -169,7 +168,7 @@ public final class Localizer {
             spread(echoes);
             return;
         }
-        if (odometry != null && isSmall(RelativePose.of(odometry, newest))) {
+        if (odometry != null && isSmall(newest.seenFrom(odometry))) {
             return;
         }
         Pose step = step(scan);
@@ -189,10 +188,10 @@ public final class Localizer {
     /** The motion since the last scan that counted; by matching the scans of a scanner, else by odometry. */
     private Pose step(RangeScan scan) {
         if (scan.size() < DENSE) {
-            return RelativePose.of(odometry == null ? scan.odometry() : odometry, scan.odometry());
+            return scan.odometry().seenFrom(odometry == null ? scan.odometry() : odometry);
         }
         Pose to = matched.add(scan);
-        Pose step = RelativePose.of(matchedPose == null ? to : matchedPose, to);
+        Pose step = to.seenFrom(matchedPose == null ? to : matchedPose);
         matchedPose = to;
         return step;
     }
@@ -207,7 +206,7 @@ public final class Localizer {
         return odometry == null
                 ? estimate
                 : new PoseEstimate(
-                        estimate.pose().plus(RelativePose.of(odometry, now)),
+                        estimate.pose().plus(now.seenFrom(odometry)),
                         estimate.varianceXmm2(),
                         estimate.covarianceXYmm2(),
                         estimate.varianceYmm2(),

@@ -1,7 +1,6 @@
 package majic.nav.localisation;
 
 import majic.bot.Pose;
-import majic.nav.range.RelativePose;
 
 /**
  * The place of a robot without range sensors: from a known one on by its odometry, with an uncertainty that grows with
@@ -35,7 +34,7 @@ public final class OdometryPlace {
 
     /** Adds a motion, from the odometry of the last call to this one. */
     public void moved(Pose to) {
-        Pose step = RelativePose.of(odometry, to);
+        Pose step = to.seenFrom(odometry);
         odometry = to;
         double way = Math.hypot(step.xMm(), step.yMm());
         double angle = Math.toRadians(pose.headingDeg());

@@ -2,11 +2,10 @@ package majic.nav.mapping;
 
 import java.util.Arrays;
 import java.util.List;
+import majic.bot.Beam;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.nav.mapping.ReferenceGrid.PlacedPoints;
-import majic.nav.range.Beam;
-import majic.nav.range.RangeScan;
-import majic.nav.range.RelativePose;
 
 /**
  * The echoes of a scan as points in the robot's frame, mm, each with the direction in which the surface there is seen:
@@ -95,7 +94,7 @@ final class EchoPoints {
         EchoPoints all = new EchoPoints(count, new float[count], new float[count], new float[count], new float[count]);
         int next = 0;
         for (PlacedPoints scan : scans) {
-            Pose pose = RelativePose.of(from, scan.pose());
+            Pose pose = scan.pose().seenFrom(from);
             next = all.copy(scan.points(), pose, next);
         }
         return all;

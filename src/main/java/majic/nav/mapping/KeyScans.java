@@ -4,9 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.nav.mapping.ReferenceGrid.PlacedPoints;
-import majic.nav.range.RangeScan;
-import majic.nav.range.RelativePose;
 
 /** The scans that a map is made of, each a node of the graph of poses. Not thread-safe. */
 final class KeyScans {
@@ -50,7 +49,7 @@ final class KeyScans {
     PoseGraph.Edge connect(int from, int to, ScanMatch match, boolean loop) {
         Pose origin = graph.pose(from);
         Information covariance = match.covariance().turned(-Math.toRadians(origin.headingDeg()));
-        PoseGraph.Edge edge = PoseGraph.Edge.of(from, to, RelativePose.of(origin, match.pose()), covariance, loop);
+        PoseGraph.Edge edge = PoseGraph.Edge.of(from, to, match.pose().seenFrom(origin), covariance, loop);
         graph.add(edge);
         return edge;
     }

@@ -2,10 +2,9 @@ package majic.nav.mapping;
 
 import java.util.Optional;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.nav.grid.GridBuilder;
 import majic.nav.grid.OccupancyGrid;
-import majic.nav.range.RangeScan;
-import majic.nav.range.RelativePose;
 
 /**
  * Builds a map from the scans and the odometry of one robot: each scan is matched to the last {@value #RECENT}, earlier
@@ -61,7 +60,7 @@ public final class Mapper {
             return true;
         }
         int last = keys.size() - 1;
-        Pose moved = RelativePose.of(keys.scan(last).odometry(), scan.odometry());
+        Pose moved = scan.odometry().seenFrom(keys.scan(last).odometry());
         double way = Math.hypot(moved.xMm(), moved.yMm());
         double turn = Math.abs(moved.headingDeg());
         if (way < KEY_MM && turn < KEY_DEG) {

@@ -5,7 +5,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.PriorityQueue;
 import majic.bot.Pose;
-import majic.nav.range.RelativePose;
 import org.ejml.data.DMatrixRMaj;
 import org.ejml.data.DMatrixSparseCSC;
 import org.ejml.data.DMatrixSparseTriplet;
@@ -95,7 +94,7 @@ final class PoseGraph {
 
     /** The difference of the poses less the measured one, in the frame of {@code from}. */
     private Pose error(Edge edge) {
-        Pose is = RelativePose.of(poses.get(edge.from()), poses.get(edge.to()));
+        Pose is = poses.get(edge.to()).seenFrom(poses.get(edge.from()));
         Pose wanted = edge.measured();
         return new Pose(is.xMm() - wanted.xMm(), is.yMm() - wanted.yMm(), is.headingDeg() - wanted.headingDeg());
     }

@@ -5,9 +5,8 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.Optional;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.nav.mapping.ReferenceGrid.PlacedPoints;
-import majic.nav.range.RangeScan;
-import majic.nav.range.RelativePose;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,7 +34,7 @@ public final class ScanOdometry {
             pose = scan.odometry();
             keep(points);
         } else {
-            Pose moved = RelativePose.of(odometry, scan.odometry());
+            Pose moved = scan.odometry().seenFrom(odometry);
             SearchWindow window = SearchWindow.afterMotion(pose, moved);
             Information prior = Information.ofSigmas(window.sigmaMm(), window.sigmaDeg());
             ReferenceGrid reference = new ReferenceGrid(new ArrayList<>(recent), LEVELS);

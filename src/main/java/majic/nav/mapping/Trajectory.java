@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalInt;
 import majic.bot.Pose;
-import majic.nav.range.RelativePose;
 
 /**
  * The way of the robot on the map at the rate of its odometry: between two scans the odometry, corrected by a share of
@@ -89,7 +88,7 @@ public final class Trajectory {
     private Pose predicted(int scan, Pose pose) {
         return mapper.scans() == 0
                 ? pose
-                : mapper.pose(scan).plus(RelativePose.of(mapper.scan(scan).odometry(), pose));
+                : mapper.pose(scan).plus(pose.seenFrom(mapper.scan(scan).odometry()));
     }
 
     /**

@@ -14,8 +14,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.zip.GZIPOutputStream;
 import majic.bot.Pose;
-import majic.nav.range.RangeScan;
-import majic.nav.range.RangeSensor;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 

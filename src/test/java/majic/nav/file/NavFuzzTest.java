@@ -7,8 +7,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.nav.grid.NavigationMap;
-import majic.nav.range.RangeScan;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Arbitrary maps and logs: kept inputs in every build, new ones with {@code mvn -Pfuzz test} (see CONTRIBUTING.md). */

@@ -5,12 +5,12 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.stream.IntStream;
+import majic.bot.Beam;
 import majic.bot.Pose;
+import majic.bot.RangeSensor;
 import majic.nav.grid.GridBuilder;
 import majic.nav.grid.OccupancyGrid;
-import majic.nav.range.Beam;
-import majic.nav.range.Floor;
-import majic.nav.range.RangeSensor;
+import majic.nav.mapping.Floor;
 import org.junit.jupiter.api.Test;
 
 /** Localisation in a ring of corridors whose map is drawn from true places. */

@@ -7,8 +7,6 @@ import java.util.List;
 import majic.bot.Pose;
 import majic.nav.grid.OccupancyGrid;
 import majic.nav.grid.OccupancyGrid.State;
-import majic.nav.range.Floor;
-import majic.nav.range.RelativePose;
 import org.junit.jupiter.api.Test;
 
 /** Mapping of a ring of corridors, 76 m around, with odometry that is wrong by several metres at its end. */
@@ -77,7 +75,7 @@ class MapperTest {
         float[] nothing = new float[Floor.LASER.beams().size()];
         java.util.Arrays.fill(nothing, Float.POSITIVE_INFINITY);
         for (int index = 0; index < 40; index++) {
-            mapper.add(new majic.nav.range.RangeScan(Floor.LASER, index, new Pose(500 * index, 0, 0), nothing));
+            mapper.add(new majic.bot.RangeScan(Floor.LASER, index, new Pose(500 * index, 0, 0), nothing));
         }
         mapper.finish();
 
@@ -102,8 +100,7 @@ class MapperTest {
         assertThat(poses).hasSameSizeAs(way);
         for (int index = 0; index < mapper.scans(); index++) {
             Pose at = poses.get((int) mapper.scan(index).timeS()).pose();
-            assertThat(RelativePose.of(at, mapper.pose(index)).distanceMm(Pose.START))
-                    .isLessThan(0.01);
+            assertThat(mapper.pose(index).seenFrom(at).distanceMm(Pose.START)).isLessThan(0.01);
         }
         for (int index = 0; index < way.size(); index++) {
             assertThat(poses.get(index).pose().distanceMm(way.get(index))).isLessThan(150);

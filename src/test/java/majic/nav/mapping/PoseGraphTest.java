@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import majic.bot.Pose;
-import majic.nav.range.RelativePose;
 import org.junit.jupiter.api.Test;
 
 class PoseGraphTest {
@@ -40,7 +39,7 @@ class PoseGraphTest {
     void aWrongLoopAmongTrueOnesLosesItsWeight() {
         PoseGraph graph = square();
         for (int node = 0; node < 3; node++) {
-            Pose measured = RelativePose.of(new Pose(1000 * node, 0, 0), Pose.START);
+            Pose measured = Pose.START.seenFrom(new Pose(1000 * node, 0, 0));
             graph.add(PoseGraph.Edge.of(node, 40, measured, COVARIANCE, true));
         }
         graph.add(PoseGraph.Edge.of(5, 25, new Pose(100, 0, 0), COVARIANCE, true));

@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Optional;
 import majic.bot.Pose;
 import majic.nav.mapping.ReferenceGrid.PlacedPoints;
-import majic.nav.range.Floor;
 import org.junit.jupiter.api.Test;
 
 class ScanMatcherTest {
@@ -66,7 +65,7 @@ class ScanMatcherTest {
         for (int index = 0; index < ranges.length; index++) {
             ranges[index] = (float) (1000 / Math.abs(Math.sin(Math.toRadians(index - 90))));
         }
-        EchoPoints corridor = EchoPoints.of(new majic.nav.range.RangeScan(Floor.LASER, 0, middle, ranges));
+        EchoPoints corridor = EchoPoints.of(new majic.bot.RangeScan(Floor.LASER, 0, middle, ranges));
         ReferenceGrid reference = new ReferenceGrid(List.of(new PlacedPoints(corridor, middle)), 3);
 
         ScanMatch match = ScanMatcher.refine(reference, corridor, middle, middle, Information.NONE)

@@ -1,6 +1,4 @@
-package majic.nav.range;
-
-import majic.bot.Pose;
+package majic.bot;
 
 /**
  * One beam of a range sensor: where it is on the robot, and what it can measure. Immutable.

@@ -1,8 +1,7 @@
-package majic.nav.range;
+package majic.bot;
 
 import java.util.List;
 import java.util.stream.IntStream;
-import majic.bot.Pose;
 
 /**
  * A sensor that measures distances along beams, such as a laser scanner or a ring of sonars: what it is called and

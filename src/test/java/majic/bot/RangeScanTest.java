@@ -1,10 +1,9 @@
-package majic.nav.range;
+package majic.bot;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import majic.bot.Pose;
 import org.junit.jupiter.api.Test;
 
 class RangeScanTest {
@@ -45,7 +44,7 @@ class RangeScanTest {
         Pose from = new Pose(1000, -500, 120);
         Pose to = new Pose(-300, 200, -170);
 
-        Pose again = from.plus(RelativePose.of(from, to));
+        Pose again = from.plus(to.seenFrom(from));
 
         assertThat(again.distanceMm(to)).isCloseTo(0, within(1e-6));
         assertThat(again.headingDeg()).isCloseTo(-170, within(1e-9));

@@ -1,9 +1,12 @@
-package majic.nav.range;
+package majic.nav.mapping;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import majic.bot.Beam;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 
 /** A floor of walls, for scans with known truth: mm; noise of a fixed seed. */
 public final class Floor {
@@ -75,7 +78,7 @@ public final class Floor {
     public List<Pose> odometry(List<Pose> way, double share, double degPerM) {
         List<Pose> odometry = new ArrayList<>(List.of(way.get(0)));
         for (int index = 1; index < way.size(); index++) {
-            Pose step = RelativePose.of(way.get(index - 1), way.get(index));
+            Pose step = way.get(index).seenFrom(way.get(index - 1));
             double length = Math.hypot(step.xMm(), step.yMm());
             odometry.add(odometry.get(index - 1)
                     .plus(new Pose(

@@ -1,6 +1,4 @@
-package majic.nav.range;
-
-import majic.bot.Pose;
+package majic.bot;
 
 /**
  * The distances that a sensor has measured at one moment, with the odometry of that moment. Immutable.
