@@ -240,6 +240,30 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Returns the sensors with which the robot measures distances along beams, such as sonars or a laser scanner.
+     *
+     * @return known once the robot is connected, and unchanged until it connects again; none unless overridden
+     */
+    public List<RangeSensor> rangeSensors() {
+        return List.of();
+    }
+
+    /**
+     * Asks for what the range sensors measure. While nothing asks, a robot neither computes scans nor requests them.
+     * Power that a sensor needs, such as that of sonars, is not switched on by it.
+     *
+     * @param listener called on the robot's listener thread, from now on
+     */
+    public abstract void addScanListener(ScanListener listener);
+
+    /**
+     * Asks no longer.
+     *
+     * @param listener one that was added; it may be called once more
+     */
+    public abstract void removeScanListener(ScanListener listener);
+
+    /**
      * Adds a listener. The first one also receives the notices from before there was a listener.
      *
      * @param listener called on the robot's listener thread, or on a thread that commands the robot

@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
  * A sensor that measures distances along beams, such as a laser scanner or a ring of sonars: what it is called and
  * where its beams are, once for all scans. Immutable.
  *
- * @param name as a user reads it, such as {@code laser}
+ * @param name as a user reads it, such as {@code laser}; each sensor of a robot has its own
  * @param beams in the order of the ranges of a scan, 1 to {@value #MOST_BEAMS}
  */
 public record RangeSensor(String name, List<Beam> beams) {

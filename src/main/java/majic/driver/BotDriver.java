@@ -18,7 +18,9 @@ import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.Parameter;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.bot.Reading;
+import majic.bot.ScanListener;
 import majic.bot.Value;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -281,6 +283,36 @@ public abstract class BotDriver extends MovingRobot {
         listeners.remove(listener);
     }
 
+    @Override
+    public final void addScanListener(ScanListener listener) {
+        listeners.addScanListener(Objects.requireNonNull(listener, "listener"));
+        scansRequested(true);
+    }
+
+    @Override
+    public final void removeScanListener(ScanListener listener) {
+        listeners.removeScanListener(listener);
+        scansRequested(hasScanListeners());
+    }
+
+    /**
+     * Whether something asks for scans; a driver makes none otherwise.
+     *
+     * @return may change at any time
+     */
+    protected final boolean hasScanListeners() {
+        return listeners.hasScanListeners();
+    }
+
+    /**
+     * Begins or ends to request scans from the robot; does nothing unless overridden. A driver that requests scans does
+     * so at the end of {@link #open()} too if {@link #hasScanListeners()}.
+     *
+     * @param requested whether something asks for them; may be called again with the same value, in any state of the
+     *     connection; must not wait
+     */
+    protected void scansRequested(boolean requested) {}
+
     /**
      * Opens the connection and performs the protocol's handshake. Called once for each {@link #connect()}, on its
      * thread, in state {@link Connection#CONNECTING}. Must not move the robot nor switch motors on, must end within the
@@ -397,6 +429,16 @@ public abstract class BotDriver extends MovingRobot {
      */
     protected final void publishPicture(Supplier<byte[]> jpeg) {
         listeners.pictureTaken(jpeg);
+    }
+
+    /**
+     * Publishes what a range sensor has measured. If several scans of a sensor come before the listeners take one, they
+     * get the newest.
+     *
+     * @param scan its time is that of the robot's clock
+     */
+    protected final void publishScan(RangeScan scan) {
+        listeners.scanned(scan);
     }
 
     /**

@@ -4,7 +4,9 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
@@ -12,6 +14,8 @@ import java.util.function.Supplier;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
+import majic.bot.RangeScan;
+import majic.bot.ScanListener;
 import majic.time.OrderedEvents;
 import majic.time.Signal;
 import majic.time.TimeSource;
@@ -38,6 +42,8 @@ final class Listeners {
 
     private final MajicBot bot;
     private final List<BotListener> all = new CopyOnWriteArrayList<>();
+    private final List<ScanListener> scanListeners = new CopyOnWriteArrayList<>();
+    private final Map<String, RangeScan> undeliveredScans = new LinkedHashMap<>();
     private final Deque<String> undelivered = new ArrayDeque<>();
     private final OrderedEvents events = new OrderedEvents();
     private final AtomicBoolean statePending = new AtomicBoolean();
@@ -152,6 +158,42 @@ final class Listeners {
         pass();
     }
 
+    void addScanListener(ScanListener listener) {
+        scanListeners.add(listener);
+    }
+
+    void removeScanListener(ScanListener listener) {
+        scanListeners.remove(listener);
+    }
+
+    boolean hasScanListeners() {
+        return !scanListeners.isEmpty();
+    }
+
+    /** A scan: of several of one sensor that come faster than the listeners take them, they get the newest. */
+    void scanned(RangeScan scan) {
+        if (scanListeners.isEmpty()) {
+            return;
+        }
+        synchronized (undeliveredScans) {
+            if (undeliveredScans.put(scan.sensor().name(), scan) != null) {
+                return;
+            }
+        }
+        events.put(() -> deliverScan(scan.sensor().name()));
+        pass();
+    }
+
+    private void deliverScan(String sensor) {
+        RangeScan newest;
+        synchronized (undeliveredScans) {
+            newest = undeliveredScans.remove(sensor);
+        }
+        if (newest != null) {
+            scanListeners.forEach(listener -> call(() -> listener.scanned(newest)));
+        }
+    }
+
     /** Queues a change of the connection state for delivery by {@link #deliver()}. */
     void connectionChanged(MajicBot.Connection now) {
         put(listener -> listener.connectionChanged(bot, now));
@@ -194,8 +236,12 @@ final class Listeners {
     }
 
     private void call(BotListener listener, Consumer<BotListener> news) {
+        call(() -> news.accept(listener));
+    }
+
+    private void call(Runnable listener) {
         try {
-            news.accept(listener);
+            listener.run();
         } catch (RuntimeException | Error e) {
             LOG.log(Level.WARNING, "a listener of " + bot.name() + " failed", e);
         }

@@ -12,10 +12,14 @@ import static org.mockito.Mockito.verifyNoInteractions;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.Beam;
 import majic.bot.BotListener;
 import majic.bot.FakeBot;
 import majic.bot.MajicBot;
 import majic.bot.MajicBot.Connection;
+import majic.bot.Pose;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.drivertest.TestClock;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
@@ -76,6 +80,38 @@ class ListenersTest {
 
         verify(second).stateChanged(any(), any());
         verifyNoInteractions(eventOnly);
+    }
+
+    private static RangeScan scan(double timeS, float mm) {
+        Beam beam = new Beam(Pose.START, 1, 0, 5000, 10);
+        return new RangeScan(new RangeSensor("laser", List.of(beam)), timeS, Pose.START, mm);
+    }
+
+    @Test
+    void scansReachOnlyThoseThatAskForThem() {
+        List<RangeScan> received = new CopyOnWriteArrayList<>();
+        listeners.add(first);
+        listeners.scanned(scan(1, 800));
+        listeners.addScanListener(received::add);
+        RangeScan asked = scan(2, 900);
+        listeners.scanned(asked);
+
+        assertThat(received).containsExactly(asked);
+        verifyNoInteractions(first);
+    }
+
+    @Test
+    void ofScansThatComeFasterThanTheyAreTakenTheNewestIsDelivered() {
+        List<RangeScan> received = new CopyOnWriteArrayList<>();
+        listeners.addScanListener(received::add);
+        RangeScan newest = scan(2, 900);
+        WaitPolicy.without(() -> {
+            listeners.scanned(scan(1, 800));
+            listeners.scanned(newest);
+        });
+        listeners.deliver();
+
+        assertThat(received).containsExactly(newest);
     }
 
     @Test
