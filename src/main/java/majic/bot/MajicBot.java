@@ -240,6 +240,15 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Returns where the odometry of the robot has its origin, in the frame of its poses:
+     * {@code odometryOrigin().plus(scan.odometry())} is the pose at which a scan was measured. {@link #place} changes
+     * it.
+     *
+     * @return the start of the robot until it is placed
+     */
+    public abstract Pose odometryOrigin();
+
+    /**
      * Returns the sensors with which the robot measures distances along beams, such as sonars or a laser scanner.
      *
      * @return known once the robot is connected, and unchanged until it connects again; none unless overridden

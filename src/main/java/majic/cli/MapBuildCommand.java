@@ -11,6 +11,7 @@ import majic.bot.RangeScan;
 import majic.file.WholeFile;
 import majic.nav.file.CarmenLog;
 import majic.nav.file.MapFiles;
+import majic.nav.grid.NavigationMap;
 import majic.nav.grid.OccupancyGrid;
 import majic.nav.mapping.Mapper;
 import majic.nav.mapping.Trajectory;
@@ -61,7 +62,7 @@ final class MapBuildCommand implements Callable<Integer> {
         building.mapper.finish();
         Path yaml = named();
         OccupancyGrid grid = building.mapper.grid();
-        MapFiles.write(yaml, grid);
+        MapFiles.write(yaml, NavigationMap.of(grid));
         if (trajectory != null) {
             WholeFile.replace(trajectory, building.trajectory());
         }

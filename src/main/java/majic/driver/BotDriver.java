@@ -274,6 +274,11 @@ public abstract class BotDriver extends MovingRobot {
     }
 
     @Override
+    public final Pose odometryOrigin() {
+        return readings.odometryOrigin();
+    }
+
+    @Override
     public final void addListener(BotListener listener) {
         listeners.add(Objects.requireNonNull(listener, "listener"));
     }

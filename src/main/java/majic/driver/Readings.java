@@ -76,6 +76,11 @@ final class Readings {
                         own.atNanos());
     }
 
+    /** Returns the origin of the odometry in the frame of the shown poses. */
+    synchronized Pose odometryOrigin() {
+        return origin;
+    }
+
     /** Returns the pose that was set last; empty if there is none. */
     synchronized Optional<Pose> placedAt() {
         return Optional.ofNullable(start);

@@ -56,7 +56,7 @@ final class TeamPane extends JSplitPane {
         super(HORIZONTAL_SPLIT);
         this.mainPane = mainPane;
         team = session.team();
-        mapFeed = new MapFeed(team, session.factory(), map::show);
+        mapFeed = new MapFeed(team, session.factory(), session.map(), map::show);
         map.select(team, selection, mainPane::showMenu);
         robots.add(whenEmpty, EMPTY);
         robots.add(mainPane, ROBOTS);

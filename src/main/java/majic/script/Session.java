@@ -17,6 +17,7 @@ import majic.log.Sampling;
 import majic.log.SessionListener;
 import majic.log.SessionLog;
 import majic.log.SessionOutput;
+import majic.nav.CurrentMap;
 import majic.script.commands.TeamScript;
 import majic.script.conditions.Selection;
 import majic.script.help.Completer;
@@ -47,6 +48,7 @@ public final class Session {
     private final ActOffers offers;
     private final RobotConnector connector;
     private final Plotting plotting = new Plotting();
+    private final CurrentMap map = new CurrentMap();
 
     /**
      * A session without listeners.
@@ -69,8 +71,8 @@ public final class Session {
         ParameterLog readings = new ParameterLog();
         Sampling sampling = new Sampling(readings, team.time(), notice -> output.send(Line.Kind.NOTICE, notice));
         SessionActs runner = new SessionActs(team, output, acts, offers, plotting);
-        this.state =
-                new SessionState(team, output, record, factory, connector, runner, readings, sampling, plotting, quit);
+        this.state = new SessionState(
+                team, output, record, factory, connector, runner, readings, sampling, plotting, map, quit);
         log.onTrouble(this::alarm);
         team.addListener(new TeamRelay());
     }
@@ -142,6 +144,15 @@ public final class Session {
      */
     public void usePlots(BiConsumer<List<Integer>, List<String>> window) {
         plotting.use(window);
+    }
+
+    /**
+     * The map of the team.
+     *
+     * @return the same object at each call
+     */
+    public CurrentMap map() {
+        return map;
     }
 
     /** Sends a line if STOP is latched, with its origin, for listeners that were added after it. */

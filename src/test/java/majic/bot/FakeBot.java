@@ -34,6 +34,7 @@ public final class FakeBot extends BotDriver {
     private volatile boolean haltsBadly;
     private volatile double confirmSeconds;
     private volatile Pose pose = Pose.START;
+    private volatile List<RangeSensor> sensors = List.of();
     private volatile Runnable lineIsSlow = () -> {};
     private volatile Runnable toldAhead = () -> {};
 
@@ -293,5 +294,24 @@ public final class FakeBot extends BotDriver {
 
     private void report(double speed, boolean moving) {
         publish(new BotState(pose, speed, 0, moving, time().nanos()));
+    }
+
+    /** Gives it a range sensor. */
+    public void equip(RangeSensor sensor) {
+        sensors = List.of(sensor);
+    }
+
+    @Override
+    public List<RangeSensor> rangeSensors() {
+        return sensors;
+    }
+
+    /** Measures: it is where the odometry of the scan has it. */
+    public void measure(RangeScan scan) {
+        pose = scan.odometry();
+        publish(new BotState(pose, 0, 0, false, time().nanos()));
+        if (hasScanListeners()) {
+            publishScan(scan);
+        }
     }
 }

@@ -17,6 +17,8 @@ import majic.bot.Pose;
 import majic.gui.kit.EventThread;
 import majic.lab.LabAccess;
 import majic.lab.LabAccess.Wall;
+import majic.nav.CurrentMap;
+import majic.nav.grid.NavigationMap;
 import majic.panel.RefreshTicks;
 import majic.panel.map.Trail;
 import majic.team.BotFactory;
@@ -41,10 +43,12 @@ public final class MapFeed implements TeamListener, AutoCloseable {
 
     private final Team team;
     private final BotFactory factory;
+    private final CurrentMap map;
     private final Consumer<MapScene> show;
     private final Map<Member, Start> starts = new ConcurrentHashMap<>();
     private final ScheduledExecutorService clock = Executors.newSingleThreadScheduledExecutor(MapFeed::thread);
     private MapScene last = MapScene.EMPTY;
+    private @Nullable MapPicture picture;
 
     /**
      * Where a robot's own frame lies in the room's frame, and the robot's trail.
@@ -61,6 +65,11 @@ public final class MapFeed implements TeamListener, AutoCloseable {
             @Nullable Pose placed,
             List<Wall> walls,
             Trail trail) {
+        /** With the trail before a correction of the pose; a line that no robot can drive is a jump in it. */
+        Start with(Trail before) {
+            return new Start(origin, known, inLab, placed, walls, before);
+        }
+
         /** Whether it still holds; one beside the room does not in another room. */
         boolean holds(@Nullable Pose nowPlaced, List<Wall> nowWalls) {
             return Objects.equals(placed, nowPlaced) && (known || walls.equals(nowWalls));
@@ -72,9 +81,10 @@ public final class MapFeed implements TeamListener, AutoCloseable {
      *
      * @param show receives each new scene, on the event dispatch thread
      */
-    public MapFeed(Team team, BotFactory factory, Consumer<MapScene> show) {
+    public MapFeed(Team team, BotFactory factory, CurrentMap map, Consumer<MapScene> show) {
         this.team = team;
         this.factory = factory;
+        this.map = map;
         this.show = show;
     }
 
@@ -137,7 +147,19 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 lab == null ? LabAccess.Furnishing.NONE : lab.furnishing(),
                 robots,
                 bystanders(strangers),
+                picture(),
                 guessed);
+    }
+
+    private @Nullable MapPicture picture() {
+        NavigationMap now = map.get().orElse(null);
+        MapPicture shown = picture;
+        if (now == null) {
+            picture = null;
+        } else if (shown == null || !shown.shows(now)) {
+            picture = new MapPicture(now);
+        }
+        return picture;
     }
 
     private static List<MapScene.Bystander> bystanders(Map<String, Pose> strangers) {
@@ -171,9 +193,13 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     private Start start(Member member) {
         List<Wall> walls = factory.lab().map(LabAccess::walls).orElse(List.of());
         Pose placed = member.bot().placedAt().orElse(null);
-        return Objects.requireNonNull(starts.compute(
-                member,
-                (key, start) -> start != null && start.holds(placed, walls) ? start : startOf(member, placed, walls)));
+        return Objects.requireNonNull(starts.compute(member, (key, start) -> {
+            if (start != null && start.holds(placed, walls)) {
+                return start;
+            }
+            Start anew = startOf(member, placed, walls);
+            return start != null && start.placed != null && anew.placed != null ? anew.with(start.trail) : anew;
+        }));
     }
 
     private Start startOf(Member member, @Nullable Pose placed, List<Wall> walls) {

@@ -20,11 +20,12 @@ import majic.gui.kit.Palette;
 import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
 import majic.lab.LabAccess.Wall;
+import majic.nav.grid.NavigationMap;
 import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 import majic.text.Texts;
 
-/** Draws a scene: tape, walls, lamps, robots, labels and legend, in that order. */
+/** Draws a scene: map, tape, walls, lamps, robots, labels and legend, in that order. */
 public final class MapPainter {
     private static final Texts TEXTS = Texts.of(MapPainter.class);
     /** Height in pixels of the space for scale and legend below the room. */
@@ -35,6 +36,7 @@ public final class MapPainter {
     private static final double TAPE_MM = 19;
     private static final double LEAST_TAPE_PX = 1.5;
     private static final double LAMP_PX = 4;
+    private static final double PLACE_PX = 4;
     private static final Color SHINE = new Color(0xFFC107);
     private static final int INSET = 12;
     private static final int MARGIN = 4;
@@ -60,6 +62,10 @@ public final class MapPainter {
      */
     void paint(MapScene scene, Set<Integer> selected) {
         g.setFont(UIManager.getFont("Label.font"));
+        MapPicture map = scene.map();
+        if (map != null) {
+            map.paint(g, view);
+        }
         scene.furnishing().tapes().forEach(this::paintTape);
         scene.walls().forEach(this::paintWall);
         scene.furnishing().lamps().forEach(this::paintLamp);
@@ -71,6 +77,9 @@ public final class MapPainter {
         robots.forEach(robot -> robot.paintTruth(g));
         paintNumbers(robots, selected);
         scene.bystanders().forEach(this::paintBystander);
+        if (map != null) {
+            map.places().forEach(this::paintPlace);
+        }
         robots.stream().filter(robot -> selected.contains(robot.number())).forEach(robot -> robot.paintSelection(g));
         paintKey(scene);
     }
@@ -162,6 +171,23 @@ public final class MapPainter {
                 metrics.getAscent() + metrics.getDescent());
         if (room.take(label)) {
             g.drawString(bystander.name(), (float) label.getX(), (float) y);
+        }
+    }
+
+    /** Draws a place as a square with its name. */
+    private void paintPlace(NavigationMap.Place place) {
+        Point2D at = view.pixel(place.pose().xMm(), place.pose().yMm());
+        g.setStroke(THIN);
+        g.setColor(Palette.link());
+        g.draw(new Rectangle2D.Double(at.getX() - PLACE_PX, at.getY() - PLACE_PX, 2 * PLACE_PX, 2 * PLACE_PX));
+        FontMetrics metrics = g.getFontMetrics();
+        Rectangle2D label = new Rectangle2D.Double(
+                at.getX() + PLACE_PX + MARGIN,
+                at.getY() - metrics.getAscent() / 2.0,
+                metrics.stringWidth(place.name()),
+                metrics.getAscent());
+        if (room.take(label)) {
+            g.drawString(place.name(), (float) label.getX(), (float) (label.getMaxY() - metrics.getDescent() / 2.0));
         }
     }
 

@@ -15,6 +15,7 @@ import org.jspecify.annotations.Nullable;
  * @param furnishing the tape and the lamps of the lab
  * @param robots by number
  * @param bystanders robots that are in the lab but not in the team
+ * @param map the map of the team; null without one
  * @param startsAreGuessed whether the start of at least one robot is unknown, so that it is drawn beside the others
  */
 public record MapScene(
@@ -22,8 +23,9 @@ public record MapScene(
         Furnishing furnishing,
         List<Robot> robots,
         List<Bystander> bystanders,
+        @Nullable MapPicture map,
         boolean startsAreGuessed) {
-    public static final MapScene EMPTY = new MapScene(List.of(), Furnishing.NONE, List.of(), List.of(), false);
+    public static final MapScene EMPTY = new MapScene(List.of(), Furnishing.NONE, List.of(), List.of(), null, false);
 
     public MapScene {
         walls = List.copyOf(walls);

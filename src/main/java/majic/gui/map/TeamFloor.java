@@ -84,6 +84,10 @@ final class TeamFloor implements MapContent {
             room = joined(room, around(wall.x2(), wall.y2(), 0));
         }
         Rectangle2D all = room == null ? null : grown(room, MARGIN_MM);
+        MapPicture map = scene.map();
+        if (map != null) {
+            all = joined(all, grown(map.extent(), MARGIN_MM));
+        }
         double margin = room == null ? FREE_MM : MARGIN_MM;
         for (MapScene.Robot robot : scene.robots()) {
             Pose at = robot.reported();

@@ -171,6 +171,7 @@ final class ReplayView extends JPanel implements AutoCloseable {
                 others.entrySet().stream()
                         .map(other -> new MapScene.Bystander(other.getKey(), other.getValue()))
                         .toList(),
+                null,
                 guessed);
     }
 

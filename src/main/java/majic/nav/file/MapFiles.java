@@ -36,14 +36,15 @@ public final class MapFiles {
     }
 
     /**
-     * Writes a grid for map_server: a YAML file and beside it a picture of the same name, each replaced as a whole.
-     * Cells are written as free, occupied or unknown.
+     * Writes a map for map_server: a YAML file and beside it a picture of the same name, each replaced as a whole.
+     * Cells are written as free, occupied or unknown; places stand under a key of their own, which map_server passes
+     * over. Forbidden lines and home are not written.
      *
      * @param yaml its name ends with {@code .yaml} or {@code .yml}
-     * @param grid what is written
+     * @param map what is written
      * @throws IOException if a file cannot be written
      */
-    public static void write(Path yaml, OccupancyGrid grid) throws IOException {
-        MapServerFile.write(yaml, grid);
+    public static void write(Path yaml, NavigationMap map) throws IOException {
+        MapServerFile.write(yaml, map);
     }
 }

@@ -5,10 +5,15 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.Iterator;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
@@ -32,9 +37,13 @@ final class MapServerFile {
     private static final double MM = 1000;
     private static final int UNKNOWN_PIXEL = 205;
     private static final int FREE_PIXEL = 254;
+    private static final String PLACES = "places";
+    private static final Pattern PLACE =
+            Pattern.compile("- \\{name: \"([^\"\\p{Cntrl}]+)\", x: ([-0-9.]+), y: ([-0-9.]+)(?:, yaw: ([-0-9.]+))?\\}");
 
     private final Map<String, String> values = new HashMap<>();
     private final Map<String, Integer> numbers = new HashMap<>();
+    private final List<NavigationMap.Place> places = new ArrayList<>();
     private final String name;
 
     private MapServerFile(Path file) throws IOException {
@@ -42,6 +51,10 @@ final class MapServerFile {
         try (NumberedLines lines = NumberedLines.open(file, MOST_LINES)) {
             String list = "";
             for (String line = lines.next(); line != null; line = lines.next()) {
+                if (list.equals(PLACES) && line.strip().startsWith("- ")) {
+                    places.add(place(line, lines));
+                    continue;
+                }
                 String text = line.replaceFirst("(^|\\s)#.*$", "").strip();
                 int colon = text.indexOf(':');
                 if (text.startsWith("- ") && !list.isEmpty()) {
@@ -59,7 +72,22 @@ final class MapServerFile {
     }
 
     static NavigationMap read(Path file) throws IOException {
-        return NavigationMap.of(new MapServerFile(file).grid(file));
+        MapServerFile read = new MapServerFile(file);
+        return new NavigationMap(read.grid(file), read.places, List.of(), Optional.empty());
+    }
+
+    private NavigationMap.Place place(String line, NumberedLines lines) throws IOException {
+        Matcher item = PLACE.matcher(line.strip());
+        if (!item.matches()) {
+            throw lines.wrong("'" + NumberedLines.shortened(line.strip())
+                    + "' is no place; - {name: \"desk\", x: 1.5, y: 0.3, yaw: 0} would be right (m, m, rad)");
+        }
+        String yaw = item.group(4);
+        Pose pose = new Pose(
+                number(PLACES, item.group(2), -FAR_M, FAR_M) * MM,
+                number(PLACES, item.group(3), -FAR_M, FAR_M) * MM,
+                yaw == null ? 0 : Math.toDegrees(number(PLACES, yaw, -7, 7)));
+        return new NavigationMap.Place(item.group(1), pose, yaw != null);
     }
 
     private OccupancyGrid grid(Path file) throws IOException {
@@ -204,7 +232,8 @@ final class MapServerFile {
     }
 
     /** Writes both files, each as a whole; the picture is NAME.pgm beside NAME.yaml, P5. */
-    static void write(Path yaml, OccupancyGrid grid) throws IOException {
+    static void write(Path yaml, NavigationMap map) throws IOException {
+        OccupancyGrid grid = map.grid();
         String base = NumberedLines.name(yaml).replaceFirst("\\.ya?ml$", "");
         Path image = yaml.resolveSibling(base + ".pgm");
         WholeFile.replace(image, out -> {
@@ -221,14 +250,34 @@ final class MapServerFile {
         WholeFile.replace(
                 yaml,
                 String.format(
-                        Locale.ROOT,
-                        "image: %s%nresolution: %s%norigin: [%.6f, %.6f, %.6f]%nnegate: 0%noccupied_thresh: 0.65%nfree_thresh: 0.196%n"
-                                .replace("%n", "\n"),
-                        "\"" + base + ".pgm\"",
-                        grid.cellMm() / MM,
-                        origin.xMm() / MM,
-                        origin.yMm() / MM,
-                        Math.toRadians(origin.headingDeg())));
+                                Locale.ROOT,
+                                "image: %s%nresolution: %s%norigin: [%.6f, %.6f, %.6f]%nnegate: 0%noccupied_thresh: 0.65%nfree_thresh: 0.196%n"
+                                        .replace("%n", "\n"),
+                                "\"" + base + ".pgm\"",
+                                grid.cellMm() / MM,
+                                origin.xMm() / MM,
+                                origin.yMm() / MM,
+                                Math.toRadians(origin.headingDeg()))
+                        + places(map.places()));
+    }
+
+    /** A key that is not one of map_server's, which other readers pass over. */
+    private static String places(List<NavigationMap.Place> places) {
+        StringBuilder lines = new StringBuilder(places.isEmpty() ? "" : PLACES + ":\n");
+        for (NavigationMap.Place place : places) {
+            Pose pose = place.pose();
+            lines.append(String.format(
+                    Locale.ROOT,
+                    "  - {name: \"%s\", x: %.3f, y: %.3f",
+                    place.name().replace('"', '\''),
+                    pose.xMm() / MM,
+                    pose.yMm() / MM));
+            lines.append(
+                    place.withHeading()
+                            ? String.format(Locale.ROOT, ", yaw: %.6f}\n", Math.toRadians(pose.headingDeg()))
+                            : "}\n");
+        }
+        return lines.toString();
     }
 
     private static int pixel(OccupancyGrid.State state) {

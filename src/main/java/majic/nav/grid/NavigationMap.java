@@ -1,5 +1,6 @@
 package majic.nav.grid;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import majic.bot.Pose;
@@ -38,6 +39,29 @@ public record NavigationMap(
     public NavigationMap {
         places = List.copyOf(places);
         forbidden = List.copyOf(forbidden);
+    }
+
+    /**
+     * Returns this map with another grid.
+     *
+     * @param newGrid what is free, occupied and unknown
+     * @return the same places, lines and home on it
+     */
+    public NavigationMap with(OccupancyGrid newGrid) {
+        return new NavigationMap(newGrid, places, forbidden, home);
+    }
+
+    /**
+     * Returns this map with a place, instead of one that had its name.
+     *
+     * @param place what is added, behind the others
+     * @return the map
+     */
+    public NavigationMap with(Place place) {
+        List<Place> all = new ArrayList<>(places);
+        all.removeIf(other -> other.name().equalsIgnoreCase(place.name()));
+        all.add(place);
+        return new NavigationMap(grid, all, forbidden, home);
     }
 
     /**

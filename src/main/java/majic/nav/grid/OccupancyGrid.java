@@ -103,6 +103,16 @@ public final class OccupancyGrid {
         return (int) Math.round(Math.max(-Byte.MAX_VALUE, Math.min(Byte.MAX_VALUE, steps)));
     }
 
+    /**
+     * Returns the same grid in another frame.
+     *
+     * @param frame the frame of this grid, seen from the other one
+     * @return the grid; it shares the cells
+     */
+    public OccupancyGrid movedInto(Pose frame) {
+        return new OccupancyGrid(frame.plus(origin), cellMm, width, height, cells);
+    }
+
     /** Returns the place of the lower left corner, and the direction of the columns, in the frame of the map. */
     public Pose origin() {
         return origin;

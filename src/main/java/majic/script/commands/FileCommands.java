@@ -56,7 +56,7 @@ final class FileCommands {
     }
 
     /** Writes a file. */
-    private interface SaveCommand extends SessionCommand {
+    interface SaveCommand extends SessionCommand {
         /** The words of the command, as its answer repeats them. */
         String what();
 

@@ -24,7 +24,7 @@ public final class SessionParser {
     }
 
     /**
-     * {@code sessionCommand = add | remove | probe | run | save | acts | trust | help | stop | wait | "bots" |
+     * {@code sessionCommand = add | remove | probe | run | save | acts | trust | map | help | stop | wait | "bots" |
      * "release" | "lab" | "quit" ;}
      */
     SessionCommand sessionCommand() {
@@ -37,6 +37,7 @@ public final class SessionParser {
             case "save" -> save();
             case "trust" -> trust();
             case "acts" -> acts();
+            case "map" -> map();
             case "help" -> help();
             case "stop" -> stop();
             case "wait" -> await();
@@ -92,6 +93,39 @@ public final class SessionParser {
         }
         Literal act = at.value("an act's name", false);
         return new ActCommands.Trust(act, at.peek().isEnd() ? null : at.value("the hash of its file", false));
+    }
+
+    /**
+     * {@code map = "map" [ "start" robots | "stop" | "open" FILE | "save" FILE | "close" | "place" NAME DISTANCE
+     * DISTANCE [ ANGLE ] ] ;}
+     */
+    private SessionCommand map() {
+        if (at.peek().isEnd()) {
+            return new MapCommands.Show();
+        }
+        Token word = at.peek();
+        if (at.match("start")) {
+            return new MapCommands.Start(word, Robots.parse(at));
+        }
+        if (at.match("stop")) {
+            return new MapCommands.Stop();
+        }
+        if (at.match("open")) {
+            return new MapCommands.Open(file());
+        }
+        if (at.match("save")) {
+            return new MapCommands.Save(file());
+        }
+        if (at.match("close")) {
+            return new MapCommands.Close();
+        }
+        if (at.match("place")) {
+            Token name = at.consume(Kind.WORD, "the name of the place");
+            Literal x = at.number(Quantity.DISTANCE);
+            Literal y = at.number(Quantity.DISTANCE);
+            return new MapCommands.Place(name, x, y, at.peek().isEnd() ? null : at.number(Quantity.ANGLE));
+        }
+        throw at.unexpected("\"start\", \"stop\", \"open\", \"save\", \"close\" or \"place\"");
     }
 
     /** {@code help = "help" [ WORD ] ;} */

@@ -3,6 +3,7 @@ package majic.script.run;
 import majic.log.ParameterLog;
 import majic.log.Sampling;
 import majic.log.SessionOutput;
+import majic.nav.CurrentMap;
 import majic.script.record.SessionRecord;
 import majic.team.BotFactory;
 import majic.team.Team;
@@ -19,6 +20,7 @@ import majic.team.Team;
  * @param parameterLog the readings logged so far
  * @param sampling takes readings for the log
  * @param plotting shows plots
+ * @param map of the team
  * @param quit ends MAJIC; returns at once
  */
 public record SessionState(
@@ -31,4 +33,5 @@ public record SessionState(
         ParameterLog parameterLog,
         Sampling sampling,
         Plotting plotting,
+        CurrentMap map,
         Runnable quit) {}

@@ -11,6 +11,7 @@ import majic.environment.Settings;
 import majic.gui.ToyBot;
 import majic.gui.ToyLab;
 import majic.gui.ToyType;
+import majic.nav.CurrentMap;
 import majic.team.BotFactory;
 import majic.team.Team;
 import majic.time.TimeSource;
@@ -20,7 +21,8 @@ import org.junit.jupiter.api.Test;
 class MapFeedTest {
     private final BotFactory factory = new BotFactory(List.of(new ToyType(BotType.Reach.TCP)), Settings.inMemory());
     private final Team team = new Team(TimeSource.system());
-    private final MapFeed feed = new MapFeed(team, factory, scene -> {});
+    private final CurrentMap map = new CurrentMap();
+    private final MapFeed feed = new MapFeed(team, factory, map, scene -> {});
 
     @AfterEach
     void close() {

@@ -9,10 +9,14 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import majic.bot.Pose;
+import majic.gui.kit.Palette;
 import majic.lab.LabAccess.Furnishing;
 import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
 import majic.lab.LabAccess.Wall;
+import majic.nav.grid.NavigationMap;
+import majic.nav.grid.NavigationMap.Place;
+import majic.nav.grid.OccupancyGrid;
 import majic.panel.DrawingColors;
 import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
@@ -71,12 +75,27 @@ class MapPaintTest {
     @Test
     void tapeAndLampsOfTheRoomAreDrawn() {
         Furnishing furnishing = new Furnishing(List.of(new Tape(500, 500, 2500, 500)), List.of(new Lamp(1500, 2500)));
-        MapScene furnished = new MapScene(room(), furnishing, List.of(), List.of(), false);
+        MapScene furnished = new MapScene(room(), furnishing, List.of(), List.of(), null, false);
 
         BufferedImage image = paint(furnished);
 
         assertThat(new Color(pixel(image, 1500, 2500))).isEqualTo(new Color(0xFFC107));
         assertThat(pixel(image, 1700, 500)).isNotEqualTo(pixel(paint(scene()), 1700, 500));
+    }
+
+    @Test
+    void theMapOfTheTeamIsDrawnWhereItIsKnown() {
+        OccupancyGrid grid = OccupancyGrid.of(
+                new Pose(1000, 500, 90), 1000, 2, 2, (column, row) -> column == 1 && row == 0 ? 1 : Double.NaN);
+        NavigationMap mapped = NavigationMap.of(grid).with(new Place("desk", new Pose(3000, 2000, 0), false));
+        MapScene scene = new MapScene(room(), Furnishing.NONE, List.of(), List.of(), new MapPicture(mapped), false);
+
+        BufferedImage image = paint(scene);
+        BufferedImage without = paint(scene());
+
+        assertThat(pixel(image, 500, 2000)).isEqualTo(Palette.mixed(0.75).getRGB());
+        assertThat(pixel(image, 500, 1000)).isEqualTo(pixel(without, 500, 1000));
+        assertThat(differences(image, without)).isGreaterThan(1000);
     }
 
     @Test
@@ -125,7 +144,7 @@ class MapPaintTest {
     }
 
     private static MapScene scene(MapScene.Robot... robots) {
-        return new MapScene(room(), Furnishing.NONE, List.of(robots), List.of(), false);
+        return new MapScene(room(), Furnishing.NONE, List.of(robots), List.of(), null, false);
     }
 
     private static List<Wall> room() {

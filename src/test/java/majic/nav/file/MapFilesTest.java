@@ -85,7 +85,7 @@ class MapFilesTest {
                 new Pose(-400, 250, 30), 50, 7, 4, (column, row) -> column == row ? 1 : column == 6 ? Double.NaN : 0);
         Path yaml = folder.resolve("b.yaml");
 
-        MapFiles.write(yaml, grid);
+        MapFiles.write(yaml, NavigationMap.of(grid));
 
         OccupancyGrid again = MapFiles.read(yaml).grid();
         assertThat(again.origin().distanceMm(grid.origin())).isLessThan(0.01);

@@ -1,0 +1,250 @@
+package majic.nav;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
+import majic.bot.BotException;
+import majic.bot.BotListener;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.nav.file.MapFiles;
+import majic.nav.grid.NavigationMap;
+import majic.nav.grid.OccupancyGrid;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The map of a team: opened from a file, or built by a robot while it drives. Its frame is that of the robots' poses.
+ * Thread-safe; listeners are called on the thread that changes the map, with no lock held.
+ */
+public final class CurrentMap {
+    private static final double LAST_S = 30;
+    private static final double MM_PER_M = 1000;
+
+    private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
+    private @Nullable NavigationMap map;
+    private @Nullable LiveMapping mapping;
+    private @Nullable MajicBot mapped;
+    private boolean unsaved;
+    private final BotListener watch = new BotListener() {
+        @Override
+        public void connectionChanged(MajicBot bot, MajicBot.Connection now) {
+            if (now == MajicBot.Connection.LOST || now == MajicBot.Connection.CLOSED) {
+                bot.time().runAsync("end of mapping", () -> endIfMappedBy(bot));
+            }
+        }
+    };
+
+    /**
+     * Adds a listener.
+     *
+     * @param changed runs after each change of the map; must return soon
+     */
+    public void addListener(Runnable changed) {
+        listeners.add(changed);
+    }
+
+    /**
+     * Removes a listener.
+     *
+     * @param changed one that was added
+     */
+    public void removeListener(Runnable changed) {
+        listeners.remove(changed);
+    }
+
+    /** Returns the map as it is now; empty if there is none. */
+    public synchronized Optional<NavigationMap> get() {
+        return Optional.ofNullable(map);
+    }
+
+    /** Returns the robot that builds the map at the moment. */
+    public synchronized Optional<MajicBot> mappedBy() {
+        return Optional.ofNullable(mapped);
+    }
+
+    /**
+     * Opens a map instead of the one there is. Blocks.
+     *
+     * @param file as {@link MapFiles#read} takes it
+     * @throws IOException as there
+     * @throws BotException if a robot builds a map at the moment, or the one there is has not been saved
+     */
+    public void open(Path file) throws IOException {
+        NavigationMap opened = MapFiles.read(file);
+        synchronized (this) {
+            refuseToReplace("map open");
+            map = opened;
+        }
+        changed();
+    }
+
+    /**
+     * Removes the map.
+     *
+     * @throws BotException if a robot builds it at the moment
+     */
+    public void close() {
+        synchronized (this) {
+            refuseWhileMapping("map close");
+            map = null;
+            unsaved = false;
+        }
+        changed();
+    }
+
+    private void refuseToReplace(String command) {
+        refuseWhileMapping(command);
+        if (unsaved) {
+            throw new BotException(
+                    command + ": the map is not saved; \"map save FILE\" keeps it, \"map close\" drops it");
+        }
+    }
+
+    private void refuseWhileMapping(String command) {
+        if (mapped != null) {
+            throw new BotException(
+                    command + ": " + mapped.name() + " builds the map at the moment; \"map stop\" ends that");
+        }
+    }
+
+    /**
+     * Begins a new map that a robot builds while it drives, in the background. The robot's pose at the first scan is
+     * taken as right; later the robot is placed where the map has it. It ends with {@link #stop}, and when the robot's
+     * connection is lost or closed.
+     *
+     * @param robot connected
+     * @param place where a robot that was not placed stands in the frame of the map; null for where its poses have it
+     * @throws BotException if it has no range sensors, a robot builds a map at the moment, or the one there is has not
+     *     been saved
+     */
+    public void start(MajicBot robot, @Nullable Pose place) {
+        synchronized (this) {
+            refuseToReplace("map start");
+            if (robot.rangeSensors().isEmpty()) {
+                throw new BotException("map start: " + robot.name()
+                        + " has no range sensors; a robot with a laser scanner or sonars would be right");
+            }
+            if (robot.placedAt().isEmpty()) {
+                robot.place(place == null ? robot.state().pose() : place);
+            }
+            map = null;
+            try {
+                mapping = new LiveMapping(robot, grid -> draw(robot, grid));
+            } catch (NoClassDefFoundError e) {
+                throw new BotException(
+                        "map start: the library EJML is missing; org.ejml:ejml-dsparse on the class path would be right",
+                        e);
+            }
+            mapped = robot;
+        }
+        robot.addListener(watch);
+        changed();
+    }
+
+    private void draw(MajicBot robot, OccupancyGrid grid) {
+        synchronized (this) {
+            if (mapped != robot) {
+                return;
+            }
+            map = map == null ? NavigationMap.of(grid) : map.with(grid);
+            unsaved = true;
+        }
+        changed();
+    }
+
+    /**
+     * Ends building the map, which stays. Blocks until the last scan is in it, some seconds for a large map.
+     *
+     * @throws BotException if no robot builds one
+     */
+    public void stop() {
+        MajicBot robot = mappedBy()
+                .orElseThrow(() -> new BotException("map stop: no robot builds a map; \"map start 2\" begins one"));
+        endIfMappedBy(robot);
+    }
+
+    private void endIfMappedBy(MajicBot robot) {
+        LiveMapping ending;
+        synchronized (this) {
+            if (mapped != robot || mapping == null) {
+                return;
+            }
+            ending = mapping;
+        }
+        ending.end(LAST_S);
+        robot.removeListener(watch);
+        synchronized (this) {
+            if (mapping == ending) {
+                mapped = null;
+                mapping = null;
+            }
+        }
+        changed();
+    }
+
+    /**
+     * Gives a place a name, instead of the one that had it.
+     *
+     * @param place on the map
+     * @throws BotException if there is no map
+     */
+    public void add(NavigationMap.Place place) {
+        synchronized (this) {
+            map = present("map place").with(place);
+            unsaved = true;
+        }
+        changed();
+    }
+
+    private synchronized NavigationMap present(String command) {
+        if (map == null) {
+            throw new BotException(
+                    command + ": there is no map; \"map start 2\" begins one with robot 2, and \"map open"
+                            + " FILE\" opens one");
+        }
+        return map;
+    }
+
+    /**
+     * Writes the map with its places, as {@link MapFiles#write} does. Blocks.
+     *
+     * @param yaml the name of the file
+     * @throws IOException if a file cannot be written
+     * @throws BotException if there is no map
+     */
+    public void save(Path yaml) throws IOException {
+        NavigationMap written = present("map save");
+        MapFiles.write(yaml, written);
+        synchronized (this) {
+            unsaved &= map != written;
+        }
+    }
+
+    /** Returns what is known of the map, in a line. */
+    public synchronized String text() {
+        String size = map == null ? "no map yet" : size(map);
+        if (mapped == null || mapping == null) {
+            return map == null ? "there is no map" : size;
+        }
+        return size + "; " + mapped.name() + " builds it: " + mapping.scans() + " scans, " + mapping.loops()
+                + (mapping.loops() == 1 ? " loop" : " loops");
+    }
+
+    private static String size(NavigationMap map) {
+        OccupancyGrid grid = map.grid();
+        return String.format(
+                Locale.ROOT,
+                "%.1f by %.1f m, cells of %.0f mm, %d places",
+                grid.width() * grid.cellMm() / MM_PER_M,
+                grid.height() * grid.cellMm() / MM_PER_M,
+                grid.cellMm(),
+                map.places().size());
+    }
+
+    private void changed() {
+        listeners.forEach(Runnable::run);
+    }
+}

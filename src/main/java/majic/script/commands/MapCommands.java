@@ -1,0 +1,166 @@
+package majic.script.commands;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+import majic.bot.BotException;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.nav.grid.NavigationMap;
+import majic.script.run.CommandTrait;
+import majic.script.run.Execution;
+import majic.script.run.Scheduling;
+import majic.script.run.SessionCommand;
+import majic.script.run.SessionState;
+import majic.script.syntax.Literal;
+import majic.script.syntax.Robots;
+import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
+import majic.team.Member;
+import org.jspecify.annotations.Nullable;
+
+/** The commands for the map of the team. */
+final class MapCommands {
+    private MapCommands() {}
+
+    /** Describes the map there is. */
+    record Show() implements SessionCommand {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public void run(Execution execution) {
+            execution.answer("map: " + execution.session().map().text());
+        }
+    }
+
+    /** Lets a robot build a new map while it drives. */
+    record Start(Token at, Robots robots) implements SessionCommand {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public void check(Check check) {
+            List<Member> members = check.selection().members(robots);
+            if (members.size() != 1) {
+                throw new ScriptException(
+                        at,
+                        "map start: one robot builds the map; \"map start 2\" would be right, not " + members.size()
+                                + " robots");
+            }
+        }
+
+        @Override
+        public void run(Execution execution) {
+            Member member = execution.selection().members(robots).get(0);
+            execution.session().map().start(member.bot(), inLab(member, execution.session()));
+            execution.answer("map start " + member.number() + ": " + member.label()
+                    + " builds the map while it drives; \"map stop\" ends that");
+        }
+
+        /** In the lab a robot that was not placed begins where it stands in the room, as the team map shows it. */
+        private static @Nullable Pose inLab(Member member, SessionState session) {
+            MajicBot bot = member.bot();
+            return session.factory()
+                    .lab()
+                    .filter(lab -> bot.time() == lab.time())
+                    .flatMap(lab -> session.factory().nameInLab(bot).map(lab.truePoses()::get))
+                    .orElse(null);
+        }
+    }
+
+    /** Ends the building of the map. */
+    record Stop() implements SessionCommand {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public void run(Execution execution) {
+            execution.session().map().stop();
+            execution.answer("map stop: " + execution.session().map().text());
+        }
+    }
+
+    /** Removes the map. */
+    record Close() implements SessionCommand {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public void run(Execution execution) {
+            execution.session().map().close();
+            execution.answer("map close: done");
+        }
+    }
+
+    /** Opens a map from a file. */
+    record Open(Literal file) implements SessionCommand {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.BESIDE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.LOCAL_ONLY);
+        }
+
+        @Override
+        public void check(Check check) {
+            file.path();
+        }
+
+        @Override
+        public void run(Execution execution) {
+            try {
+                execution.session().map().open(file.path());
+            } catch (IOException e) {
+                throw new BotException("map open: " + e.getMessage(), e);
+            }
+            execution.answer(
+                    "map open " + file.text() + ": " + execution.session().map().text());
+        }
+    }
+
+    /** Writes the map, as {@code office.yaml} and {@code office.pgm} for {@code office}. */
+    record Save(Literal file) implements FileCommands.SaveCommand {
+        private static final Pattern ENDING = Pattern.compile("(?i)\\.ya?ml$");
+
+        @Override
+        public String what() {
+            return "map save";
+        }
+
+        @Override
+        public void write(Path path, SessionState session) throws IOException {
+            String name = String.valueOf(path.getFileName());
+            session.map().save(ENDING.matcher(name).find() ? path : path.resolveSibling(name + ".yaml"));
+        }
+    }
+
+    /** Gives a place on the map a name. */
+    record Place(Token name, Literal x, Literal y, @Nullable Literal heading) implements SessionCommand {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public void run(Execution execution) {
+            Pose pose = new Pose(x.number(), y.number(), heading == null ? 0 : heading.number());
+            execution.session().map().add(new NavigationMap.Place(name.text(), pose, heading != null));
+            execution.answer(String.format(
+                    Locale.ROOT, "map place %s: x %.0f mm, y %.0f mm", name.text(), pose.xMm(), pose.yMm()));
+        }
+    }
+}

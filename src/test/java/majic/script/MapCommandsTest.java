@@ -1,0 +1,177 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import majic.bot.FakeBot;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.nav.grid.NavigationMap;
+import majic.nav.grid.OccupancyGrid.State;
+import majic.nav.mapping.Floor;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The commands for the map of the team, with a robot that drives around a ring of corridors. */
+class MapCommandsTest {
+    private static final int FIRST_CORRIDOR = 100;
+
+    @TempDir
+    private Path folder;
+
+    @AutoClose
+    private final ScriptFixture fixture = new ScriptFixture();
+
+    private final Floor floor = Floor.ring(1);
+    private final List<Pose> way = Floor.around(1);
+    private FakeBot robot;
+
+    @BeforeEach
+    void addARobotWithALaser() {
+        robot = fixture.add(fixture.pioneer);
+        robot.equip(Floor.LASER);
+    }
+
+    private void drive(List<Pose> odometry) throws InterruptedException {
+        for (int step = 0; step < odometry.size(); step++) {
+            robot.measure(floor.scan(Floor.LASER, fixture.time.nanos() / 1e9, way.get(step), odometry.get(step)));
+            fixture.pause(0.1);
+        }
+    }
+
+    private NavigationMap map() {
+        return fixture.session.map().get().orElseThrow();
+    }
+
+    /** Whether a wall is within a cell of a place. */
+    private boolean isWall(double xMm, double yMm) {
+        return Stream.of(-50, 0, 50)
+                .anyMatch(aside -> map().grid().stateAt(xMm + aside, yMm) == State.OCCUPIED
+                        || map().grid().stateAt(xMm, yMm + aside) == State.OCCUPIED);
+    }
+
+    @Test
+    void aRobotThatDrivesBuildsTheMap() throws InterruptedException {
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, FIRST_CORRIDOR));
+
+        assertThat(fixture.runPipe("map"))
+                .last()
+                .asString()
+                .matches("map: [0-9.]+ by [0-9.]+ m, cells of 50 mm, 0 places; .* builds it: \\d+ scans, 0 loops");
+        assertThat(fixture.runPipe("map stop")).last().asString().startsWith("map stop: ");
+        assertThat(map().grid().stateAt(8000, 0)).isEqualTo(State.FREE);
+        assertThat(isWall(8000, -1000)).isTrue();
+        assertThat(map().grid().stateAt(8000, 8000)).isEqualTo(State.UNKNOWN);
+    }
+
+    @Test
+    void theMapGrowsWhileTheRobotDrives() throws InterruptedException {
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, FIRST_CORRIDOR / 2));
+        int before = map().grid().width();
+        drive(way.subList(FIRST_CORRIDOR / 2, FIRST_CORRIDOR));
+
+        assertThat(before).isPositive();
+        assertThat(map().grid().count(State.FREE)).isPositive();
+        assertThat(fixture.session.map().mappedBy()).contains(robot);
+    }
+
+    @Test
+    void theFrameOfTheMapIsThatOfTheRobotsPoses() throws InterruptedException {
+        robot.place(new Pose(5000, 2000, 90));
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, FIRST_CORRIDOR));
+        fixture.runPipe("map stop");
+
+        assertThat(map().grid().stateAt(5000, 10_000)).isEqualTo(State.FREE);
+        assertThat(isWall(6000, 10_000)).isTrue();
+    }
+
+    @Test
+    void theRobotIsPlacedWhereTheMapHasItWhenItsOdometryIsWrong() throws InterruptedException {
+        List<Pose> odometry = floor.odometry(way, 0.02, 0.3);
+        fixture.runPipe("map start 1");
+        drive(odometry);
+        fixture.runPipe("map stop");
+
+        Pose last = way.get(way.size() - 1);
+        assertThat(odometry.get(odometry.size() - 1).distanceMm(last)).isGreaterThan(1000);
+        assertThat(robot.state().pose().distanceMm(last)).isLessThan(250);
+    }
+
+    @Test
+    void aRobotWithoutRangesBuildsNoMap() throws InterruptedException {
+        MajicBot other = fixture.add(fixture.aibo);
+
+        assertThat(fixture.runPipe("map start 2"))
+                .last()
+                .asString()
+                .contains("map start: ", "has no range sensors; a robot with a laser scanner or sonars would be right");
+        assertThat(other.placedAt()).isEmpty();
+    }
+
+    @Test
+    void mappingEndsWithTheConnectionOfTheRobotAndTheMapStays() throws InterruptedException {
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, FIRST_CORRIDOR));
+        robot.cut();
+        fixture.pause(1);
+
+        assertThat(fixture.session.map().mappedBy()).isEmpty();
+        assertThat(map().grid().stateAt(8000, 0)).isEqualTo(State.FREE);
+    }
+
+    @Test
+    void aSavedMapIsOpenedWithItsPlaces() throws InterruptedException {
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, FIRST_CORRIDOR));
+        Path file = folder.resolve("office");
+
+        assertThat(fixture.runPipe(
+                        "map stop",
+                        "map place desk 1500 300 90",
+                        "map place door 2.5m 0",
+                        "map save \"" + file + "\"",
+                        "map close",
+                        "map",
+                        "map open \"" + file + ".yaml\""))
+                .contains("map place desk: x 1500 mm, y 300 mm", "map: there is no map")
+                .last()
+                .asString()
+                .endsWith("2 places");
+        NavigationMap.Place desk = map().places().get(0);
+        assertThat(desk.name()).isEqualTo("desk");
+        assertThat(desk.pose().distanceMm(new Pose(1500, 300, 0))).isLessThan(0.1);
+        assertThat(desk.pose().headingDeg()).isCloseTo(90, within(0.001));
+        assertThat(map().places().get(1)).isEqualTo(new NavigationMap.Place("door", new Pose(2500, 0, 0), false));
+        assertThat(isWall(8000, -1000)).isTrue();
+    }
+
+    @Test
+    void aMapThatIsNotSavedIsNotReplaced() throws InterruptedException {
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, 5));
+
+        assertThat(fixture.runPipe("map stop", "map start 1"))
+                .last()
+                .asString()
+                .contains("the map is not saved; \"map save FILE\" keeps it, \"map close\" drops it");
+    }
+
+    @Test
+    void whatIsMissingIsNamed() throws InterruptedException {
+        assertThat(fixture.refusal("map start")).isPresent();
+        assertThat(fixture.refusal("map begin 1"))
+                .hasValueSatisfying(text ->
+                        assertThat(text).contains("\"start\", \"stop\", \"open\", \"save\", \"close\" or \"place\""));
+        assertThat(fixture.runPipe("map stop")).last().asString().contains("no robot builds a map");
+        assertThat(fixture.runPipe("map place desk 0 0")).last().asString().contains("there is no map");
+        assertThat(fixture.runPipe("map open missing.yaml")).last().asString().contains("missing.yaml");
+    }
+}
