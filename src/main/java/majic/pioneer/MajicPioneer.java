@@ -1,5 +1,6 @@
 package majic.pioneer;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
@@ -13,6 +14,7 @@ import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.Pose;
+import majic.bot.RangeSensor;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
@@ -41,6 +43,7 @@ import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
+import majic.pioneer.state.Sonars;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
@@ -238,6 +241,15 @@ public final class MajicPioneer extends BotDriver {
         return PioneerPanel.create(this, this::scene);
     }
 
+    /** The sonar discs of its model. Their scans have the ranges that are new in a report of the robot. */
+    @Override
+    public List<RangeSensor> rangeSensors() {
+        PioneerSession open = session.get();
+        return open == null
+                ? List.of()
+                : open.sonars().map(Sonars::sensor).map(List::of).orElse(List.of());
+    }
+
     @Override
     protected double longestAgeS() {
         return LONGEST_AGE_S;
@@ -316,6 +328,9 @@ public final class MajicPioneer extends BotDriver {
             boolean moving = state.isMoving() || from.motors().isMoving();
             publish(new BotState(
                     state.pose(), state.speedMmPerSec(), state.turnRateDegPerSec(), moving, state.atNanos()));
+            if (hasScanListeners()) {
+                from.sonars().flatMap(sonars -> sonars.scan(state)).ifPresent(this::publishScan);
+            }
         }
     }
 

@@ -1,5 +1,6 @@
 package majic.pioneer.session;
 
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -23,6 +24,7 @@ import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
+import majic.pioneer.state.Sonars;
 import majic.pioneer.state.StateTracker;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
@@ -54,6 +56,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private volatile Model model = Models.USUAL;
     private volatile StateTracker tracker = new StateTracker(Models.USUAL, Pose.START);
     private volatile Equipment equipment = Equipment.of(Models.USUAL, null);
+    private volatile Optional<Sonars> sonars = Optional.empty();
     private volatile Ramps ramps = Ramps.careful(equipment.limits());
     private volatile @Nullable PioneerIdentity identity;
     private volatile @Nullable Config config;
@@ -154,14 +157,19 @@ public final class PioneerSession implements PioneerConnection.Listener {
     public void identified(PioneerIdentity known) {
         Model found = models.apply(known.subclass());
         model = connection.scales() ? found.scaledByLibrary() : found;
-        equipment = Equipment.of(model, null);
+        equip(Equipment.of(model, null));
         tracker = new StateTracker(model, start);
         identity = known;
     }
 
+    private void equip(Equipment found) {
+        equipment = found;
+        sonars = Sonars.of(found.model());
+    }
+
     @Override
     public void configured(Config reportedConfig) {
-        equipment = Equipment.of(model, reportedConfig);
+        equip(Equipment.of(model, reportedConfig));
         config = reportedConfig;
         tracker.use(equipment.model());
         roundTrip.answered();
@@ -292,6 +300,11 @@ public final class PioneerSession implements PioneerConnection.Listener {
     /** The robot's model and equipment; of a usual model before it is identified. */
     public Equipment equipment() {
         return equipment;
+    }
+
+    /** The robot's sonars; empty if it has none, or is not identified yet. */
+    public Optional<Sonars> sonars() {
+        return sonars;
     }
 
     /** The robot's names; null before it is identified. */
