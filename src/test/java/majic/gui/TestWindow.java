@@ -64,6 +64,8 @@ import org.jspecify.annotations.Nullable;
  */
 public final class TestWindow implements AutoCloseable {
     private static final String MARKED = "test.marked";
+    /** So many robots are added before the window has shown them: each tab is an event of its own. */
+    private static final int AT_ONCE = 20;
 
     public final ToyType type = new ToyType(BotType.Reach.TCP);
     public final Settings settings = Settings.inMemory();
@@ -205,6 +207,9 @@ public final class TestWindow implements AutoCloseable {
             ToyBot bot = (ToyBot) factory.create("toy:number " + number);
             bot.connect();
             team.add(bot, OptionalInt.of(number));
+            if (number % AT_ONCE == 0) {
+                settle();
+            }
         }
         await("the tabs", () -> tabs().size() == robots);
         settle();

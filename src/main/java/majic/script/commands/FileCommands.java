@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.file.DamagedFile;
 import majic.file.RegularFile;
@@ -56,7 +57,7 @@ final class FileCommands {
     }
 
     /** Writes a file. */
-    interface SaveCommand extends SessionCommand {
+    private interface SaveCommand extends SessionCommand {
         /** The words of the command, as its answer repeats them. */
         String what();
 
@@ -167,6 +168,23 @@ final class FileCommands {
         @Override
         public void write(Path path, SessionState session) throws IOException {
             session.parameterLog().save(path);
+        }
+    }
+
+    /** Writes the map, as {@code office.yaml} and {@code office.pgm} for {@code office}. */
+    record SaveMap(Literal file) implements SaveCommand {
+        private static final Pattern ENDING = Pattern.compile("(?i)\\.ya?ml$");
+
+        @Override
+        public String what() {
+            return "map save";
+        }
+
+        @Override
+        public void write(Path path, SessionState session) throws IOException {
+            String name = String.valueOf(path.getFileName());
+            session.map()
+                    .save(ENDING.matcher(name).find() ? path : path.resolveSibling(name + ".yaml"));
         }
     }
 }

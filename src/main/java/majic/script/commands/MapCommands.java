@@ -1,10 +1,8 @@
 package majic.script.commands;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.regex.Pattern;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
@@ -129,22 +127,6 @@ final class MapCommands {
             }
             execution.answer(
                     "map open " + file.text() + ": " + execution.session().map().text());
-        }
-    }
-
-    /** Writes the map, as {@code office.yaml} and {@code office.pgm} for {@code office}. */
-    record Save(Literal file) implements FileCommands.SaveCommand {
-        private static final Pattern ENDING = Pattern.compile("(?i)\\.ya?ml$");
-
-        @Override
-        public String what() {
-            return "map save";
-        }
-
-        @Override
-        public void write(Path path, SessionState session) throws IOException {
-            String name = String.valueOf(path.getFileName());
-            session.map().save(ENDING.matcher(name).find() ? path : path.resolveSibling(name + ".yaml"));
         }
     }
 

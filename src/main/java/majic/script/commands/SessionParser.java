@@ -114,7 +114,7 @@ public final class SessionParser {
             return new MapCommands.Open(file());
         }
         if (at.match("save")) {
-            return new MapCommands.Save(file());
+            return new FileCommands.SaveMap(file());
         }
         if (at.match("close")) {
             return new MapCommands.Close();
