@@ -40,7 +40,11 @@ class SideConnectionTest {
     }
 
     private Runnable subscribe() {
-        return connection.subscribe(SCAN, new TopicSource.Receiver() {
+        return subscribe(SCAN);
+    }
+
+    private Runnable subscribe(TopicSubscription wanted) {
+        return connection.subscribe(wanted, new TopicSource.Receiver() {
             @Override
             public void message(JsonNode message, int bytes) {
                 messages.add(message);
@@ -62,6 +66,16 @@ class SideConnectionTest {
             return server.received.stream()
                     .filter(operation -> operation.path("op").asText().equals("subscribe"))
                     .count();
+        }
+    }
+
+    /** The throttle of the newest request for the scan, ms. */
+    private int throttleMs() {
+        synchronized (server.peer) {
+            return server.received.stream()
+                    .filter(operation -> operation.path("op").asText().equals("subscribe"))
+                    .mapToInt(operation -> operation.path("throttle_rate").asInt())
+                    .reduce(-1, (before, newest) -> newest);
         }
     }
 
@@ -126,6 +140,19 @@ class SideConnectionTest {
         refuses = false;
 
         until(() -> server.isSubscribed("/scan"));
+    }
+
+    @Test
+    void theServerThrottlesAgainWhenTheSubscriptionWithoutAThrottleHasEnded() {
+        subscribe();
+        until(() -> throttleMs() == 100);
+        Runnable end = subscribe(new TopicSubscription("/scan", "sensor_msgs/LaserScan", 0));
+        until(() -> throttleMs() == 0);
+
+        end.run();
+
+        until(() -> throttleMs() == 100);
+        assertThat(server.isSubscribed("/scan")).isTrue();
     }
 
     @Test

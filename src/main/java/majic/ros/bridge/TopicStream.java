@@ -87,17 +87,33 @@ final class TopicStream {
         return operation;
     }
 
-    /** Ends one subscription; unsubscribes after the last one, if the connection is still there. */
+    /**
+     * Ends one subscription: requests what the others need, or unsubscribes after the last one, if the connection is
+     * still there.
+     */
     synchronized void remove(RosSubscription ended) {
         TopicSubscription last = requested;
-        if (subscriptions.remove(ended) && subscriptions.isEmpty() && last != null) {
-            requested = null;
-            renewalS = FIRST_RENEWAL_S;
-            try {
+        if (!subscriptions.remove(ended) || last == null) {
+            return;
+        }
+        try {
+            if (subscriptions.isEmpty()) {
+                requested = null;
+                renewalS = FIRST_RENEWAL_S;
                 send.accept(operation("unsubscribe", last.topic()));
-            } catch (LinkLost e) {
-                LOG.log(Level.DEBUG, "nothing to unsubscribe from", e);
+            } else {
+                requestRest(last);
             }
+        } catch (LinkLost e) {
+            LOG.log(Level.DEBUG, "nothing to unsubscribe from", e);
+        }
+    }
+
+    private void requestRest(TopicSubscription last) {
+        TopicSubscription rest =
+                merged(subscriptions.get(subscriptions.size() - 1).wanted());
+        if (!rest.equals(last)) {
+            request(rest);
         }
     }
 
