@@ -1,5 +1,6 @@
 package majic.ros;
 
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -10,6 +11,8 @@ import majic.bot.BotException;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.Parameter;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
@@ -44,10 +47,14 @@ import org.jspecify.annotations.Nullable;
 public final class MajicRos extends BotDriver {
     private static final double RENEWAL_S = 1;
 
+    /** A scan whose time is farther from that of any odometry is left out. */
+    private static final double LONGEST_TO_ODOMETRY_S = 0.5;
+
     private final RosAddress address;
     private final AtomicReference<@Nullable RosSession> session = new AtomicReference<>();
     private final Owner owner = new Owner();
     private final RosSensing sensing;
+    private final PoseHistory poses = new PoseHistory();
     private final RosScenes scenes = new RosScenes(time());
     private final AtomicInteger cameraViews = new AtomicInteger();
     private volatile boolean hasOdometry;
@@ -130,6 +137,7 @@ public final class MajicRos extends BotDriver {
         motions = next;
         opening.advertise();
         sensing.begin(opening);
+        requestScans();
         RosParameters.COMMANDS.forEach(this::removeCommand);
         sensing.commands().forEach(this::add);
         next.begin(mayMove);
@@ -248,6 +256,29 @@ public final class MajicRos extends BotDriver {
         return scene().map(RosReplay::texts).orElse(Map.of());
     }
 
+    /**
+     * The laser scanners and the single beams, as their newest messages describe them: one whose messages change is
+     * another one.
+     */
+    @Override
+    public List<RangeSensor> rangeSensors() {
+        RosReadings readings = sensing.readings();
+        return readings == null ? List.of() : readings.rangeSensors();
+    }
+
+    /** Sending may block. */
+    @Override
+    protected void scansRequested(boolean requested) {
+        once("ros scans", 0, this::requestScans);
+    }
+
+    private void requestScans() {
+        RosReadings readings = sensing.readings();
+        if (readings != null) {
+            readings.requestScans(hasScanListeners());
+        }
+    }
+
     @Override
     public boolean hasCamera() {
         RosReadings readings = sensing.readings();
@@ -296,6 +327,7 @@ public final class MajicRos extends BotDriver {
         if (open != null && connection() != Connection.LOST) {
             open.renewSubscriptions();
             requestPictures();
+            requestScans();
             sensing.endUnused();
         }
     }
@@ -351,6 +383,12 @@ public final class MajicRos extends BotDriver {
         }
 
         @Override
+        public void scanned(RangeSensor sensor, long measuredNanos, float... rangesMm) {
+            poses.at(measuredNanos, hasOdometry ? LONGEST_TO_ODOMETRY_S : Double.POSITIVE_INFINITY)
+                    .ifPresent(pose -> publishScan(new RangeScan(sensor, measuredNanos / 1e9, pose, rangesMm)));
+        }
+
+        @Override
         public void notice(String message) {
             MajicRos.this.notice(message);
         }
@@ -390,6 +428,7 @@ public final class MajicRos extends BotDriver {
 
         @Override
         public void publish(BotState state) {
+            poses.add(state);
             MajicRos.this.publish(state);
         }
 

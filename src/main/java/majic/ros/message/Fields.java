@@ -43,6 +43,11 @@ final class Fields {
                 : OptionalDouble.empty();
     }
 
+    /** Returns the number of a node, also an infinite one; NaN if it is none. */
+    static double measured(JsonNode node) {
+        return node.isNumber() ? node.doubleValue() : Double.NaN;
+    }
+
     /**
      * Returns a list.
      *

@@ -5,21 +5,25 @@ import com.fasterxml.jackson.databind.JsonNode;
 /**
  * One turn of a laser scanner ({@code sensor_msgs/LaserScan}). Immutable. A range is known only if it is within the
  * scanner's own limits: {@code null}, 0 and everything outside may mean that nothing is in range, that something is too
- * near, or that the beam came back from nowhere, which cannot be told apart.
+ * near, or that the beam came back from nowhere, which servers that send {@code null} for all of these do not tell
+ * apart.
  */
 public final class LaserScanMessage {
     private final String frame;
     private final double firstDeg;
     private final double stepDeg;
     private final double leastMm;
-    private final double[] rangesMm;
+    private final double reachMm;
+    private final double[] measuredMm;
 
-    private LaserScanMessage(String frame, double firstDeg, double stepDeg, double leastMm, double[] rangesMm) {
+    private LaserScanMessage(
+            String frame, double firstDeg, double stepDeg, double leastMm, double reachMm, double[] measuredMm) {
         this.frame = frame;
         this.firstDeg = firstDeg;
         this.stepDeg = stepDeg;
         this.leastMm = leastMm;
-        this.rangesMm = rangesMm;
+        this.reachMm = reachMm;
+        this.measuredMm = measuredMm;
     }
 
     /**
@@ -31,19 +35,17 @@ public final class LaserScanMessage {
      */
     public static LaserScanMessage from(JsonNode message) {
         JsonNode ranges = Fields.list(message, "ranges");
-        double least = Fields.optional(message, "range_min").orElse(0);
-        double most = Fields.optional(message, "range_max").orElse(Double.POSITIVE_INFINITY);
-        double[] rangesMm = new double[ranges.size()];
-        for (int beam = 0; beam < rangesMm.length; beam++) {
-            double range = Fields.finite(ranges.get(beam)).orElse(Double.NaN);
-            rangesMm[beam] = range > 0 && range >= least && range <= most ? RosUnits.mm(range) : Double.NaN;
+        double[] measuredMm = new double[ranges.size()];
+        for (int beam = 0; beam < measuredMm.length; beam++) {
+            measuredMm[beam] = RosUnits.mm(Fields.measured(ranges.get(beam)));
         }
         return new LaserScanMessage(
                 Fields.frame(message, "header.frame_id"),
                 Math.toDegrees(Fields.number(message, "angle_min")),
                 Math.toDegrees(Fields.number(message, "angle_increment")),
-                RosUnits.mm(least),
-                rangesMm);
+                RosUnits.mm(Fields.optional(message, "range_min").orElse(0)),
+                RosUnits.mm(Fields.optional(message, "range_max").orElse(Double.POSITIVE_INFINITY)),
+                measuredMm);
     }
 
     /**
@@ -61,7 +63,7 @@ public final class LaserScanMessage {
      * @return 0 or more
      */
     public int beams() {
-        return rangesMm.length;
+        return measuredMm.length;
     }
 
     /**
@@ -93,12 +95,32 @@ public final class LaserScanMessage {
     }
 
     /**
+     * Returns the greatest range that the scanner measures.
+     *
+     * @return mm; infinite if it is not in the message
+     */
+    public double reachMm() {
+        return reachMm;
+    }
+
+    /**
      * Returns what a beam measured.
      *
      * @param beam from 0
      * @return mm from the scanner; NaN if unknown
      */
     public double rangeMm(int beam) {
-        return rangesMm[beam];
+        double range = measuredMm[beam];
+        return range > 0 && range >= leastMm && range <= reachMm && Double.isFinite(range) ? range : Double.NaN;
+    }
+
+    /**
+     * Returns what the message has for a beam, also outside of the scanner's limits.
+     *
+     * @param beam from 0
+     * @return mm, also infinite; NaN without a number
+     */
+    public double measuredMm(int beam) {
+        return measuredMm[beam];
     }
 }

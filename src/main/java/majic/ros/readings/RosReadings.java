@@ -10,6 +10,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import majic.bot.LinkLost;
+import majic.bot.RangeSensor;
 import majic.bot.Value;
 import majic.driver.RobotWait;
 import majic.ros.bridge.TopicSubscription;
@@ -60,6 +61,8 @@ public final class RosReadings {
     private final Newest<BatteryMessage> battery;
     private final Newest<HazardsMessage> hazardList;
     private final Map<String, Newest<RangeMessage>> ranges = new LinkedHashMap<>();
+    private final List<ScanTopic> scanTopics;
+    private final Map<String, StampClock> scanTopicStamps = new ConcurrentHashMap<>();
     private final ActiveHazards hazards;
     private final Map<String, String> complaints = new ConcurrentHashMap<>();
     private final Map<String, RequestedReading<JsonNode>> requested = new ConcurrentHashMap<>();
@@ -76,6 +79,15 @@ public final class RosReadings {
 
         /** Handles a picture of the camera. */
         void picture(CompressedPicture picture);
+
+        /**
+         * Handles what a range sensor has measured, while scans are requested.
+         *
+         * @param sensor where its beams are
+         * @param measuredNanos when, on the driver's clock
+         * @param rangesMm a range for each beam, mm, infinite or not a number
+         */
+        void scanned(RangeSensor sensor, long measuredNanos, float... rangesMm);
 
         /** Handles a message for the user, sent once for each topic. */
         void notice(String message);
@@ -100,6 +112,7 @@ public final class RosReadings {
         this.hazardList = new Newest<>(waiting.time(), HAZARD_FRESH_S);
         this.hazards = new ActiveHazards(waiting.time());
         sensors.ranges().forEach(topic -> ranges.put(topic.name(), new Newest<>(waiting.time(), DISTANCE_FRESH_S)));
+        this.scanTopics = ScanTopic.of(sensors, new Scanning());
         this.imu = onRequest(sensors.imu(), ImuMessage::from);
         this.joints = onRequest(sensors.joints(), JointsMessage::from);
         this.camera = sensors.camera()
@@ -143,6 +156,7 @@ public final class RosReadings {
                         battery::lost));
         sensors.hazards().ifPresent(topic -> subscribe(topic, topic.each(CONTACT_MS), this::hazardsListed));
         sensors.contacts().forEach(this::beginContacts);
+        scanTopics.forEach(ScanTopic::begin);
     }
 
     private void beginRange(RosTopic topic) {
@@ -206,9 +220,13 @@ public final class RosReadings {
             reader.accept(message);
             events.news();
         } catch (UnusableMessage e) {
-            if (complaints.put(topic.name(), String.valueOf(e.getMessage())) == null) {
-                events.notice("messages of the topic " + topic.name() + " are ignored: " + e.getMessage());
-            }
+            complain(topic, e);
+        }
+    }
+
+    private void complain(RosTopic topic, UnusableMessage reason) {
+        if (complaints.put(topic.name(), String.valueOf(reason.getMessage())) == null) {
+            events.notice("messages of the topic " + topic.name() + " are ignored: " + reason.getMessage());
         }
     }
 
@@ -349,13 +367,36 @@ public final class RosReadings {
     }
 
     /**
-     * Returns whether every sensor of distances has sent a reading of late.
+     * Returns whether every sensor of distances has sent a reading of late, or one at all if it is read on request.
      *
      * @return true for a robot without such sensors
      */
     public boolean hasDistances() {
         return (sensors.scan().isEmpty() || scan.get().isPresent())
-                && ranges.values().stream().allMatch(range -> range.get().isPresent());
+                && ranges.values().stream().allMatch(range -> range.get().isPresent())
+                && scanTopics.stream().allMatch(ScanTopic::isFound);
+    }
+
+    /**
+     * Returns the range sensors, by their newest messages.
+     *
+     * @return scanners and single beams that have sent a message and measure along the floor
+     */
+    public List<RangeSensor> rangeSensors() {
+        return scanTopics.stream()
+                .map(ScanTopic::sensor)
+                .flatMap(Optional::stream)
+                .toList();
+    }
+
+    /**
+     * Begins or ends to request all scans. Waits for nothing.
+     *
+     * @param requested does nothing if that is so already
+     * @throws LinkLost if the connection is lost
+     */
+    public void requestScans(boolean requested) {
+        scanTopics.forEach(topic -> topic.request(requested));
     }
 
     /**
@@ -421,5 +462,34 @@ public final class RosReadings {
             return scan.unknown();
         }
         return new HullDistances(radiusMm, noEcho).distance(side, points, beams);
+    }
+
+    /** The robot as its range sensors use it. */
+    private final class Scanning implements ScanTopic.Robot {
+        @Override
+        public TopicSource source() {
+            return connection.sensors();
+        }
+
+        @Override
+        public Optional<FrameTransform> place(String frame) {
+            return RosReadings.this.place(frame);
+        }
+
+        @Override
+        public void found() {
+            waiting.changes().raise();
+        }
+
+        @Override
+        public void unusable(RosTopic topic, UnusableMessage reason) {
+            complain(topic, reason);
+        }
+
+        @Override
+        public void scanned(RosTopic topic, RangeSensor sensor, JsonNode message, float... rangesMm) {
+            StampClock stamps = scanTopicStamps.computeIfAbsent(topic.name(), name -> stamps());
+            events.scanned(sensor, measuredNanos(stamps, message), rangesMm);
+        }
     }
 }

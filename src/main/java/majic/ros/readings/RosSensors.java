@@ -12,7 +12,7 @@ import java.util.function.Predicate;
  * The sensors of one robot, found by the types of the topics. Immutable. With several topics of one type, the shortest
  * name is taken: sensors that are derived from others have longer ones.
  *
- * @param scan of a laser scanner
+ * @param scans of laser scanners, the one to be shown first
  * @param ranges of sonars and other single beams, in the order of their names
  * @param battery with the charge or the voltage; the core sensors of a Kobuki if it has no other
  * @param imu of an inertial unit
@@ -24,7 +24,7 @@ import java.util.function.Predicate;
  * @param fixedFrames where sensors are on the robot
  */
 public record RosSensors(
-        Optional<RosTopic> scan,
+        List<RosTopic> scans,
         List<RosTopic> ranges,
         Optional<RosTopic> battery,
         Optional<RosTopic> imu,
@@ -45,6 +45,7 @@ public record RosSensors(
 
     /** Keeps copies of the lists. */
     public RosSensors {
+        scans = List.copyOf(scans);
         ranges = List.copyOf(ranges);
         slidingJoints = Set.copyOf(slidingJoints);
         contacts = List.copyOf(contacts);
@@ -62,7 +63,9 @@ public record RosSensors(
     public static RosSensors of(Map<String, String> topics, String namespace) {
         Finder finder = new Finder(topics, namespace);
         return new RosSensors(
-                finder.best("sensor_msgs/LaserScan"::equals),
+                finder.all("sensor_msgs/LaserScan"::equals).stream()
+                        .sorted(Finder.SIMPLEST)
+                        .toList(),
                 finder.all("sensor_msgs/Range"::equals),
                 finder.best("sensor_msgs/BatteryState"::equals)
                         .or(() -> finder.best(("spot_msgs/" + SPOT_BATTERIES)::equals))
@@ -89,6 +92,15 @@ public record RosSensors(
     }
 
     /**
+     * Returns the scanner that is shown and gives the distances.
+     *
+     * @return the first of the scanners; empty for a robot without one
+     */
+    public Optional<RosTopic> scan() {
+        return scans.stream().findFirst();
+    }
+
+    /**
      * Returns the camera that is shown.
      *
      * @return the first of the cameras; empty for a robot without one
@@ -109,7 +121,7 @@ public record RosSensors(
             reordered.remove(first);
             reordered.add(0, first);
             return new RosSensors(
-                    scan, ranges, battery, imu, joints, slidingJoints, hazards, contacts, reordered, fixedFrames);
+                    scans, ranges, battery, imu, joints, slidingJoints, hazards, contacts, reordered, fixedFrames);
         });
     }
 
@@ -120,7 +132,7 @@ public record RosSensors(
      * @return the sensors
      */
     public RosSensors withSlidingJoints(Set<String> names) {
-        return new RosSensors(scan, ranges, battery, imu, joints, names, hazards, contacts, cameras, fixedFrames);
+        return new RosSensors(scans, ranges, battery, imu, joints, names, hazards, contacts, cameras, fixedFrames);
     }
 
     /** Looks for the topics of one robot. */

@@ -27,6 +27,9 @@ class LaserScanMessageTest {
                         "{'angle_min':0,'angle_increment':0.1,'range_min':0.1,'range_max':5,'ranges':[Infinity,-Infinity,NaN,9,'2',0.05]}"));
 
         assertThat(IntStream.range(0, 6).mapToDouble(scan::rangeMm)).containsOnly(Double.NaN);
+        assertThat(IntStream.range(0, 6).mapToDouble(scan::measuredMm))
+                .containsExactly(
+                        Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.NaN, 9000.0, Double.NaN, 50.0);
     }
 
     @Test

@@ -10,6 +10,7 @@ import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.RangeSensor;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.BotDriver;
@@ -70,6 +71,9 @@ public final class FakeRosRobot implements AutoCloseable {
 
                     @Override
                     public void picture(CompressedPicture picture) {}
+
+                    @Override
+                    public void scanned(RangeSensor sensor, long measuredNanos, float... rangesMm) {}
 
                     @Override
                     public void notice(String message) {}

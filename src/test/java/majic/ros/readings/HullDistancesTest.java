@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -133,8 +132,8 @@ class HullDistancesTest {
 
     @Test
     void singleBeamsMeasureTheSidesToWhichTheyLook() {
-        Beam behind = new Beam(new RangeMessage("sonar", OptionalDouble.of(300)), BEHIND_BACKWARDS);
-        Beam silent = new Beam(new RangeMessage("tof", OptionalDouble.empty()), CENTRE);
+        Beam behind = new Beam(new RangeMessage("sonar", 300, 20, 4000, 30), BEHIND_BACKWARDS);
+        Beam silent = new Beam(new RangeMessage("tof", Double.NaN, 20, 4000, 30), CENTRE);
 
         assertThat(HULL.distance(HullSide.BACK, Optional.empty(), List.of(behind, silent)))
                 .isEqualTo(mm(250));

@@ -11,6 +11,7 @@ import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Collectors;
+import majic.bot.RangeSensor;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.RobotWait;
@@ -65,6 +66,11 @@ class RosReadingsTest {
                     @Override
                     public void picture(CompressedPicture picture) {
                         pictures.incrementAndGet();
+                    }
+
+                    @Override
+                    public void scanned(RangeSensor sensor, long measuredNanos, float... rangesMm) {
+                        throw new AssertionError("nothing asks for scans");
                     }
 
                     @Override
