@@ -3,6 +3,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
+import majic.bot.Beam;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
@@ -14,6 +15,8 @@ import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.BotDriver;
@@ -25,13 +28,18 @@ import majic.link.Link;
 import majic.link.Links;
 
 /**
- * A robot behind a network link: a cart that takes lines such as {@code drive 100 0} (mm/s and deg/s) and reports its
- * position ten times a second in lines such as {@code at 250 0 0} (mm, mm and degrees).
+ * A robot behind a network link: a cart that takes lines such as {@code drive 100 0} (mm/s and deg/s) and reports ten
+ * times a second its position in lines such as {@code at 250 0 0} (mm, mm and degrees), and what the sonar at its front
+ * measures in lines such as {@code range 1500} (mm).
  */
 public final class Cart extends BotDriver {
     private static final int CONNECT_TIMEOUT_MS = 3000;
     private static final double FIRST_REPORT_S = 3;
     private static final double SILENCE_S = 1;
+
+    /** A single beam ahead, 180 mm ahead of the cart's centre: a cone of 20 degrees, 50 to 3000 mm, noise 10 mm. */
+    private static final RangeSensor SONAR =
+            new RangeSensor("sonar", List.of(new Beam(new Pose(180, 0, 0), 20, 50, 3000, 10)));
 
     private final String address;
     private volatile Link link;
@@ -127,6 +135,11 @@ public final class Cart extends BotDriver {
     }
 
     @Override
+    public List<RangeSensor> rangeSensors() {
+        return List.of(SONAR);
+    }
+
+    @Override
     protected Value moveBy(double mm, Motion motion) {
         Pose start = pose;
         if (!motion.pause(0)) {
@@ -201,11 +214,26 @@ public final class Cart extends BotDriver {
         @Override
         public void received(String message) {
             String[] words = message.split(" ");
-            pose = new Pose(Double.parseDouble(words[1]), Double.parseDouble(words[2]), Double.parseDouble(words[3]));
+            if (words[0].equals("range")) {
+                measured(Float.parseFloat(words[1]));
+            } else {
+                moved(new Pose(
+                        Double.parseDouble(words[1]), Double.parseDouble(words[2]), Double.parseDouble(words[3])));
+            }
+        }
+
+        private void moved(Pose reported) {
+            pose = reported;
             reporting = true;
             BotState before = state();
             publish(new BotState(
                     pose, before.speedMmPerSec(), before.turnRateDegPerSec(), before.moving(), time().nanos()));
+        }
+
+        private void measured(float mm) {
+            if (hasScanListeners()) {
+                publishScan(new RangeScan(SONAR, time().nanos() / 1e9, pose, mm));
+            }
         }
 
         /** An old link may end after the robot was connected again by a new one. */

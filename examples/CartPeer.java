@@ -8,9 +8,16 @@ import majic.drivertest.TestedRobot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 
-/** Plays a cart for the tests of its driver: drives as commanded and reports its position ten times a second. */
+/**
+ * Plays a cart for the tests of its driver: drives as commanded and reports ten times a second its position and the
+ * distance of a wall across its way.
+ */
 final class CartPeer implements TestedRobot, ScriptedPeer.Robot {
+    /** Where the wall is, ahead of the start. */
+    static final double WALL_MM = 2000;
+
     private static final int REPORT_MS = 100;
+    private static final double SONAR_MM = 180;
 
     private final ScriptedPeer peer = new ScriptedPeer(this);
     private final MajicBot bot = new Cart.Type()
@@ -49,7 +56,13 @@ final class CartPeer implements TestedRobot, ScriptedPeer.Robot {
     }
 
     private String report() {
-        return String.format(Locale.ROOT, "at %.0f %.0f %.1f\n", pose.xMm(), pose.yMm(), pose.headingDeg());
+        return String.format(
+                Locale.ROOT,
+                "at %.0f %.0f %.1f\nrange %.0f\n",
+                pose.xMm(),
+                pose.yMm(),
+                pose.headingDeg(),
+                WALL_MM - SONAR_MM - pose.xMm());
     }
 
     /** A cart stops when its connection ends, and forgets what has arrived of a line. */

@@ -2,8 +2,12 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
+import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.drivertest.DriverConformance;
 import majic.drivertest.TestedRobot;
 import org.junit.jupiter.api.Test;
@@ -36,5 +40,20 @@ class CartTest extends DriverConformance {
         MotionFailed stalled = assertThrows(MotionFailed.class, () -> cart.bot().move(300));
 
         assertTrue(stalled.getMessage().contains("stalled after 0 mm"), stalled.getMessage());
+    }
+
+    @Test
+    void theScansOfACartThatDrivesShowTheWallInOnePlace() {
+        List<RangeScan> scans = new CopyOnWriteArrayList<>();
+        cart.bot().connect();
+        cart.bot().addScanListener(scans::add);
+
+        cart.bot().move(300);
+
+        assertTrue(scans.size() > 10, scans.size() + " scans");
+        for (RangeScan scan : scans) {
+            Pose sonar = scan.odometry().plus(scan.sensor().beams().get(0).mount());
+            assertEquals(CartPeer.WALL_MM, sonar.xMm() + scan.rangeMm(0), 2);
+        }
     }
 }

@@ -1,4 +1,5 @@
 import java.util.List;
+import majic.bot.Beam;
 import majic.bot.BotAddress;
 import majic.bot.BotProfile;
 import majic.bot.BotState;
@@ -7,14 +8,19 @@ import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
 import majic.environment.BotEnvironment;
 
-/** A complete robot type of one's own: a turtle that exists only in memory. */
+/** A complete robot type of one's own: a turtle that exists only in memory, and sees a wall 1 m ahead of its start. */
 public final class Turtle extends BotDriver {
+    private static final double WALL_X_MM = 1000;
+    private static final RangeSensor EYE = new RangeSensor("eye", List.of(new Beam(Pose.START, 1, 0, 2000, 1)));
+
     private volatile double speedMmPerSec;
     private volatile double turnDegPerSec;
     private volatile boolean penDown;
@@ -62,6 +68,11 @@ public final class Turtle extends BotDriver {
         super(type, new BotProfile(80, new Range(-200, 200), new Range(-90, 90), 100, 45, 100, true), environment);
         table().add(Parameter.onOff("pen", "whether it draws"), () -> Value.onOff(penDown))
                 .writes(values -> penDown = values.get(0).isYes());
+    }
+
+    @Override
+    public List<RangeSensor> rangeSensors() {
+        return List.of(EYE);
     }
 
     @Override
@@ -115,5 +126,13 @@ public final class Turtle extends BotDriver {
     private void report() {
         boolean moving = speedMmPerSec != 0 || turnDegPerSec != 0;
         publish(new BotState(pose, speedMmPerSec, turnDegPerSec, moving, time().nanos()));
+        if (hasScanListeners()) {
+            publishScan(new RangeScan(EYE, time().nanos() / 1e9, pose, (float) wallMm(pose)));
+        }
+    }
+
+    private static double wallMm(Pose eye) {
+        double mm = (WALL_X_MM - eye.xMm()) / Math.cos(Math.toRadians(eye.headingDeg()));
+        return mm >= 0 ? mm : Double.POSITIVE_INFINITY;
     }
 }
