@@ -46,7 +46,8 @@ class ExamplesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"WanderDog", "LineFollower", "MajicRace", "TenLines", "Wanderer", "RosWander"})
+    @ValueSource(
+            strings = {"WanderDog", "LineFollower", "MajicRace", "TenLines", "Wanderer", "RosWander", "PrintScans"})
     void withoutAnAddressItPrintsItsUsage(String example) throws Exception {
         PrintStream errors = System.err;
         System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));

@@ -2,7 +2,10 @@ package majic.inlab.acts;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
 import java.lang.reflect.Method;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -103,6 +106,22 @@ class ProgramsInLabTest {
             assertThat(rig.truePose("ros").distanceMm(start)).isGreaterThan(100);
             assertThat(ActLabs.bumps(rig)).containsEntry("ros", 0);
         }
+    }
+
+    @Test
+    void theScansOfATurtleBotArePrintedByJava() throws Exception {
+        PrintStream console = System.out;
+        ByteArrayOutputStream printed = new ByteArrayOutputStream();
+        try (LabRig rig = LabRig.exactWithRos("2")) {
+            MajicBot robot = rig.add("ros");
+            System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
+            call("PrintScans", "print", robot);
+        } finally {
+            System.setOut(console);
+        }
+        assertThat(printed.toString(StandardCharsets.UTF_8).lines())
+                .hasSizeGreaterThan(2)
+                .allMatch(line -> line.matches("laser at Pose\\[.*]: the nearest echo is at [0-9.]+ mm"));
     }
 
     /** Runs a script with the robots of the lab in place of those that it names. */
