@@ -39,11 +39,11 @@ class RobotsJarTest {
 
     /**
      * Loaded only where there is a window, JNA, a robot maker's library, a robot that speaks ROS and so needs JSON, or
-     * a robot of another desk, which needs MQTT, too.
+     * a robot of another desk, which needs MQTT, or a map that is built, which needs EJML.
      */
     private static final Pattern OPTIONAL = Pattern.compile(
             "majic\\.\\w+\\.panel\\..*|com\\.sun\\.jna\\..*"
-                    + "|com\\.mobilerobots\\..*|liburbi\\..*|com\\.fasterxml\\.jackson\\..*|com\\.hivemq\\..*|io\\.netty\\..*|io\\.reactivex\\..*");
+                    + "|com\\.mobilerobots\\..*|liburbi\\..*|com\\.fasterxml\\.jackson\\..*|com\\.hivemq\\..*|io\\.netty\\..*|io\\.reactivex\\..*|org\\.ejml\\..*");
 
     private static final Pattern LIBRARY =
             Pattern.compile("java\\..*|javax\\..*|com\\.fazecast\\..*|org\\.jspecify\\..*");

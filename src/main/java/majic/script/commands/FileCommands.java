@@ -183,8 +183,7 @@ final class FileCommands {
         @Override
         public void write(Path path, SessionState session) throws IOException {
             String name = String.valueOf(path.getFileName());
-            session.map()
-                    .save(ENDING.matcher(name).find() ? path : path.resolveSibling(name + ".yaml"));
+            session.map().save(ENDING.matcher(name).find() ? path : path.resolveSibling(name + ".yaml"));
         }
     }
 }
