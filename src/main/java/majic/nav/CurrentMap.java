@@ -156,14 +156,11 @@ public final class CurrentMap {
     }
 
     /**
-     * Ends building the map, which stays. Blocks until the last scan is in it, some seconds for a large map.
-     *
-     * @throws BotException if no robot builds one
+     * Ends building the map, which stays. Blocks until the last scan is in it, some seconds for a large map. Has no
+     * effect if no robot builds one.
      */
     public void stop() {
-        MajicBot robot = mappedBy()
-                .orElseThrow(() -> new BotException("map stop: no robot builds a map; \"map start 2\" begins one"));
-        endIfMappedBy(robot);
+        mappedBy().ifPresent(this::endIfMappedBy);
     }
 
     private void endIfMappedBy(MajicBot robot) {
@@ -229,19 +226,23 @@ public final class CurrentMap {
         if (mapped == null || mapping == null) {
             return map == null ? "there is no map" : size;
         }
-        return size + "; " + mapped.name() + " builds it: " + mapping.scans() + " scans, " + mapping.loops()
-                + (mapping.loops() == 1 ? " loop" : " loops");
+        return size + "; " + mapped.name() + " builds it: " + counted(mapping.scans(), "scan") + ", "
+                + counted(mapping.loops(), "loop");
+    }
+
+    private static String counted(int count, String what) {
+        return count + " " + what + (count == 1 ? "" : "s");
     }
 
     private static String size(NavigationMap map) {
         OccupancyGrid grid = map.grid();
         return String.format(
                 Locale.ROOT,
-                "%.1f by %.1f m, cells of %.0f mm, %d places",
+                "%.1f by %.1f m, cells of %.0f mm, %s",
                 grid.width() * grid.cellMm() / MM_PER_M,
                 grid.height() * grid.cellMm() / MM_PER_M,
                 grid.cellMm(),
-                map.places().size());
+                counted(map.places().size(), "place"));
     }
 
     private void changed() {

@@ -165,12 +165,19 @@ class MapCommandsTest {
     }
 
     @Test
+    void endingWithoutARobotThatMapsStopsNoRobot() throws InterruptedException {
+        assertThat(fixture.runPipe("map stop")).containsExactly("map stop: no robot builds a map");
+        assertThat(fixture.team.isLatched()).isFalse();
+    }
+
+    @Test
     void whatIsMissingIsNamed() throws InterruptedException {
         assertThat(fixture.refusal("map start")).isPresent();
         assertThat(fixture.refusal("map begin 1"))
                 .hasValueSatisfying(text ->
                         assertThat(text).contains("\"start\", \"stop\", \"open\", \"save\", \"close\" or \"place\""));
-        assertThat(fixture.runPipe("map stop")).last().asString().contains("no robot builds a map");
+        assertThat(fixture.refusal("map stop 1")).isPresent();
+        fixture.runPipe("release");
         assertThat(fixture.runPipe("map place desk 0 0")).last().asString().contains("there is no map");
         assertThat(fixture.runPipe("map open missing.yaml")).last().asString().contains("missing.yaml");
     }

@@ -6,6 +6,7 @@ import java.util.Locale;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
+import majic.nav.CurrentMap;
 import majic.nav.grid.NavigationMap;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
@@ -73,7 +74,10 @@ final class MapCommands {
         }
     }
 
-    /** Ends the building of the map. */
+    /**
+     * Ends the building of the map. Never refused: a refused line with the word stop is taken as STOP, which would stop
+     * the robots.
+     */
     record Stop() implements SessionCommand {
         @Override
         public Scheduling scheduling() {
@@ -82,8 +86,10 @@ final class MapCommands {
 
         @Override
         public void run(Execution execution) {
-            execution.session().map().stop();
-            execution.answer("map stop: " + execution.session().map().text());
+            CurrentMap map = execution.session().map();
+            boolean built = map.mappedBy().isPresent();
+            map.stop();
+            execution.answer("map stop: " + (built ? map.text() : "no robot builds a map"));
         }
     }
 
