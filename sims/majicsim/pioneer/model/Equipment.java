@@ -2,7 +2,7 @@ package majicsim.pioneer.model;
 
 /**
  * What a model carries beside motors, sonar and bumpers. The vendor's parameter files do not contain it; what stands in
- * the table is our choice, documented there. Immutable.
+ * the table is our choice, documented there. No model in it has a laser. Immutable.
  *
  * @param generation of its firmware
  * @param hasGripper paddles and lift in front
@@ -10,6 +10,7 @@ package majicsim.pioneer.model;
  * @param charger docking mechanism as CONFIG names it: 0 none, 1 Pioneer 3, 2 PowerBot
  * @param hasCompass a compass that the SIP shows
  * @param smartBatteries batteries that report themselves, 0 for lead-acid ones
+ * @param hasLaser a laser scanner on the deck, which its client may request
  */
 public record Equipment(
         Generation generation,
@@ -17,7 +18,8 @@ public record Equipment(
         boolean hasGyro,
         int charger,
         boolean hasCompass,
-        int smartBatteries) {
+        int smartBatteries,
+        boolean hasLaser) {
     private static final int PIONEER_3_CHARGER = 1;
 
     public boolean hasCharger() {
@@ -25,20 +27,25 @@ public record Equipment(
     }
 
     Equipment withGripper() {
-        return new Equipment(generation, true, hasGyro, charger, hasCompass, smartBatteries);
+        return new Equipment(generation, true, hasGyro, charger, hasCompass, smartBatteries, hasLaser);
     }
 
     Equipment withGyro() {
-        return new Equipment(generation, hasGripper, true, charger, hasCompass, smartBatteries);
+        return new Equipment(generation, hasGripper, true, charger, hasCompass, smartBatteries, hasLaser);
     }
 
     Equipment withCharger() {
         return hasCharger()
                 ? this
-                : new Equipment(generation, hasGripper, hasGyro, PIONEER_3_CHARGER, hasCompass, smartBatteries);
+                : new Equipment(
+                        generation, hasGripper, hasGyro, PIONEER_3_CHARGER, hasCompass, smartBatteries, hasLaser);
     }
 
     Equipment withCompass() {
-        return new Equipment(generation, hasGripper, hasGyro, charger, true, smartBatteries);
+        return new Equipment(generation, hasGripper, hasGyro, charger, true, smartBatteries, hasLaser);
+    }
+
+    Equipment withLaser() {
+        return new Equipment(generation, hasGripper, hasGyro, charger, hasCompass, smartBatteries, true);
     }
 }

@@ -11,6 +11,7 @@ enum Extra {
     GYRO(model -> model.with(model.equipment().withGyro())),
     CHARGER(model -> model.with(model.equipment().withCharger())),
     COMPASS(model -> model.with(model.equipment().withCompass())),
+    LASER(model -> model.with(model.equipment().withLaser())),
     BUMPERS(PioneerModel::withBumpers),
     NOFRONTSONAR(model -> model.withoutSonars(true)),
     NOREARSONAR(model -> model.withoutSonars(false)),

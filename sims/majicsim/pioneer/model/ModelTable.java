@@ -86,7 +86,8 @@ final class ModelTable {
                 Boolean.parseBoolean(row[18]),
                 Integer.parseInt(row[19]),
                 Boolean.parseBoolean(row[20]),
-                Integer.parseInt(row[21]));
+                Integer.parseInt(row[21]),
+                false);
     }
 
     /** The discs of a layout; the table has numbers at 0, 0 where no disc is fitted. */

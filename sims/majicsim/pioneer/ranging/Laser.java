@@ -9,7 +9,7 @@ import majicsim.world.View;
 import majicsim.world.World;
 
 /**
- * The laser scanner that simulated Pioneers have on their deck, where the vendor's parameter files place it. It
+ * The laser scanner that a simulated Pioneer can have on its deck, where the vendor's parameter files place it. It
  * measures walls and other robots in one plane.
  */
 public final class Laser {

@@ -67,9 +67,11 @@ final class SimControl {
                 .text("majicsim")
                 .text(ConfigReport.VERSION)
                 .int32(0)
-                .int32(2);
+                .int32(laser.isThere() ? 2 : 1);
         device(packet, "sonar", board.sonar().arraysOn() != 0);
-        device(packet, "laser", laser.isOn());
+        if (laser.isThere()) {
+            device(packet, "laser", laser.isOn());
+        }
         return packet.toBytes();
     }
 

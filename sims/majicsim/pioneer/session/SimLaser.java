@@ -5,7 +5,10 @@ import majicsim.pioneer.board.Board;
 import majicsim.pioneer.ranging.LaserScan;
 import majicsim.pioneer.report.LaserReport;
 
-/** The simulated laser with the settings of one client (ARCOS sheet 6.2): off at first. */
+/**
+ * The simulated laser with the settings of one client (ARCOS sheet 6.2): off at first, and always on a robot without
+ * one.
+ */
 final class SimLaser {
     private static final int OFF = 0;
     private static final int WITH_REFLECTANCE = 2;
@@ -30,7 +33,12 @@ final class SimLaser {
 
     /** SIM_LRF_ENABLE: 0 off, 1 packets 0x60, 2 packets 0x61. */
     void enable(int newMode) {
-        mode = newMode;
+        mode = isThere() ? newMode : OFF;
+    }
+
+    /** Whether the robot has one. */
+    boolean isThere() {
+        return board.model().equipment().hasLaser();
     }
 
     boolean isOn() {
@@ -70,6 +78,9 @@ final class SimLaser {
      * means the laser by these numbers for the rest of its session.
      */
     boolean takeOld(int id, int value) {
+        if (!isThere()) {
+            return false;
+        }
         if (usesOldNumbers && id >= OLD_ENABLE && id <= OLD_STEP) {
             apply(id, value);
             return true;

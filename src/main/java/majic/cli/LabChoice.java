@@ -78,7 +78,7 @@ final class LabChoice {
             completionCandidates = PioneerModels.class,
             description = {
                 "Which Pioneer stands in the lab (p3dx-sh): ${COMPLETION-CANDIDATES}.",
-                "With extras: p3dx-sh+gripper+gyro+charger+compass+bumpers."
+                "With extras: p3dx-sh+gripper+gyro+charger+compass+laser+bumpers."
             })
     private String pioneerModel = PioneerRobot.STANDARD_MODEL;
 

@@ -30,7 +30,7 @@ public final class Rig {
             """;
 
     /** The usual model with all that its owner can have fitted, but for bumpers. */
-    public static final String EQUIPPED = PioneerRobot.STANDARD_MODEL + "+gripper+gyro+charger";
+    public static final String EQUIPPED = PioneerRobot.STANDARD_MODEL + "+gripper+gyro+charger+laser";
 
     public final World world = new World(tenByEight());
     public final PioneerRobot robot;

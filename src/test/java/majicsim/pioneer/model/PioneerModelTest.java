@@ -77,8 +77,8 @@ class PioneerModelTest {
     void anUnknownExtraIsRefusedWithTheKnownOnes(String name) {
         assertThatThrownBy(() -> PioneerModel.of(name))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageEndingWith("'; known are gripper, gyro, charger, compass, bumpers, nofrontsonar,"
-                        + " norearsonar, nowatchdog, unlisted");
+                .hasMessageEndingWith("'; known are gripper, gyro, charger, compass, laser, bumpers,"
+                        + " nofrontsonar, norearsonar, nowatchdog, unlisted");
     }
 
     @Test
