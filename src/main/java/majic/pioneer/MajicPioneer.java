@@ -14,6 +14,7 @@ import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.bot.RangeSensor;
 import majic.bot.Value;
 import majic.driver.BotDriver;
@@ -43,7 +44,6 @@ import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
 import majic.pioneer.state.PioneerState;
 import majic.pioneer.state.Ramps;
-import majic.pioneer.state.Sonars;
 import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
@@ -119,9 +119,16 @@ public final class MajicPioneer extends BotDriver {
 
     /** Describes the parameters and commands of a robot with this equipment. */
     void describe(Equipment equipment) {
-        parameters.describe(equipment);
+        describeParameters(equipment);
         PioneerCommands.NAMES.forEach(this::removeCommand);
         commands.with(equipment).forEach(this::add);
+    }
+
+    /** A laser may be found while the equipment is described. */
+    private void describeParameters(Equipment equipment) {
+        synchronized (parameters) {
+            parameters.describe(equipment);
+        }
     }
 
     /** Refuses a change during a motion, whose braking is planned with the ramps in force. */
@@ -241,13 +248,17 @@ public final class MajicPioneer extends BotDriver {
         return PioneerPanel.create(this, this::scene);
     }
 
-    /** The sonar discs of its model. Their scans have the ranges that are new in a report of the robot. */
+    /**
+     * Returns {@code sonar}, whose scans have the ranges that are new in a report of the robot, and {@code laser}, if
+     * it is a simulated robot with one.
+     *
+     * @return known once the robot is connected, but for the laser, which is known from its first scan on: at most half
+     *     a second later, which is awaited if the thread may wait
+     */
     @Override
     public List<RangeSensor> rangeSensors() {
         PioneerSession open = session.get();
-        return open == null
-                ? List.of()
-                : open.sonars().map(Sonars::sensor).map(List::of).orElse(List.of());
+        return open == null ? List.of() : open.rangeSensors();
     }
 
     @Override
@@ -309,7 +320,7 @@ public final class MajicPioneer extends BotDriver {
             PioneerSession open = session.get();
             if (open != null && isConnected()) {
                 againS = open.checkLink();
-                open.requestReports();
+                open.requestReports(hasScanListeners());
             }
         } finally {
             watchAgain(againS);
@@ -339,6 +350,21 @@ public final class MajicPioneer extends BotDriver {
         @Override
         public void stateReported(PioneerSession from, PioneerState state) {
             publish(from, state);
+        }
+
+        @Override
+        public void laserFound(PioneerSession from) {
+            if (from == session.get()) {
+                describeParameters(from.equipment());
+                news();
+            }
+        }
+
+        @Override
+        public void scanned(PioneerSession from, RangeScan scan) {
+            if (from == session.get()) {
+                publishScan(scan);
+            }
         }
 
         @Override

@@ -1,23 +1,30 @@
 package majic.pioneer;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.MajicBot;
+import majic.bot.ParameterException;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
 import majic.bot.RangeSensor;
 import majic.bot.ScanListener;
+import majic.bot.Value;
 import majic.inlab.LabRig;
+import majicsim.LabOptions;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The scans of the lab's Pioneer, which looks along x, at the origin of the room. */
 class RangesInLabTest {
     private static final double WALL_AHEAD_MM = 4500;
     private static final double DISC_AHEAD_MM = 166;
+    private static final double LASER_AHEAD_MM = 21;
 
     @AutoClose
     private final LabRig rig = LabRig.exact();
@@ -74,5 +81,42 @@ class RangesInLabTest {
         int before = scans.size();
         rig.run("wait 1s");
         assertThat(scans).hasSize(before);
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void theLaserMeasuresTheWallAheadFromItsPlace(boolean exact) throws InterruptedException {
+        LabOptions options = LabOptions.exactOnFreePorts().withPioneer("p3dx-sh+laser");
+        try (LabRig withLaser = LabRig.of(exact ? options : options.withNoise(3))) {
+            MajicBot robot = withLaser.add("pioneer");
+            RangeSensor laser = robot.rangeSensors().get(1);
+            List<RangeScan> laserScans = new CopyOnWriteArrayList<>();
+            robot.addScanListener(scan -> {
+                if (scan.sensor() == laser) {
+                    laserScans.add(scan);
+                }
+            });
+            withLaser.await(() -> laserScans.size() > 10);
+
+            assertThat(laser.name()).isEqualTo("laser");
+            assertThat(laser.beams()).hasSize(181);
+            double expected = WALL_AHEAD_MM - laser.beams().get(90).mount().xMm();
+            assertThat(laserScans)
+                    .allSatisfy(scan ->
+                            assertThat((double) scan.rangeMm(90)).isCloseTo(expected, within(exact ? 1.0 : 30.0)));
+        }
+    }
+
+    @Test
+    void theLaserIsRead() throws InterruptedException {
+        try (LabRig withLaser = LabRig.exactWithPioneer("p3dx-sh+laser")) {
+            MajicBot robot = withLaser.add("pioneer");
+            withLaser.run("wait 5s");
+
+            List<Value> sectors = ((Value.Many) robot.get("laser")).values();
+            assertThat(sectors).hasSize(6);
+            assertThat(sectors.get(2).number()).isCloseTo(WALL_AHEAD_MM - LASER_AHEAD_MM, within(2.0));
+            assertThatThrownBy(() -> bot.parameter("laser")).isInstanceOf(ParameterException.class);
+        }
     }
 }

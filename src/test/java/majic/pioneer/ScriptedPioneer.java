@@ -1,5 +1,7 @@
 package majic.pioneer;
 
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -22,7 +24,9 @@ import org.jspecify.annotations.Nullable;
 public final class ScriptedPioneer implements SteppedPeer.Robot {
     private static final int LOST_STEP = 0xFF;
 
-    /** Where fields are in the data of {@link Bytes#CONFIG}: FRONTSONAR, and after REARSONAR WATCHDOG. */
+    /** Where fields are in the data of {@link Bytes#CONFIG}: SERNUM, FRONTSONAR, and after REARSONAR WATCHDOG. */
+    private static final int SERIAL_NUMBER = 13;
+
     private static final int FRONT_SONAR = 41;
 
     private static final int WATCHDOG = 48;
@@ -35,6 +39,9 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
 
     public final RampModel robot = new RampModel(300, 300, 100);
     final List<Double> speeds = new ArrayList<>();
+
+    /** Three letters. */
+    String serialNumber = "SIM";
 
     String subclass = "p3dx-sh";
     double mmPerCount = 1;
@@ -50,6 +57,11 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
     int rearSonar = 1;
     int watchdogMs = 2000;
     boolean sonarsOff;
+
+    /** Has a laser with three readings, as a simulator may. */
+    boolean hasLaser;
+
+    private boolean laserOn;
     boolean hangsUpAtClose = true;
     boolean miscountsAfterSonar;
     boolean held;
@@ -116,6 +128,7 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
         firstByteMs = 0;
         shaken = inOpenSession;
         sendsSips = inOpenSession;
+        laserOn = false;
         silent = false;
         inOpenSession = false;
     }
@@ -177,6 +190,7 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
             case 28 -> sonar(value);
             case 29 -> halt();
             case 55 -> emergency();
+            case 230 -> laserOn = hasLaser && value == 1;
             default -> {}
         }
     }
@@ -237,6 +251,8 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
         if (answersConfig) {
             byte[] whole = Bytes.of(Bytes.CONFIG);
             byte[] data = Arrays.copyOfRange(whole, 4, whole.length - 2);
+            byte[] serial = serialNumber.getBytes(StandardCharsets.US_ASCII);
+            System.arraycopy(serial, 0, data, SERIAL_NUMBER, serial.length);
             data[FRONT_SONAR] = (byte) frontSonar;
             data[FRONT_SONAR + 2] = (byte) rearSonar;
             data[WATCHDOG] = (byte) watchdogMs;
@@ -253,6 +269,9 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
             speeds.add(robot.speed());
             if (!silent && (losesOneSipIn == 0 || sips % losesOneSipIn != 0)) {
                 line.send(sip());
+                if (laserOn) {
+                    line.send(laser(900, 5000, 32_000));
+                }
             }
         }
     }
@@ -276,6 +295,17 @@ public final class ScriptedPioneer implements SteppedPeer.Robot {
             bytes[18] = 16;
         }
         return Bytes.wire(0x32, bytes);
+    }
+
+    /** A packet 0x60 with a whole scan (ARCOS sheet 11.8). */
+    private static byte[] laser(int... ranges) {
+        ByteBuffer data = ByteBuffer.allocate(11 + 2 * ranges.length).order(ByteOrder.LITTLE_ENDIAN);
+        data.position(6);
+        data.putShort((short) ranges.length).putShort((short) 0).put((byte) ranges.length);
+        for (int range : ranges) {
+            data.putShort((short) range);
+        }
+        return Bytes.wire(0x60, data.array());
     }
 
     /** The commands received, without pulses. */

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The commands of a Pioneer with their numbers, arguments, units and ranges, under the manual's names (ARCOS sheet
- * 6.1). Those of arms (70 to 81) and of simulators (6.2) are left out.
+ * 6.1). Those of arms (70 to 81) are left out, and those of simulators (6.2) but for the laser.
  *
  * <p>Of rarely needed commands the sheet lists only the numbers. Their arguments are taken here from commands of the
  * same kind, and their names may be ours; check the robot's own manual before sending one.
@@ -170,6 +170,14 @@ public enum ArcosCommand {
     HEADINGINFO(149, Argument.request()),
     /** Whether the turn rate is controlled by the gyro. */
     ROTVEL_CLOSEDLOOP_ENABLE(150, Argument.onOff()),
+    /** Scans of the laser of a simulator. */
+    SIM_LRF_ENABLE(230, Argument.number(0, 2, "0 off, 1 packets 0x60, 2 packets 0x61")),
+    /** Where its field begins, from straight ahead. */
+    SIM_LRF_SET_FOV_START(231, Argument.number(-180, 180, "deg")),
+    /** Where its field ends. */
+    SIM_LRF_SET_FOV_END(232, Argument.number(-180, 180, "deg")),
+    /** From one of its readings to the next. */
+    SIM_LRF_SET_RES(233, Argument.size("0.01 deg")),
     /** Simulates a battery voltage. */
     BATTEST(250, Argument.number(0, 255, "0.1 V, 0 the real one")),
     /** Restarts the controller. Ends the vendor's simulator. */

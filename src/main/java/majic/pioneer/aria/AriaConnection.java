@@ -232,6 +232,11 @@ final class AriaConnection implements PioneerConnection, RobotLine {
     }
 
     @Override
+    public boolean carriesScans() {
+        return false;
+    }
+
+    @Override
     public boolean delivers(ReportKind kind) {
         return kind == ReportKind.PORTS || kind == ReportKind.ENCODERS;
     }

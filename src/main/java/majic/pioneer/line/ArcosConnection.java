@@ -7,6 +7,7 @@ import majic.bot.LinkLost;
 import majic.link.Link;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.LaserChunk;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.Report;
@@ -120,6 +121,11 @@ public final class ArcosConnection implements PioneerConnection, ArcosLine.Liste
             LinkLost cause = new LinkLost("connection lost: the robot's controller was reset");
             line.abort(cause);
             receiver.ended(cause);
+        } else {
+            LaserChunk chunk = LaserChunk.decode(packet);
+            if (chunk != null) {
+                receiver.reported(chunk);
+            }
         }
     }
 

@@ -150,7 +150,16 @@ final class ArcosLine implements RobotLine, LinkHandler<Packet> {
 
     @Override
     public boolean isFast() {
-        return baud > BaudRates.POWER_UP || !link.address().startsWith("serial:");
+        return baud > BaudRates.POWER_UP || !isSerial();
+    }
+
+    @Override
+    public boolean carriesScans() {
+        return !isSerial();
+    }
+
+    private boolean isSerial() {
+        return link.address().startsWith("serial:");
     }
 
     /**

@@ -6,6 +6,7 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.RangeScan;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.AssumedSetting;
@@ -14,6 +15,7 @@ import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.session.PioneerSession;
+import majic.pioneer.session.SimulatedLaser;
 import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.PioneerState;
 import majic.time.WaitPolicy;
@@ -95,6 +97,22 @@ public final class PioneerAccess {
                 return reader.apply(open.state()).orElseGet(() -> missing(open));
             }
             return open.subscriptions().isMissing(kind) || WaitPolicy.isAllowed() ? missing(open) : NOTHING_RECENT;
+        });
+    }
+
+    /** Whether the robot has sent a scan of a laser. */
+    boolean hasLaser() {
+        PioneerSession open = session.get();
+        return open != null && open.laser().isThere();
+    }
+
+    /** Reads from a scan of the laser. Without a recent one it is requested and, if the thread may wait, awaited. */
+    Supplier<Value> laser(Function<RangeScan, Value> reader) {
+        return session(open -> {
+            SimulatedLaser laser = open.laser();
+            laser.read();
+            open.await(state -> laser.fresh().isPresent(), REPORT_S);
+            return laser.fresh().map(reader).orElse(NOTHING_RECENT);
         });
     }
 

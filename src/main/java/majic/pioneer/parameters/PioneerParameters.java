@@ -31,6 +31,7 @@ public final class PioneerParameters {
                 reported::power,
                 new ContactParameters(access),
                 new SonarParameters(access),
+                new LaserParameters(access),
                 reported::motion,
                 new GripperParameters(access),
                 new InputOutputParameters(access),

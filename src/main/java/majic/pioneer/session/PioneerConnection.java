@@ -3,6 +3,7 @@ package majic.pioneer.session;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.LaserChunk;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.arcos.Report;
@@ -24,6 +25,9 @@ public interface PioneerConnection {
 
         /** Another report came. */
         void reported(Report report);
+
+        /** A part of a scan by the laser of a simulator came. */
+        void reported(LaserChunk chunk);
 
         /** The robot's configuration came, as far as the connection can read it. */
         void configured(Config config);

@@ -1,24 +1,30 @@
 package majic.pioneer.session;
 
+import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
 import majic.bot.MotionStopped;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.pioneer.arcos.ArcosCommand;
 import majic.pioneer.arcos.Config;
+import majic.pioneer.arcos.LaserChunk;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.arcos.PioneerIdentity;
 import majic.pioneer.arcos.Report;
 import majic.pioneer.arcos.Sip;
 import majic.pioneer.state.Equipment;
+import majic.pioneer.state.LaserScans;
 import majic.pioneer.state.Limits;
 import majic.pioneer.state.Model;
 import majic.pioneer.state.Models;
@@ -51,10 +57,12 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final WheelMotors motors;
     private final LinkWatch watch;
     private final Subscriptions subscriptions;
+    private final SimulatedLaser laser;
     private final Pose start;
     private final AtomicBoolean lost = new AtomicBoolean();
     private volatile Model model = Models.USUAL;
     private volatile StateTracker tracker = new StateTracker(Models.USUAL, Pose.START);
+    private volatile LaserScans laserScans = new LaserScans(Models.USUAL);
     private volatile Equipment equipment = Equipment.of(Models.USUAL, null);
     private volatile Optional<Sonars> sonars = Optional.empty();
     private volatile Ramps ramps = Ramps.careful(equipment.limits());
@@ -66,6 +74,12 @@ public final class PioneerSession implements PioneerConnection.Listener {
     public interface Listener {
         /** A new state, on the thread of the connection. */
         void stateReported(PioneerSession session, PioneerState state);
+
+        /** The first scan of the laser has come, on the thread of the connection: the robot has one. */
+        void laserFound(PioneerSession session);
+
+        /** A scan of the laser, on the thread of the connection. */
+        void scanned(PioneerSession session, RangeScan scan);
 
         /** Another report, on the thread of the connection: parameters may have changed. */
         void otherReported();
@@ -101,6 +115,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         this.motors = new WheelMotors(line, this::state, this::equipment, time, listener::notice);
         this.watch = new LinkWatch(line, motors, time, wait.waiting().changes());
         this.subscriptions = new Subscriptions(line, time);
+        this.laser = new SimulatedLaser(line, time);
     }
 
     /**
@@ -116,6 +131,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
             connection.open(this);
             use(requested);
             subscriptions.begin(config);
+            laser.begin(config);
             startSonar();
         } catch (RuntimeException e) {
             close();
@@ -159,6 +175,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         model = connection.scales() ? found.scaledByLibrary() : found;
         equip(Equipment.of(model, null));
         tracker = new StateTracker(model, start);
+        laserScans = new LaserScans(model);
         identity = known;
     }
 
@@ -185,6 +202,23 @@ public final class PioneerSession implements PioneerConnection.Listener {
         // Last: a thread that waits for a fresh report reads the state next.
         subscriptions.received(report);
         listener.otherReported();
+    }
+
+    @Override
+    public void reported(LaserChunk chunk) {
+        PioneerState now = tracker.last();
+        if (now != null) {
+            laserScans.add(chunk, now).ifPresent(this::scanned);
+        }
+    }
+
+    private void scanned(RangeScan scan) {
+        boolean found = !laser.isThere();
+        laser.received(scan);
+        if (found) {
+            listener.laserFound(this);
+        }
+        listener.scanned(this, scan);
     }
 
     @Override
@@ -225,11 +259,14 @@ public final class PioneerSession implements PioneerConnection.Listener {
     /**
      * Requests reports that are due, unless the robot has stopped reporting: it would resume its motion at the request.
      * To be called every {@link Subscriptions#PERIOD_S} or more often.
+     *
+     * @param scans whether something asks for scans
      */
-    public void requestReports() {
+    public void requestReports(boolean scans) {
         PioneerState now = tracker.last();
         if (now != null && !motors.isHeld() && time.secondsSince(now.atNanos()) < Subscriptions.SPEAKING_S) {
             subscriptions.requestDue();
+            laser.requestDue(scans);
         }
     }
 
@@ -305,6 +342,24 @@ public final class PioneerSession implements PioneerConnection.Listener {
     /** The robot's sonars; empty if it has none, or is not identified yet. */
     public Optional<Sonars> sonars() {
         return sonars;
+    }
+
+    public SimulatedLaser laser() {
+        return laser;
+    }
+
+    /**
+     * The robot's range sensors. Right after connecting to a simulator, the first scan of its laser is awaited, if the
+     * thread may wait.
+     */
+    public List<RangeSensor> rangeSensors() {
+        double leftS = laser.undecidedS();
+        if (leftS > 0) {
+            await(state -> laser.isThere(), leftS);
+        }
+        return Stream.of(sonars.map(Sonars::sensor), laser.sensor())
+                .flatMap(Optional::stream)
+                .toList();
     }
 
     /** The robot's names; null before it is identified. */

@@ -33,6 +33,11 @@ public interface RobotLine {
     /** Whether the line can carry more than SIPs; a serial port at the power-up speed cannot (ARCOS sheet 1). */
     boolean isFast();
 
+    /** Whether the line can carry the scans of a simulator's laser beside the SIPs; a serial port is too slow. */
+    default boolean carriesScans() {
+        return true;
+    }
+
     /** Whether the reports of a kind come over this line. */
     default boolean delivers(ReportKind kind) {
         return true;

@@ -1,0 +1,52 @@
+package majic.pioneer.parameters;
+
+import java.util.Arrays;
+import majic.bot.Parameter;
+import majic.bot.RangeScan;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.driver.ParameterTable;
+import majic.driver.ParameterTheme;
+import majic.pioneer.state.Equipment;
+import majic.pioneer.state.LaserScans;
+
+/** The ranges of the laser that a simulated robot may have. */
+final class LaserParameters implements ParameterTheme<Equipment> {
+    private static final int SECTOR_DEG = 30;
+    private static final int SECTORS = 2 * LaserScans.HALF_FIELD_DEG / SECTOR_DEG;
+
+    private final PioneerAccess access;
+
+    LaserParameters(PioneerAccess access) {
+        this.access = access;
+    }
+
+    @Override
+    public void describe(ParameterTable table, Equipment equipment) {
+        if (access.hasLaser()) {
+            table.add(
+                    Parameter.list(
+                            "laser",
+                            Unit.MM,
+                            "nearest range of the laser in six sectors of 30 degrees, from the right to the left;"
+                                    + " requested when read"),
+                    access.laser(LaserParameters::sectors));
+        }
+    }
+
+    private static Value sectors(RangeScan scan) {
+        float[] nearest = new float[SECTORS];
+        Arrays.fill(nearest, Float.POSITIVE_INFINITY);
+        for (int beam = 0; beam < scan.size(); beam++) {
+            int sector = Math.min(SECTORS - 1, beam * SECTORS / scan.size());
+            nearest[sector] = Math.min(nearest[sector], scan.rangeMm(beam));
+        }
+        Value[] values = new Value[SECTORS];
+        Arrays.setAll(values, sector -> mm(nearest[sector]));
+        return Value.many(Arrays.asList(values));
+    }
+
+    private static Value mm(float range) {
+        return Float.isInfinite(range) ? Value.CLEAR : Value.of(Math.round(range), Unit.MM);
+    }
+}
