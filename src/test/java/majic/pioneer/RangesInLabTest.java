@@ -4,8 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.IntStream;
 import majic.bot.MajicBot;
 import majic.bot.ParameterException;
 import majic.bot.Pose;
@@ -118,5 +120,38 @@ class RangesInLabTest {
             assertThat(sectors.get(2).number()).isCloseTo(WALL_AHEAD_MM - LASER_AHEAD_MM, within(2.0));
             assertThatThrownBy(() -> bot.parameter("laser")).isInstanceOf(ParameterException.class);
         }
+    }
+
+    /** With the odometry of a report before or after, the wall would be 140 mm off. */
+    @Test
+    void theScansOfATurningRobotPutTheWallInItsPlace() {
+        try (LabRig withLaser = LabRig.exactWithPioneer("p3dx-sh+laser")) {
+            MajicBot robot = withLaser.add("pioneer");
+            RangeSensor laser = robot.rangeSensors().get(1);
+            List<Double> walls = new CopyOnWriteArrayList<>();
+            robot.addScanListener(scan -> {
+                if (scan.sensor() == laser) {
+                    walls.add(wallAheadMm(scan));
+                }
+            });
+            robot.turn(60);
+            robot.turn(-120);
+
+            assertThat(walls).hasSizeGreaterThan(30);
+            assertThat(walls).allSatisfy(xMm -> assertThat(xMm).isCloseTo(WALL_AHEAD_MM, within(30.0)));
+        }
+    }
+
+    /** Where the beam that looks about 20 degrees to the right of the room's x axis meets the wall. */
+    private static double wallAheadMm(RangeScan scan) {
+        List<Pose> beams = scan.sensor().beams().stream()
+                .map(beam -> scan.odometry().plus(beam.mount()))
+                .toList();
+        int beam = IntStream.range(0, beams.size())
+                .boxed()
+                .min(Comparator.comparingDouble(
+                        index -> Math.abs(beams.get(index).headingDeg() + 20)))
+                .orElseThrow();
+        return beams.get(beam).after(scan.rangeMm(beam), 0).xMm();
     }
 }
