@@ -113,7 +113,7 @@ class RangesInLabTest {
     void theLaserIsRead() throws InterruptedException {
         try (LabRig withLaser = LabRig.exactWithPioneer("p3dx-sh+laser")) {
             MajicBot robot = withLaser.add("pioneer");
-            withLaser.run("wait 5s");
+            withLaser.run("wait 1s");
 
             List<Value> sectors = ((Value.Many) robot.get("laser")).values();
             assertThat(sectors).hasSize(6);

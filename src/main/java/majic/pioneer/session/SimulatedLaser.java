@@ -37,6 +37,9 @@ public final class SimulatedLaser {
     /** After so many requests without a scan the simulator is taken to have no laser. */
     private static final int TRIES = 5;
 
+    /** An older scan is not read as a new one: several cycles of the robot, seconds. */
+    private static final double FRESH_S = 0.5;
+
     /** A scan counts as being read for so long after a reading, seconds. */
     private static final double READ_S = 5;
 
@@ -126,8 +129,8 @@ public final class SimulatedLaser {
         }
     }
 
-    /** The newest scan; empty if none came in the last second. */
+    /** The newest scan; empty if none came in the last half second. */
     public Optional<RangeScan> fresh() {
-        return last.secondsSince(Event.RECEIVED) < REPEAT_S ? Optional.ofNullable(newest) : Optional.empty();
+        return last.secondsSince(Event.RECEIVED) < FRESH_S ? Optional.ofNullable(newest) : Optional.empty();
     }
 }
