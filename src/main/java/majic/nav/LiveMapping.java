@@ -6,7 +6,9 @@ import java.util.function.Consumer;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.bot.ScanListener;
+import majic.nav.grid.GridBuilder;
 import majic.nav.grid.OccupancyGrid;
 import majic.nav.mapping.Mapper;
 import majic.time.Signal;
@@ -14,8 +16,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Builds a map of what one robot measures while it drives, on a thread of its own. The frame of the map is that of the
- * robot's poses when the first scan comes; afterwards the robot is placed where the map has it, whenever its odometry
- * has become wrong. Thread-safe.
+ * robot's poses when the first scan comes. With a laser scanner the scans are matched, and the robot is placed where
+ * the map has it, whenever its odometry has become wrong. The few wide beams of sonars say too little of the place:
+ * they are drawn where the odometry has the robot. Thread-safe.
  */
 final class LiveMapping implements ScanListener {
     /** A loop that closes takes some hundred milliseconds; the oldest scans of a longer time are left out. */
@@ -29,10 +32,17 @@ final class LiveMapping implements ScanListener {
 
     private static final double WRONG_DEG = 1;
 
+    /** The least beams of a laser scanner, and their widest opening. */
+    private static final int LASER_BEAMS = 30;
+
+    private static final double LASER_DEG = 5;
+
     private final MajicBot robot;
     private final Consumer<OccupancyGrid> drawn;
     private final Signal changed;
     private final Mapper mapper = new Mapper();
+    private final GridBuilder coarse = new GridBuilder();
+    private boolean laser;
     private final Deque<RangeScan> waiting = new ArrayDeque<>();
     private boolean ending;
     private boolean ended;
@@ -118,16 +128,16 @@ final class LiveMapping implements ScanListener {
                     break;
                 }
                 fresh |= add(scan);
-                if (fresh && (mapper.scans() == 1 || robot.time().secondsSince(drawnNanos) >= DRAW_S)) {
+                if (fresh && (scans == 1 || robot.time().secondsSince(drawnNanos) >= DRAW_S)) {
                     draw();
                     drawnNanos = robot.time().nanos();
                     fresh = false;
                 }
             }
-            if (mapper.scans() > 0) {
+            if (laser) {
                 mapper.finish();
-                draw();
             }
+            draw();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
@@ -139,16 +149,28 @@ final class LiveMapping implements ScanListener {
     }
 
     private boolean add(RangeScan scan) {
-        if (frame == null) {
+        boolean fine = isLaser(scan.sensor());
+        if (frame == null || fine && !laser) {
             frame = robot.odometryOrigin().plus(scan.odometry());
         }
-        if (!mapper.add(scan)) {
+        laser |= fine;
+        if (!laser) {
+            coarse.add(scan, robot.odometryOrigin().plus(scan.odometry()));
+            scans++;
+            return true;
+        }
+        if (!fine || !mapper.add(scan)) {
             return false;
         }
         scans = mapper.scans();
         loops = mapper.loops();
         place(frame.plus(mapper.origin()));
         return true;
+    }
+
+    private static boolean isLaser(RangeSensor sensor) {
+        return sensor.beams().size() >= LASER_BEAMS
+                && sensor.beams().stream().allMatch(beam -> beam.openingDeg() <= LASER_DEG);
     }
 
     /** Corrects the frame of the robot's odometry, not the odometry, by which it moves. */
@@ -164,7 +186,7 @@ final class LiveMapping implements ScanListener {
     private void draw() {
         Pose origin = frame;
         if (origin != null) {
-            drawn.accept(mapper.grid().movedInto(origin));
+            drawn.accept(laser ? mapper.grid().movedInto(origin) : coarse.toGrid());
         }
     }
 }

@@ -6,9 +6,11 @@ import static org.assertj.core.api.Assertions.within;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import majic.bot.Beam;
 import majic.bot.FakeBot;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
+import majic.bot.RangeSensor;
 import majic.nav.grid.NavigationMap;
 import majic.nav.grid.OccupancyGrid.State;
 import majic.nav.mapping.Floor;
@@ -103,6 +105,27 @@ class MapCommandsTest {
         Pose last = way.get(way.size() - 1);
         assertThat(odometry.get(odometry.size() - 1).distanceMm(last)).isGreaterThan(1000);
         assertThat(robot.state().pose().distanceMm(last)).isLessThan(250);
+    }
+
+    @Test
+    void sonarsDrawTheMapWhereTheOdometryHasTheRobot() throws InterruptedException {
+        RangeSensor ring = new RangeSensor(
+                "sonar",
+                Stream.of(-90, -45, 0, 45, 90)
+                        .map(angle -> new Beam(new Pose(0, 0, angle), 30, 0, 5000, 30))
+                        .toList());
+        robot.place(new Pose(5000, 2000, 90));
+        fixture.runPipe("map start 1");
+        for (int step = 0; step < FIRST_CORRIDOR; step++) {
+            robot.measure(floor.scan(ring, step, way.get(step), way.get(step)));
+            fixture.pause(0.1);
+        }
+        Pose before = robot.odometryOrigin();
+        fixture.runPipe("map stop");
+
+        assertThat(robot.odometryOrigin()).isEqualTo(before).isEqualTo(new Pose(5000, 2000, 90));
+        assertThat(map().grid().stateAt(5000, 10_000)).isEqualTo(State.FREE);
+        assertThat(map().grid().stateAt(8000, 10_000)).isNotEqualTo(State.FREE);
     }
 
     @Test
