@@ -14,7 +14,7 @@ static int openPort(const char *path)
   cfmakeraw(&settings);
   cfsetspeed(&settings, B115200);
   settings.c_cc[VMIN] = 0;
-  settings.c_cc[VTIME] = 10;
+  settings.c_cc[VTIME] = 50;
   tcsetattr(port, TCSANOW, &settings);
   return port;
 }

@@ -101,7 +101,7 @@ class NativeProgramsTest {
 
     /**
      * Waits until the program has asked for readings and set the speeds twice, so that the speeds are by the readings
-     * of now. Leaves the processor to the program and the robot meanwhile, which have 1 s of real time for an answer.
+     * of now. Leaves the processor to the program and the robot meanwhile, which have 5 s of real time for an answer.
      */
     private static void awaitCommands(LabRig rig, String port, Process program) {
         long enough = consumed(rig, port) + 2 * "N?D,2,4?".length();
