@@ -2,10 +2,8 @@ package majic.nav;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.BotException;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
@@ -17,16 +15,14 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The map of a team: opened from a file, or built by a robot while it drives. Its frame is that of the robots' poses.
- * Thread-safe; listeners are called on the thread that changes the map, with no lock held.
+ * Thread-safe.
  */
 public final class CurrentMap {
     private static final double LAST_S = 30;
     private static final double MM_PER_M = 1000;
 
-    private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
     private @Nullable NavigationMap map;
     private @Nullable LiveMapping mapping;
-    private @Nullable MajicBot mapped;
     private boolean unsaved;
     private final BotListener watch = new BotListener() {
         @Override
@@ -37,24 +33,6 @@ public final class CurrentMap {
         }
     };
 
-    /**
-     * Adds a listener.
-     *
-     * @param changed runs after each change of the map; must return soon
-     */
-    public void addListener(Runnable changed) {
-        listeners.add(changed);
-    }
-
-    /**
-     * Removes a listener.
-     *
-     * @param changed one that was added
-     */
-    public void removeListener(Runnable changed) {
-        listeners.remove(changed);
-    }
-
     /** Returns the map as it is now; empty if there is none. */
     public synchronized Optional<NavigationMap> get() {
         return Optional.ofNullable(map);
@@ -62,7 +40,7 @@ public final class CurrentMap {
 
     /** Returns the robot that builds the map at the moment. */
     public synchronized Optional<MajicBot> mappedBy() {
-        return Optional.ofNullable(mapped);
+        return Optional.ofNullable(mapping).map(LiveMapping::robot);
     }
 
     /**
@@ -78,7 +56,6 @@ public final class CurrentMap {
             refuseToReplace("map open");
             map = opened;
         }
-        changed();
     }
 
     /**
@@ -86,13 +63,10 @@ public final class CurrentMap {
      *
      * @throws BotException if a robot builds it at the moment
      */
-    public void close() {
-        synchronized (this) {
-            refuseWhileMapping("map close");
-            map = null;
-            unsaved = false;
-        }
-        changed();
+    public synchronized void close() {
+        refuseWhileMapping("map close");
+        map = null;
+        unsaved = false;
     }
 
     private void refuseToReplace(String command) {
@@ -104,16 +78,16 @@ public final class CurrentMap {
     }
 
     private void refuseWhileMapping(String command) {
-        if (mapped != null) {
+        if (mapping != null) {
             throw new BotException(
-                    command + ": " + mapped.name() + " builds the map at the moment; \"map stop\" ends that");
+                    command + ": " + mapping.robot().name() + " builds the map at the moment; \"map stop\" ends that");
         }
     }
 
     /**
      * Begins a new map that a robot builds while it drives, in the background. The robot's pose at the first scan is
-     * taken as right; later the robot is placed where the map has it. It ends with {@link #stop}, and when the robot's
-     * connection is lost or closed.
+     * taken as right; later the robot is placed where the map has it. May block for half a second. It ends with
+     * {@link #stop}, and when the robot's connection is lost or closed.
      *
      * @param robot connected
      * @param place where a robot that was not placed stands in the frame of the map; null for where its poses have it
@@ -121,38 +95,39 @@ public final class CurrentMap {
      *     been saved
      */
     public void start(MajicBot robot, @Nullable Pose place) {
+        if (robot.rangeSensors().isEmpty()) {
+            throw new BotException("map start: " + robot.name()
+                    + " has no range sensors; a robot with a laser scanner or sonars would be right");
+        }
+        LiveMapping begun;
         synchronized (this) {
             refuseToReplace("map start");
-            if (robot.rangeSensors().isEmpty()) {
-                throw new BotException("map start: " + robot.name()
-                        + " has no range sensors; a robot with a laser scanner or sonars would be right");
-            }
-            if (robot.placedAt().isEmpty()) {
-                robot.place(place == null ? robot.state().pose() : place);
-            }
+            begun = mappingOf(robot);
             map = null;
-            try {
-                mapping = new LiveMapping(robot, grid -> draw(robot, grid));
-            } catch (NoClassDefFoundError e) {
-                throw new BotException(
-                        "map start: the library EJML is missing; org.ejml:ejml-dsparse on the class path would be right",
-                        e);
-            }
-            mapped = robot;
+            mapping = begun;
+        }
+        if (robot.placedAt().isEmpty()) {
+            robot.place(place == null ? robot.state().pose() : place);
         }
         robot.addListener(watch);
-        changed();
+        begun.begin();
     }
 
-    private void draw(MajicBot robot, OccupancyGrid grid) {
-        synchronized (this) {
-            if (mapped != robot) {
-                return;
-            }
+    private LiveMapping mappingOf(MajicBot robot) {
+        try {
+            return new LiveMapping(robot, grid -> draw(robot, grid));
+        } catch (NoClassDefFoundError e) {
+            throw new BotException(
+                    "map start: the library EJML is missing; org.ejml:ejml-dsparse on the class path would be right",
+                    e);
+        }
+    }
+
+    private synchronized void draw(MajicBot robot, OccupancyGrid grid) {
+        if (mappedBy().filter(robot::equals).isPresent()) {
             map = map == null ? NavigationMap.of(grid) : map.with(grid);
             unsaved = true;
         }
-        changed();
     }
 
     /**
@@ -166,20 +141,16 @@ public final class CurrentMap {
     private void endIfMappedBy(MajicBot robot) {
         LiveMapping ending;
         synchronized (this) {
-            if (mapped != robot || mapping == null) {
-                return;
-            }
             ending = mapping;
+        }
+        if (ending == null || ending.robot() != robot) {
+            return;
         }
         ending.end(LAST_S);
         robot.removeListener(watch);
         synchronized (this) {
-            if (mapping == ending) {
-                mapped = null;
-                mapping = null;
-            }
+            mapping = mapping == ending ? null : mapping;
         }
-        changed();
     }
 
     /**
@@ -188,12 +159,9 @@ public final class CurrentMap {
      * @param place on the map
      * @throws BotException if there is no map
      */
-    public void add(NavigationMap.Place place) {
-        synchronized (this) {
-            map = present("map place").with(place);
-            unsaved = true;
-        }
-        changed();
+    public synchronized void add(NavigationMap.Place place) {
+        map = present("map place").with(place);
+        unsaved = true;
     }
 
     private synchronized NavigationMap present(String command) {
@@ -223,10 +191,10 @@ public final class CurrentMap {
     /** Returns what is known of the map, in a line. */
     public synchronized String text() {
         String size = map == null ? "no map yet" : size(map);
-        if (mapped == null || mapping == null) {
+        if (mapping == null) {
             return map == null ? "there is no map" : size;
         }
-        return size + "; " + mapped.name() + " builds it: " + counted(mapping.scans(), "scan") + ", "
+        return size + "; " + mapping.robot().name() + " builds it: " + counted(mapping.scans(), "scan") + ", "
                 + counted(mapping.loops(), "loop");
     }
 
@@ -243,9 +211,5 @@ public final class CurrentMap {
                 grid.height() * grid.cellMm() / MM_PER_M,
                 grid.cellMm(),
                 counted(map.places().size(), "place"));
-    }
-
-    private void changed() {
-        listeners.forEach(Runnable::run);
     }
 }

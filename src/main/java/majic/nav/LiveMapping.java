@@ -1,5 +1,7 @@
 package majic.nav;
 
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.function.Consumer;
@@ -21,6 +23,8 @@ import org.jspecify.annotations.Nullable;
  * they are drawn where the odometry has the robot. Thread-safe.
  */
 final class LiveMapping implements ScanListener {
+    private static final Logger LOG = System.getLogger(LiveMapping.class.getName());
+
     /** A loop that closes takes some hundred milliseconds; the oldest scans of a longer time are left out. */
     private static final int MOST_WAITING = 30;
 
@@ -51,7 +55,7 @@ final class LiveMapping implements ScanListener {
     private volatile int loops;
 
     /**
-     * Asks the robot for its scans from now on.
+     * A mapping that {@link #begin} begins.
      *
      * @param robot with range sensors
      * @param drawn receives the map, in the frame of the robot's poses, each time it has become another one
@@ -60,8 +64,17 @@ final class LiveMapping implements ScanListener {
         this.robot = robot;
         this.drawn = drawn;
         this.changed = robot.time().signal();
+    }
+
+    /** Asks the robot for its scans from now on. */
+    void begin() {
         robot.time().thread("mapping", this::run).start();
         robot.addScanListener(this);
+    }
+
+    /** The robot that is driven. */
+    MajicBot robot() {
+        return robot;
     }
 
     /** The scans that are in the map so far. */
@@ -140,7 +153,10 @@ final class LiveMapping implements ScanListener {
             draw();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
+        } catch (RuntimeException | Error e) {
+            LOG.log(Level.ERROR, "mapping with " + robot.name() + " has ended", e);
         } finally {
+            robot.removeScanListener(this);
             synchronized (this) {
                 ended = true;
             }

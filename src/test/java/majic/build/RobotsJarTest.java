@@ -16,6 +16,7 @@ import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.PathMatcher;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -155,6 +156,18 @@ class RobotsJarTest {
         try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1)) {
             assertThat(run("TwentyLines", "add " + lab.address("pioneer").orElseThrow(), "1 move 20", "acts"))
                     .contains("1 move 20: done", "WanderDog");
+        }
+    }
+
+    @Test
+    void buildingAMapWithoutItsLibraryIsRefusedWithItsName() throws Exception {
+        Files.copy(
+                CLASSES.resolveSibling("test-classes").resolve("TwentyLines.class"),
+                jar.resolve("TwentyLines.class"),
+                StandardCopyOption.REPLACE_EXISTING);
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1)) {
+            assertThat(run("TwentyLines", "add " + lab.address("pioneer").orElseThrow(), "map start 1", "1 get x"))
+                    .contains("map start: the library EJML is missing", "1 x = ");
         }
     }
 

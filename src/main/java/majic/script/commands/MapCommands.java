@@ -41,7 +41,7 @@ final class MapCommands {
     record Start(Token at, Robots robots) implements SessionCommand {
         @Override
         public Scheduling scheduling() {
-            return Scheduling.AT_ONCE;
+            return Scheduling.BESIDE;
         }
 
         @Override
