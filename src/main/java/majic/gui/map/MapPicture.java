@@ -16,7 +16,6 @@ import majic.gui.kit.Palette;
 import majic.nav.grid.NavigationMap;
 import majic.nav.grid.OccupancyGrid;
 import majic.nav.grid.OccupancyGrid.State;
-import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 
 /**
@@ -37,22 +36,23 @@ public final class MapPicture {
         this.map = map;
         OccupancyGrid grid = map.grid();
         byte[] bytes = new byte[grid.width() * grid.height()];
-        Rectangle2D.Double extent = null;
+        int left = grid.width();
+        int right = 0;
+        int low = grid.height();
+        int high = 0;
         for (int row = 0; row < grid.height(); row++) {
             for (int column = 0; column < grid.width(); column++) {
                 State state = grid.state(column, row);
                 if (state != State.UNKNOWN) {
                     bytes[row * grid.width() + column] = state == State.FREE ? FREE : OCCUPIED;
-                    Rectangle2D.Double cell = new Rectangle2D.Double(column, row, 1, 1);
-                    if (extent == null) {
-                        extent = cell;
-                    } else {
-                        extent.add(cell);
-                    }
+                    left = Math.min(left, column);
+                    right = Math.max(right, column + 1);
+                    low = Math.min(low, row);
+                    high = row + 1;
                 }
             }
         }
-        known = extent == null ? new Rectangle2D.Double() : extent;
+        known = new Rectangle2D.Double(left, low, Math.max(0, right - left), Math.max(0, high - low));
         cells = Raster.createInterleavedRaster(
                 new DataBufferByte(bytes, bytes.length),
                 grid.width(),
@@ -80,7 +80,7 @@ public final class MapPicture {
     /** Draws the cells. */
     void paint(Graphics2D g, MapView view) {
         Color[] colors = {
-            new Color(0, true), DrawingColors.translucent(Palette.mixed(0.1), 1), Palette.mixed(0.75),
+            new Color(0, true), Palette.mixed(0.1), Palette.mixed(0.75),
         };
         byte[][] parts = new byte[4][KINDS];
         for (int kind = 0; kind < KINDS; kind++) {

@@ -39,7 +39,9 @@ final class LaserParameters implements ParameterTheme<Equipment> {
         Arrays.fill(nearest, Float.POSITIVE_INFINITY);
         for (int beam = 0; beam < scan.size(); beam++) {
             int sector = Math.min(SECTORS - 1, beam * SECTORS / scan.size());
-            nearest[sector] = Math.min(nearest[sector], scan.rangeMm(beam));
+            if (scan.rangeMm(beam) < nearest[sector]) {
+                nearest[sector] = scan.rangeMm(beam);
+            }
         }
         Value[] values = new Value[SECTORS];
         Arrays.setAll(values, sector -> mm(nearest[sector]));
