@@ -251,7 +251,8 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     /**
      * Returns the sensors with which the robot measures distances along beams, such as sonars or a laser scanner.
      *
-     * @return known once the robot is connected, and unchanged until it connects again; none unless overridden
+     * @return known once the robot is connected; a sensor that the robot describes only with its readings may come or
+     *     become another one later, as the driver says; none unless overridden
      */
     public List<RangeSensor> rangeSensors() {
         return List.of();
