@@ -88,6 +88,11 @@ class MajicHemissonOnAPortTest {
 
         List<String> afterMotion = robot.heard()
                 .subList(robot.heard().indexOf("D,3,3") + 1, robot.heard().size());
-        assertThat(afterMotion).filteredOn(command -> !command.startsWith("N")).containsExactly("D,0,0", "E");
+        assertThat(afterMotion)
+                .filteredOn(command -> !command.startsWith("N"))
+                .as(
+                        "a stop and the question for the speeds; the stop may be repeated if the first one is confirmed early")
+                .startsWith("D,0,0", "E")
+                .isSubsetOf("D,0,0", "E");
     }
 }
