@@ -219,8 +219,19 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * continues. The poses that follow are relative to it, also after the connection was lost and restored.
      *
      * @param pose where the robot is, in a frame that several robots can share: that of the team map
+     * @param uncertainty of that pose; from here on it grows with the way and the turns by odometry.
+     *     {@link Uncertainty#UNKNOWN} if the robot is lost: the pose is a guess
      */
-    public abstract void place(Pose pose);
+    public abstract void place(Pose pose, Uncertainty uncertainty);
+
+    /**
+     * Sets the pose as {@link #place(Pose, Uncertainty)} does, as precisely as a person places a robot.
+     *
+     * @param pose where the robot is
+     */
+    public final void place(Pose pose) {
+        place(pose, Uncertainty.BY_HAND);
+    }
 
     /**
      * Returns where this robot was placed last.
@@ -228,6 +239,13 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return the pose passed to {@link #place}; empty if its poses are relative to where it was connected
      */
     public abstract Optional<Pose> placedAt();
+
+    /**
+     * Returns how far the true pose of the robot may be from the one it reports.
+     *
+     * @return {@link Uncertainty#UNKNOWN} until it is placed, and while it is lost
+     */
+    public abstract Uncertainty uncertainty();
 
     /**
      * Returns the parameters that describe this one robot and hold for longer than a session, such as measured speeds.

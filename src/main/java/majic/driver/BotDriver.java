@@ -21,6 +21,7 @@ import majic.bot.Pose;
 import majic.bot.RangeScan;
 import majic.bot.Reading;
 import majic.bot.ScanListener;
+import majic.bot.Uncertainty;
 import majic.bot.Value;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -64,7 +65,9 @@ public abstract class BotDriver extends MovingRobot {
         this.name = "the " + type.label();
         this.atShutdown = new ShutdownHook.Closing(this::name, time(), this::revokeForGood, this::close);
         SharedParameters.describe(
-                parameters, new SharedParameters.Source(this::state, this::profile, time()), this::setPose);
+                parameters,
+                new SharedParameters.Source(this::state, this::uncertainty, this::profile, time()),
+                this::setPose);
         limits().describe(parameters);
     }
 
@@ -262,15 +265,21 @@ public abstract class BotDriver extends MovingRobot {
     }
 
     @Override
-    public final void place(Pose pose) {
+    public final void place(Pose pose, Uncertainty uncertainty) {
         Objects.requireNonNull(pose, "pose");
-        readings.place(pose);
+        Objects.requireNonNull(uncertainty, "uncertainty");
+        readings.place(pose, uncertainty);
         listeners.stateChanged();
     }
 
     @Override
     public final Optional<Pose> placedAt() {
         return readings.placedAt();
+    }
+
+    @Override
+    public Uncertainty uncertainty() {
+        return readings.uncertainty();
     }
 
     @Override

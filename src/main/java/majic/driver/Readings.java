@@ -6,6 +6,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 import majic.bot.BotState;
 import majic.bot.Pose;
+import majic.bot.Uncertainty;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
@@ -24,6 +25,7 @@ final class Readings {
 
     private Pose origin = Pose.START;
     private @Nullable Pose start;
+    private Uncertainty uncertainty = Uncertainty.UNKNOWN;
     private boolean reconnected;
 
     /**
@@ -44,6 +46,9 @@ final class Readings {
         synchronized (this) {
             if (reconnected && start != null) {
                 origin = origin.plus(own.pose()).originOf(reported.pose());
+            } else if (uncertainty.isKnown()) {
+                uncertainty = uncertainty.after(
+                        state.pose().headingDeg(), reported.pose().seenFrom(own.pose()));
             }
             reconnected = false;
             own = reported;
@@ -56,9 +61,10 @@ final class Readings {
      * Sets the pose of the robot's present place. That changes where users see the robot and never its odometry, so
      * that a motion in progress is not disturbed.
      */
-    void place(Pose pose) {
+    void place(Pose pose, Uncertainty certain) {
         synchronized (this) {
             start = pose;
+            uncertainty = certain;
             origin = pose.originOf(own.pose());
             state = shown();
         }
@@ -84,6 +90,11 @@ final class Readings {
     /** Returns the pose that was set last; empty if there is none. */
     synchronized Optional<Pose> placedAt() {
         return Optional.ofNullable(start);
+    }
+
+    /** Returns how far the true pose may be from the shown one. */
+    synchronized Uncertainty uncertainty() {
+        return uncertainty;
     }
 
     /** The next report begins a new session: a placed robot stays where it is, though it may count from zero again. */

@@ -7,6 +7,7 @@ import majic.bot.BotProfile;
 import majic.bot.BotState;
 import majic.bot.Parameter;
 import majic.bot.Pose;
+import majic.bot.Uncertainty;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.time.TimeSource;
@@ -18,7 +19,11 @@ final class SharedParameters {
     private SharedParameters() {}
 
     /** Where they are read. */
-    record Source(Supplier<BotState> states, Supplier<BotProfile> profiles, TimeSource time) {
+    record Source(
+            Supplier<BotState> states,
+            Supplier<Uncertainty> uncertainty,
+            Supplier<BotProfile> profiles,
+            TimeSource time) {
         BotState state() {
             return states.get();
         }
@@ -78,6 +83,17 @@ final class SharedParameters {
                                 place(bot, bot.state().pose().yMm(), Unit.MM),
                                 place(bot, bot.state().pose().headingDeg(), Unit.DEG))))
                 .writes(values -> place.accept(changed(bot.state().pose(), values)));
+        table.add(
+                Parameter.list("placed", Unit.MM, "the standard deviations of its place on the map and of its heading")
+                        .with(Parameter.number("heading", Unit.DEG, "of the heading")),
+                () -> placed(bot.uncertainty().get()));
+    }
+
+    private static Value placed(Uncertainty uncertainty) {
+        return uncertainty.isKnown()
+                ? Value.many(
+                        List.of(Value.of(uncertainty.sigmaMm(), Unit.MM), Value.of(uncertainty.sigmaDeg(), Unit.DEG)))
+                : Value.unknown("not placed");
     }
 
     private static Pose changed(Pose here, List<Value> values) {

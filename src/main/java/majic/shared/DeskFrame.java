@@ -52,7 +52,8 @@ final class DeskFrame {
         return isAdopted() || !POSE.matcher(condition).find();
     }
 
-    private boolean isAdopted() {
+    /** Returns whether the robot is in the frame of the desk. */
+    boolean isAdopted() {
         return bot.placedAt().equals(Optional.ofNullable(adopted));
     }
 }

@@ -22,6 +22,7 @@ import majic.bot.LinkLost;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.Uncertainty;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.BotDriver;
@@ -286,6 +287,19 @@ public final class MajicShared extends BotDriver {
                         Value.of(pose.yMm(), Unit.MM),
                         Value.of(pose.headingDeg(), Unit.DEG))));
         frame.adopt(pose);
+    }
+
+    /** In the frame of its desk, as the desk knows it: the desk may follow the robot on a map. */
+    @Override
+    public Uncertainty uncertainty() {
+        Uncertainty here = super.uncertainty();
+        JsonNode there = values().get("placed");
+        if (!here.isKnown() || !frame.isAdopted() || there == null) {
+            return here;
+        }
+        return there.path(0).isNumber() && there.path(1).isNumber()
+                ? Uncertainty.of(there.get(0).asDouble(), there.get(1).asDouble())
+                : Uncertainty.UNKNOWN;
     }
 
     private RobotCommands toDesk() {

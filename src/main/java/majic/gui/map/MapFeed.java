@@ -176,6 +176,7 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 member.label(),
                 member.bot().profile().bodyMm(),
                 reported,
+                member.bot().uncertainty(),
                 start.inLab ? truths.get(nameInLab(member)) : null,
                 start.trail,
                 member.bot().isConnected(),

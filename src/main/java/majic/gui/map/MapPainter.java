@@ -73,6 +73,7 @@ public final class MapPainter {
                 .map(robot -> new RobotGlyph(robot, view))
                 .toList();
         robots.forEach(robot -> robot.paintTrail(g));
+        robots.forEach(robot -> robot.paintUncertainty(g));
         robots.forEach(robot -> robot.paintBody(g));
         robots.forEach(robot -> robot.paintTruth(g));
         paintNumbers(robots, selected);

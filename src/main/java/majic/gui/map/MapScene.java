@@ -2,6 +2,7 @@ package majic.gui.map;
 
 import java.util.List;
 import majic.bot.Pose;
+import majic.bot.Uncertainty;
 import majic.lab.LabAccess.Furnishing;
 import majic.lab.LabAccess.Wall;
 import majic.panel.map.Trail;
@@ -40,6 +41,7 @@ public record MapScene(
      * @param label its name and type
      * @param bodyMm radius of its body
      * @param reported its estimated pose
+     * @param uncertainty of that pose
      * @param truth its true pose in the lab; null without a lab
      * @param trail its earlier estimated poses; grows
      * @param connected whether the pose is kept up to date
@@ -50,6 +52,7 @@ public record MapScene(
             String label,
             double bodyMm,
             Pose reported,
+            Uncertainty uncertainty,
             @Nullable Pose truth,
             Trail trail,
             boolean connected,

@@ -5,12 +5,15 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Shape;
 import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
+import majic.bot.Uncertainty;
 import majic.gui.kit.LineArt;
 import majic.gui.kit.NumberBadge;
 import majic.gui.kit.Palette;
@@ -27,6 +30,9 @@ final class RobotGlyph {
 
     private static final double TRAIL_STEP_PX = 2;
     private static final double TRAIL_OPACITY = 0.5;
+
+    /** The root of the 95 % quantile of a chi-squared distribution of two degrees of freedom. */
+    private static final double SIGMAS_OF_95 = 2.45;
 
     private static final Stroke TRAIL = new BasicStroke(1.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final Stroke ALARM = new BasicStroke(2.5f);
@@ -74,6 +80,26 @@ final class RobotGlyph {
         g.setStroke(TRAIL);
         g.setColor(DrawingColors.translucent(color, TRAIL_OPACITY));
         g.draw(view.transform().createTransformedShape(way));
+    }
+
+    /** Draws the ellipse within which the robot is with a probability of 95 %. */
+    void paintUncertainty(Graphics2D g) {
+        Uncertainty is = robot.uncertainty();
+        if (!is.isKnown()) {
+            return;
+        }
+        double mean = (is.xx() + is.yy()) / 2;
+        double apart = Math.hypot((is.xx() - is.yy()) / 2, is.xy());
+        AffineTransform onScreen = view.transform();
+        onScreen.translate(robot.reported().xMm(), robot.reported().yMm());
+        onScreen.rotate(Math.atan2(2 * is.xy(), is.xx() - is.yy()) / 2);
+        onScreen.scale(SIGMAS_OF_95 * Math.sqrt(mean + apart), SIGMAS_OF_95 * Math.sqrt(Math.max(0, mean - apart)));
+        Shape ellipse = onScreen.createTransformedShape(new Ellipse2D.Double(-1, -1, 2, 2));
+        g.setColor(DrawingColors.translucent(color, 0.15));
+        g.fill(ellipse);
+        g.setColor(DrawingColors.translucent(color, TRAIL_OPACITY));
+        g.setStroke(TRAIL);
+        g.draw(ellipse);
     }
 
     void paintBody(Graphics2D g) {

@@ -9,6 +9,7 @@ import java.util.function.Consumer;
 import javax.swing.SwingUtilities;
 import majic.bot.BotException;
 import majic.bot.Pose;
+import majic.bot.Uncertainty;
 import majic.gui.kit.CommandChannel;
 import majic.panel.map.Trail;
 import majic.team.Member;
@@ -135,6 +136,7 @@ final class RobotPlacing extends MouseAdapter {
                 robot.label(),
                 robot.bodyMm(),
                 pose,
+                Uncertainty.UNKNOWN,
                 robot.truth() == null ? null : pose,
                 new Trail(),
                 robot.connected(),

@@ -9,6 +9,7 @@ import java.util.OptionalInt;
 import majic.bot.BotType;
 import majic.bot.BotType.ReplayDisplay;
 import majic.bot.Pose;
+import majic.bot.Uncertainty;
 import majic.bot.Value;
 import majic.gui.bots.BatteryLevel;
 import majic.gui.bots.RobotSummary;
@@ -124,6 +125,7 @@ final class ReplayRobot implements AutoCloseable {
                 robot().label(),
                 robot().bodyMm(),
                 place(atS),
+                Uncertainty.UNKNOWN,
                 truth,
                 trail,
                 bot.isConnected(),

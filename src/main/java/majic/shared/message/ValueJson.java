@@ -67,7 +67,7 @@ public final class ValueJson {
     public static Value read(JsonNode json, Parameter parameter) {
         if (json.isArray()) {
             List<Value> items = new ArrayList<>();
-            json.forEach(item -> items.add(read(item, parameter)));
+            json.forEach(item -> items.add(read(item, part(parameter, items.size()))));
             return Value.many(items);
         }
         if (json.isBoolean()) {
@@ -76,6 +76,11 @@ public final class ValueJson {
                     : Value.yesNo(json.booleanValue());
         }
         return json.isObject() ? readObject(json, parameter) : readScalar(json, parameter.unit(), false);
+    }
+
+    /** The description of a part of a list, which may have a unit of its own. */
+    private static Parameter part(Parameter list, int index) {
+        return index > 0 && index <= list.extras().size() ? list.extras().get(index - 1) : list;
     }
 
     private static Value readObject(JsonNode json, Parameter parameter) {

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 class MapFeedTest {
     private final BotFactory factory = new BotFactory(List.of(new ToyType(BotType.Reach.TCP)), Settings.inMemory());
     private final Team team = new Team(TimeSource.system());
-    private final CurrentMap map = new CurrentMap();
+    private final CurrentMap map = new CurrentMap((bot, news) -> {});
     private final MapFeed feed = new MapFeed(team, factory, map, scene -> {});
 
     @AfterEach

@@ -9,6 +9,7 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import majic.bot.Pose;
+import majic.bot.Uncertainty;
 import majic.gui.kit.Palette;
 import majic.lab.LabAccess.Furnishing;
 import majic.lab.LabAccess.Lamp;
@@ -52,10 +53,42 @@ class MapPaintTest {
     }
 
     @Test
+    void theUncertaintyOfAPlaceIsDrawnAsAnEllipseAroundTheRobot() {
+        MapScene.Robot certain = robot(new Pose(2000, 1500, 0), null);
+        BufferedImage small = paint(scene(with(certain, Uncertainty.of(300, 3))));
+        BufferedImage large = paint(scene(with(certain, Uncertainty.of(600, 3))));
+
+        assertThat(differences(paint(scene(certain)), small)).isGreaterThan(1000);
+        assertThat(differences(paint(scene(certain)), large))
+                .isGreaterThan(2 * differences(paint(scene(certain)), small));
+    }
+
+    private static MapScene.Robot with(MapScene.Robot robot, Uncertainty uncertainty) {
+        return new MapScene.Robot(
+                robot.number(),
+                robot.label(),
+                robot.bodyMm(),
+                robot.reported(),
+                uncertainty,
+                null,
+                new Trail(),
+                true,
+                false);
+    }
+
+    @Test
     void aRobotThatHasNotConfirmedItsStopIsMarkedInTheAlarmColour() {
         MapScene.Robot quiet = robot(new Pose(2000, 1500, 0), null);
         MapScene.Robot unconfirmed = new MapScene.Robot(
-                quiet.number(), quiet.label(), quiet.bodyMm(), quiet.reported(), null, new Trail(), true, true);
+                quiet.number(),
+                quiet.label(),
+                quiet.bodyMm(),
+                quiet.reported(),
+                Uncertainty.UNKNOWN,
+                null,
+                new Trail(),
+                true,
+                true);
 
         assertThat(alarms(paint(scene(quiet)))).isZero();
         assertThat(alarms(paint(scene(unconfirmed)))).isGreaterThan(100);
@@ -152,7 +185,7 @@ class MapPaintTest {
     }
 
     private static MapScene.Robot robot(Pose believed, @Nullable Pose truth) {
-        return new MapScene.Robot(1, "Toy", 200, believed, truth, new Trail(), true, false);
+        return new MapScene.Robot(1, "Toy", 200, believed, Uncertainty.UNKNOWN, truth, new Trail(), true, false);
     }
 
     private BufferedImage paint(MapScene scene) {
