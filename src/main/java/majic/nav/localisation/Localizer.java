@@ -1,7 +1,6 @@
 package majic.nav.localisation;
 
-import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -9,6 +8,7 @@ import java.util.Random;
 import majic.bot.Beam;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
+import majic.bot.Uncertainty;
 import majic.nav.grid.LikelihoodField;
 import majic.nav.grid.OccupancyGrid;
 import majic.nav.grid.OccupancyGrid.State;
@@ -16,11 +16,11 @@ import majic.nav.mapping.ScanOdometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds a robot on a map by particles (Dellaert, Fox, Burgard, Thrun 1999) with a likelihood field, as many as the
- * uncertainty needs (KLD sampling, Fox 2003). While it looks everywhere, scans that fit worse than those before add
- * particles from anywhere (augmented MCL; Thrun, Burgard, Fox 2005, 8.3.3). A robot that was carried away is noticed by
- * scans that contradict the map for {@value #STEADY} updates, and is looked for again. Echoes in what is unknown do not
- * count, so that a robot in a room that is not on the map keeps its place by odometry.
+ * Finds a robot on a map by particles (Dellaert, Fox, Burgard, Thrun 1999) with a likelihood field. While it looks
+ * everywhere, scans that fit worse than those before add particles from anywhere (augmented MCL; Thrun, Burgard, Fox
+ * 2005, 8.3.3). A robot that was carried away is noticed by scans that contradict the map for {@value #STEADY} updates,
+ * and is looked for again; if they only fit badly, it is looked for elsewhere while it is tracked. Echoes in what is
+ * unknown do not count, so that a robot in a room that is not on the map keeps its place by odometry.
  *
  * <p>An estimate is placed if one group of particles has nearly all weight and its scans have fitted the map for
  * {@value #STEADY} updates; a wrong group rarely survives so many. A scan counts if the robot has moved by 100 mm or
@@ -52,24 +52,23 @@ public final class Localizer {
     /** The logarithm of the likelihood of an echo in what is unknown: between that of agreement and that of none. */
     private static final double NEUTRAL = -1;
 
-    private static final int LEAST = 500;
-    private static final int MOST = 20_000;
     private static final int TRIALS = 100_000;
 
-    /** KLD sampling: error 0.05 with probability 0.99 in bins of 0.5 m and 10 degrees (Fox 2003, section 4). */
-    private static final double BIN_MM = 500;
+    /** Of these, so many are moved to the best place nearby, by steps from 200 mm and 8 degrees down to an eighth. */
+    private static final int REFINED = 2000;
 
-    private static final double BIN_DEG = 10;
-    private static final double ERROR = 0.05;
-    private static final double QUANTILE = 2.33;
+    private static final double FINEST = 0.125;
+    private static final List<Pose> ASIDE = List.of(
+            new Pose(200, 0, 0),
+            new Pose(-200, 0, 0),
+            new Pose(0, 200, 0),
+            new Pose(0, -200, 0),
+            new Pose(0, 0, 8),
+            new Pose(0, 0, -8));
 
     private static final double SLOW = 0.02;
     private static final double FAST = 0.2;
 
-    /** The group around the best bin: all particles within this. */
-    private static final double GROUP_MM = 1000;
-
-    private static final double GROUP_DEG = 30;
     private static final double DOMINANT = 0.95;
     private static final double MOST_SIGMA_MM = 400;
 
@@ -82,14 +81,24 @@ public final class Localizer {
     private static final double LEAST_KNOWN = 0.6;
 
     /** Below this share for as many updates, a robot has been carried away. */
-    private static final double LOST_FIT = 0.4;
+    private static final double LOST_FIT = 0.6;
 
     private static final int STEADY = 10;
 
+    /** So far the robot has to drive while its scans fit; on a shorter way, parts of a building look alike. */
+    private static final double STEADY_MM = 3000;
+
+    /** Below this share for as many updates, it is looked for elsewhere as well, once in a hundred updates. */
+    private static final double DOUBTFUL_FIT = 0.9;
+
+    private static final int DOUBT_AGAIN = 100;
+
+    /** Another place is taken if so many more of the echoes are near its walls. */
+    private static final double FAR_BETTER = 0.15;
+
     private final LikelihoodField field;
     private final Random random;
-    private List<Pose> particles = new ArrayList<>();
-    private double[] weights = {};
+    private Particles particles;
     private @Nullable Pose odometry;
     private @Nullable Pose newest;
     private boolean global;
@@ -97,12 +106,14 @@ public final class Localizer {
     private double fast;
     private double fit;
     private int steady;
+    private double steadyMm;
     private int unfit;
+    private int doubtful;
+    private @Nullable Localizer rival;
     private final ScanOdometry matched = new ScanOdometry();
     private @Nullable Pose matchedPose;
     private boolean placed;
-    private double dominant;
-    private PoseEstimate estimate = new PoseEstimate(Pose.START, 0, 0, 0, 180, false);
+    private Particles.Group group = new Particles.Group(Pose.START, Uncertainty.UNKNOWN, 0);
 
     /**
      * Makes a localizer that looks everywhere.
@@ -111,8 +122,13 @@ public final class Localizer {
      * @param seed of the random numbers; the same seed and scans give the same estimates
      */
     public Localizer(OccupancyGrid map, long seed) {
-        field = new LikelihoodField(map);
-        random = new Random(seed);
+        this(new LikelihoodField(map), new Random(seed));
+    }
+
+    private Localizer(LikelihoodField field, Random random) {
+        this.field = field;
+        this.random = random;
+        particles = new Particles(random);
         search();
     }
 
@@ -121,17 +137,20 @@ public final class Localizer {
         global = true;
         placed = false;
         steady = 0;
+        steadyMm = 0;
         unfit = 0;
         fit = 0;
         slow = 0;
         fast = 0;
-        particles = new ArrayList<>();
+        doubtful = 0;
+        rival = null;
+        particles.clear();
     }
 
     /**
      * Places the robot, for instance where a user has put it on the map.
      *
-     * @param pose on the map
+     * @param pose on the map, at the last scan that was added, or at the first one if none was
      * @param sigmaMm the standard deviation of the place in each direction
      * @param sigmaDeg the standard deviation of the heading
      */
@@ -140,14 +159,8 @@ public final class Localizer {
         global = false;
         placed = true;
         fit = 1;
-        for (int index = 0; index < LEAST; index++) {
-            particles.add(new Pose(
-                    pose.xMm() + sigmaMm * random.nextGaussian(),
-                    pose.yMm() + sigmaMm * random.nextGaussian(),
-                    pose.headingDeg() + sigmaDeg * random.nextGaussian()));
-        }
-        weights = equal(particles.size());
-        summarise();
+        particles.scatter(pose, sigmaMm, sigmaDeg);
+        group = particles.group();
         odometry = newest;
     }
 
@@ -155,30 +168,71 @@ public final class Localizer {
      * Takes a scan into account.
      *
      * @param scan its odometry in the same frame as that of the scans before
+     * @return whether the estimate has become another one
      */
-    public void add(RangeScan scan) {
+    public boolean add(RangeScan scan) {
         newest = scan.odometry();
         Echoes echoes = Echoes.of(scan);
         if (echoes.count() == 0) {
-            return;
+            return false;
         }
-        if (particles.isEmpty()) {
+        if (particles.count() == 0) {
             step(scan);
             odometry = newest;
             spread(echoes);
-            return;
+            return true;
         }
         if (odometry != null && isSmall(newest.seenFrom(odometry))) {
-            return;
+            return false;
         }
         Pose step = step(scan);
         double share = scan.size() >= DENSE ? MATCHED : 1;
         odometry = newest;
-        particles.replaceAll(particle -> particle.plus(MotionModel.sample(step, share, random)));
+        particles.move(step, share);
         weigh(echoes);
-        resample(echoes);
-        summarise();
-        judge(echoes);
+        double lost = global ? Math.max(0, 1 - fast / slow) : 0;
+        particles.resample(lost > 0.1 ? lost / 2 : 0, () -> best(echoes));
+        group = particles.group();
+        judge(echoes, step);
+        if (placed) {
+            doubt(scan);
+        }
+        return true;
+    }
+
+    /**
+     * While the scans of a placed robot fit worse than usual, another localizer looks for it everywhere. If its place
+     * fits far better, the robot is no longer placed; it is there if that place goes on fitting.
+     */
+    private void doubt(RangeScan scan) {
+        doubtful = fit < DOUBTFUL_FIT ? doubtful + 1 : 0;
+        if (doubtful == 0) {
+            rival = null;
+        } else if (doubtful % DOUBT_AGAIN == STEADY) {
+            rival = new Localizer(field, random);
+        }
+        Localizer other = rival;
+        if (other == null) {
+            return;
+        }
+        other.add(scan);
+        if (other.placed) {
+            rival = null;
+            if (other.fit > fit + FAR_BETTER) {
+                particles = other.particles;
+                group = other.group;
+                fit = other.fit;
+                placed = false;
+                global = true;
+                steady = 0;
+                steadyMm = 0;
+            }
+        }
+    }
+
+    /** A turn shows as much that is new as a way. */
+    private static double length(Pose step) {
+        return Math.max(Math.hypot(step.xMm(), step.yMm()), Math.abs(step.headingDeg()) * STEP_MM / STEP_DEG);
     }
 
     private static boolean isSmall(Pose step) {
@@ -203,20 +257,13 @@ public final class Localizer {
      * @return the estimate, moved by the odometry since the last scan that counted
      */
     public PoseEstimate estimate(Pose now) {
-        return odometry == null
-                ? estimate
-                : new PoseEstimate(
-                        estimate.pose().plus(now.seenFrom(odometry)),
-                        estimate.varianceXmm2(),
-                        estimate.covarianceXYmm2(),
-                        estimate.varianceYmm2(),
-                        estimate.sigmaDeg(),
-                        estimate.placed());
+        Pose pose = odometry == null ? group.mean() : group.mean().plus(now.seenFrom(odometry));
+        return new PoseEstimate(pose, group.uncertainty(), placed);
     }
 
     /** Returns the number of particles in use. */
     public int particles() {
-        return particles.size();
+        return particles.count();
     }
 
     /** The compared echoes in the robot's frame. */
@@ -292,12 +339,6 @@ public final class Localizer {
         return false;
     }
 
-    private static double[] equal(int count) {
-        double[] weights = new double[count];
-        Arrays.fill(weights, 1.0 / count);
-        return weights;
-    }
-
     /** A pose anywhere on the free floor. */
     private Pose anywhere() {
         OccupancyGrid grid = field.grid();
@@ -312,93 +353,56 @@ public final class Localizer {
         return grid.centre(grid.width() / 2, grid.height() / 2);
     }
 
-    /** Draws many poses and keeps those that the scan fits best (sensor resetting; Lenser and Veloso 2000). */
+    /**
+     * Draws many poses, keeps the best of each bin, and moves those to where the scan fits best nearby: too few poses
+     * are drawn to hit each place by chance.
+     */
     private void spread(Echoes echoes) {
-        List<Pose> drawn = new ArrayList<>(TRIALS);
-        double[] likely = new double[TRIALS];
-        double most = Double.NEGATIVE_INFINITY;
+        Map<Long, Candidate> best = new HashMap<>();
         for (int index = 0; index < TRIALS; index++) {
-            drawn.add(anywhere());
-            likely[index] = likelihood(drawn.get(index), echoes) * INDEPENDENT / 2;
-            most = Math.max(most, likely[index]);
+            Pose pose = anywhere();
+            best.merge(Particles.bin(pose), new Candidate(pose, likelihood(pose, echoes)), Candidate::better);
         }
-        particles = drawn;
-        weights = likely;
-        normalise(most);
-        draw(MOST, echoes, 0);
-        summarise();
+        particles.take(best.values().stream()
+                .sorted(Comparator.comparingDouble(Candidate::likelihood).reversed())
+                .limit(REFINED)
+                .map(candidate -> refined(candidate, echoes).pose())
+                .toList());
+        particles.weigh(pose -> likelihood(pose, echoes), INDEPENDENT / 2);
+        particles.resampleMost();
+        group = particles.group();
     }
 
-    private void normalise(double most) {
-        double sum = 0;
-        for (int index = 0; index < weights.length; index++) {
-            weights[index] = Math.exp(weights[index] - most);
-            sum += weights[index];
+    /** A pose with the logarithm of the likelihood of a scan. */
+    private record Candidate(Pose pose, double likelihood) {
+        Candidate better(Candidate other) {
+            return other.likelihood > likelihood ? other : this;
         }
-        for (int index = 0; index < weights.length; index++) {
-            weights[index] /= sum;
+    }
+
+    /** The best pose near one, by steps in each direction that are halved. */
+    private Candidate refined(Candidate from, Echoes echoes) {
+        Candidate best = from;
+        for (double step = 1; step >= FINEST; step /= 2) {
+            Candidate before;
+            do {
+                before = best;
+                for (Pose aside : ASIDE) {
+                    Pose pose = new Pose(
+                            before.pose.xMm() + step * aside.xMm(),
+                            before.pose.yMm() + step * aside.yMm(),
+                            before.pose.headingDeg() + step * aside.headingDeg());
+                    best = best.better(new Candidate(pose, likelihood(pose, echoes)));
+                }
+            } while (best != before);
         }
+        return best;
     }
 
     private void weigh(Echoes echoes) {
-        weights = new double[particles.size()];
-        double most = Double.NEGATIVE_INFINITY;
-        double mean = 0;
-        for (int index = 0; index < weights.length; index++) {
-            double log = likelihood(particles.get(index), echoes);
-            mean += Math.exp(log) / weights.length;
-            weights[index] = log * (global ? INDEPENDENT / 2 : INDEPENDENT);
-            most = Math.max(most, weights[index]);
-        }
+        double mean = particles.weigh(pose -> likelihood(pose, echoes), global ? INDEPENDENT / 2 : INDEPENDENT);
         slow += slow == 0 ? mean : SLOW * (mean - slow);
         fast += fast == 0 ? mean : FAST * (mean - fast);
-        normalise(most);
-    }
-
-    private void resample(Echoes echoes) {
-        double lost = global ? Math.max(0, 1 - fast / slow) : 0;
-        draw(needed(), echoes, lost > 0.1 ? lost / 2 : 0);
-    }
-
-    /** The number of particles by KLD sampling, from the bins that have weight. */
-    private int needed() {
-        Map<Long, Double> bins = new HashMap<>();
-        for (int index = 0; index < weights.length; index++) {
-            bins.merge(bin(particles.get(index)), weights[index], Double::sum);
-        }
-        long filled = bins.values().stream().filter(weight -> weight > 1e-4).count();
-        if (filled < 2) {
-            return LEAST;
-        }
-        double k = filled - 1;
-        double a = 2 / (9 * k);
-        double needed = k / (2 * ERROR) * Math.pow(1 - a + Math.sqrt(a) * QUANTILE, 3);
-        return (int) Math.max(LEAST, Math.min(MOST, needed));
-    }
-
-    private static long bin(Pose pose) {
-        long x = (long) Math.floor(pose.xMm() / BIN_MM);
-        long y = (long) Math.floor(pose.yMm() / BIN_MM);
-        long t = (long) Math.floor((pose.headingDeg() + 180) / BIN_DEG);
-        return (x * 1_000_003 + y) * 64 + t;
-    }
-
-    /**
-     * Systematic resampling (low variance; Thrun, Burgard, Fox 2005, table 4.4), with a share of poses from anywhere.
-     */
-    private void draw(int count, Echoes echoes, double anywhere) {
-        List<Pose> next = new ArrayList<>(count);
-        double at = random.nextDouble() / count;
-        double sum = weights[0];
-        int index = 0;
-        for (int number = 0; number < count; number++, at += 1.0 / count) {
-            while (at > sum && index < weights.length - 1) {
-                sum += weights[++index];
-            }
-            next.add(anywhere > 0 && random.nextDouble() < anywhere ? best(echoes) : particles.get(index));
-        }
-        particles = next;
-        weights = equal(count);
     }
 
     /** The best of ten poses from anywhere. */
@@ -416,71 +420,23 @@ public final class Localizer {
         return best;
     }
 
-    /** The mean and the covariance of the particles around the fullest bin. */
-    private void summarise() {
-        Map<Long, Integer> bins = new HashMap<>();
-        Pose centre = particles.get(0);
-        int most = 0;
-        for (Pose particle : particles) {
-            int count = bins.merge(bin(particle), 1, Integer::sum);
-            if (count > most) {
-                most = count;
-                centre = particle;
-            }
-        }
-        double x = 0;
-        double y = 0;
-        double turn = 0;
-        List<Pose> group = new ArrayList<>();
-        for (Pose particle : particles) {
-            double turned = Pose.normalised(particle.headingDeg() - centre.headingDeg());
-            if (particle.distanceMm(centre) < GROUP_MM && Math.abs(turned) < GROUP_DEG) {
-                group.add(particle);
-                x += particle.xMm();
-                y += particle.yMm();
-                turn += turned;
-            }
-        }
-        int count = group.size();
-        Pose mean = new Pose(x / count, y / count, centre.headingDeg() + turn / count);
-        double xx = 0;
-        double xy = 0;
-        double yy = 0;
-        double tt = 0;
-        for (Pose particle : group) {
-            double dx = particle.xMm() - mean.xMm();
-            double dy = particle.yMm() - mean.yMm();
-            xx += dx * dx / count;
-            xy += dx * dy / count;
-            yy += dy * dy / count;
-            tt += Math.pow(Pose.normalised(particle.headingDeg() - mean.headingDeg()), 2) / count;
-        }
-        dominant = (double) count / particles.size();
-        estimate = new PoseEstimate(mean, xx, xy, yy, Math.sqrt(tt), placed);
-    }
-
     /** Decides whether the estimate may be relied on. */
-    private void judge(Echoes echoes) {
-        Fit now = fitAt(estimate.pose(), echoes);
+    private void judge(Echoes echoes, Pose step) {
+        Fit now = fitAt(group.mean(), echoes);
         if (now.known() > LEAST_KNOWN) {
             fit += (fit == 0 ? 1 : FAST) * (now.near() - fit);
-            boolean agrees = dominant > DOMINANT && estimate.sigmaMm() < MOST_SIGMA_MM && fit > LEAST_FIT;
+            boolean agrees =
+                    group.share() > DOMINANT && group.uncertainty().sigmaMm() < MOST_SIGMA_MM && fit > LEAST_FIT;
             steady = agrees ? steady + 1 : 0;
-            unfit = fit < (global ? LEAST_FIT : LOST_FIT) ? unfit + 1 : 0;
+            steadyMm = agrees ? steadyMm + length(step) : 0;
         }
-        if (steady >= STEADY) {
+        unfit = fit < (global ? LEAST_FIT : LOST_FIT) ? unfit + 1 : 0;
+        if (steady >= STEADY && steadyMm >= STEADY_MM) {
             placed = true;
             global = false;
         }
         if (unfit >= STEADY) {
             search();
         }
-        estimate = new PoseEstimate(
-                estimate.pose(),
-                estimate.varianceXmm2(),
-                estimate.covarianceXYmm2(),
-                estimate.varianceYmm2(),
-                estimate.sigmaDeg(),
-                placed);
     }
 }

@@ -97,28 +97,4 @@ class LocalizerTest {
 
         assertThat(one.estimate(odometry.get(5))).isEqualTo(other.estimate(odometry.get(5)));
     }
-
-    @Test
-    void theUncertaintyOfOdometryGrowsMostAcrossTheWay() {
-        OdometryPlace place = new OdometryPlace(Pose.START, Pose.START, 10, 1);
-        for (int step = 1; step <= 50; step++) {
-            place.moved(new Pose(100 * step, 0, 0));
-        }
-
-        PoseEstimate is = place.estimate();
-
-        assertThat(is.pose().xMm()).isCloseTo(5000, within(1e-6));
-        assertThat(Math.sqrt(is.varianceXmm2())).isCloseTo(100 * Math.sqrt(5), within(5.0));
-        assertThat(is.varianceYmm2()).isGreaterThan(is.varianceXmm2());
-        assertThat(is.sigmaDeg()).isCloseTo(Math.sqrt(1 + 9 * 5), within(0.1));
-        assertThat(is.sigmaMm()).isCloseTo(Math.sqrt(is.varianceYmm2()), within(1.0));
-    }
-
-    @Test
-    void theOdometryMayBeginAnywhereInItsOwnFrame() {
-        OdometryPlace place = new OdometryPlace(new Pose(1000, 0, 90), new Pose(-500, 300, 45), 0, 0);
-        place.moved(new Pose(-500, 300, 45).plus(new Pose(200, 0, 10)));
-
-        assertThat(place.estimate().pose().distanceMm(new Pose(1000, 200, 100))).isLessThan(0.001);
-    }
 }
