@@ -2,10 +2,15 @@ package majic.nav;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.BiConsumer;
 import majic.bot.BotException;
 import majic.bot.BotListener;
+import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.nav.file.MapFiles;
@@ -14,8 +19,8 @@ import majic.nav.grid.OccupancyGrid;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The map of a team: opened from a file, or built by a robot while it drives. Its frame is that of the robots' poses.
- * Thread-safe.
+ * The map of a team: opened from a file, or built by a robot while it drives. Its frame is that of the robots' poses,
+ * and it keeps the places of the robots that it follows right. Thread-safe.
  */
 public final class CurrentMap {
     private static final double LAST_S = 30;
@@ -24,14 +29,114 @@ public final class CurrentMap {
     private @Nullable NavigationMap map;
     private @Nullable LiveMapping mapping;
     private boolean unsaved;
+    private final BiConsumer<MajicBot, String> news;
+    private final Map<MajicBot, LiveLocalisation> localised = new ConcurrentHashMap<>();
+
+    /** Whether robots can be found on the map: there is one, and none builds it. */
+    private volatile boolean stands;
+
     private final BotListener watch = new BotListener() {
+        @Override
+        public void stateChanged(MajicBot bot, BotState state) {
+            if (stands && !localised.containsKey(bot) && canBeTracked(bot)) {
+                bot.time().runAsync("localisation", () -> track(bot));
+            }
+        }
+
         @Override
         public void connectionChanged(MajicBot bot, MajicBot.Connection now) {
             if (now == MajicBot.Connection.LOST || now == MajicBot.Connection.CLOSED) {
+                endLocalisation(bot);
                 bot.time().runAsync("end of mapping", () -> endIfMappedBy(bot));
             }
         }
     };
+
+    /**
+     * No map.
+     *
+     * @param news receives what happens to a robot that is followed or builds the map, as the rest of a sentence that
+     *     begins with its name; on a thread of its own, and must return soon
+     */
+    public CurrentMap(BiConsumer<MajicBot, String> news) {
+        this.news = news;
+    }
+
+    /**
+     * Keeps the place of a robot right from now on, if it has range sensors: whenever there is a map that no robot
+     * builds at the moment and the robot is placed, its place is corrected by what it measures. That never changes a
+     * motion, which goes by the odometry.
+     *
+     * @param robot any
+     */
+    public void follow(MajicBot robot) {
+        robot.addListener(watch);
+    }
+
+    /**
+     * Corrects the place of a robot no longer.
+     *
+     * @param robot one that was followed
+     */
+    public void unfollow(MajicBot robot) {
+        robot.removeListener(watch);
+        endLocalisation(robot);
+    }
+
+    /**
+     * Looks for a robot everywhere on the map. Until it is found its place is unknown; for that it has to drive some
+     * metres.
+     *
+     * @param robot connected, one that is followed
+     * @throws BotException if it has no range sensors, there is no map, or a robot builds it at the moment
+     */
+    public synchronized void localize(MajicBot robot) {
+        if (robot.rangeSensors().isEmpty()) {
+            throw new BotException("localize: " + robot.name()
+                    + " has no range sensors; \"set pose\" places it, or dragging it on the map");
+        }
+        NavigationMap known = present("localize");
+        refuseWhileMapping("localize");
+        LiveLocalisation running = localised.get(robot);
+        if (running == null) {
+            begin(robot, known, true);
+        } else {
+            running.search();
+        }
+    }
+
+    private synchronized void track(MajicBot robot) {
+        if (stands && map != null && !localised.containsKey(robot) && canBeTracked(robot)) {
+            begin(robot, map, false);
+        }
+    }
+
+    private static boolean canBeTracked(MajicBot robot) {
+        return robot.isConnected()
+                && robot.uncertainty().isKnown()
+                && !robot.rangeSensors().isEmpty();
+    }
+
+    private void begin(MajicBot robot, NavigationMap known, boolean search) {
+        LiveLocalisation begun = new LiveLocalisation(robot, known.grid(), search, text -> news.accept(robot, text));
+        localised.put(robot, begun);
+        begun.begin();
+    }
+
+    private void endLocalisation(MajicBot robot) {
+        LiveLocalisation ending = localised.remove(robot);
+        if (ending != null) {
+            ending.end();
+        }
+    }
+
+    /** Sets another map, or none; robots are tracked anew if it stands. */
+    private void change(@Nullable NavigationMap now, boolean changed) {
+        List.copyOf(localised.keySet()).forEach(this::endLocalisation);
+        map = now;
+        unsaved = changed;
+        stands = now != null && mapping == null;
+    }
 
     /** Returns the map as it is now; empty if there is none. */
     public synchronized Optional<NavigationMap> get() {
@@ -54,7 +159,7 @@ public final class CurrentMap {
         NavigationMap opened = MapFiles.read(file);
         synchronized (this) {
             refuseToReplace("map open");
-            map = opened;
+            change(opened, false);
         }
     }
 
@@ -65,8 +170,7 @@ public final class CurrentMap {
      */
     public synchronized void close() {
         refuseWhileMapping("map close");
-        map = null;
-        unsaved = false;
+        change(null, false);
     }
 
     private void refuseToReplace(String command) {
@@ -87,9 +191,9 @@ public final class CurrentMap {
     /**
      * Begins a new map that a robot builds while it drives, in the background. The robot's pose at the first scan is
      * taken as right; later the robot is placed where the map has it. May block for half a second. It ends with
-     * {@link #stop}, and when the robot's connection is lost or closed.
+     * {@link #stop}, and when the connection of a robot that is followed is lost or closed.
      *
-     * @param robot connected
+     * @param robot connected, one that is followed
      * @param place where a robot that was not placed stands in the frame of the map; null for where its poses have it
      * @throws BotException if it has no range sensors, a robot builds a map at the moment, or the one there is has not
      *     been saved
@@ -103,24 +207,28 @@ public final class CurrentMap {
         synchronized (this) {
             refuseToReplace("map start");
             begun = mappingOf(robot);
-            map = null;
             mapping = begun;
+            change(null, false);
         }
         if (robot.placedAt().isEmpty()) {
             robot.place(place == null ? robot.state().pose() : place);
         }
-        robot.addListener(watch);
         begun.begin();
     }
 
     private LiveMapping mappingOf(MajicBot robot) {
         try {
-            return new LiveMapping(robot, grid -> draw(robot, grid));
+            return new LiveMapping(robot, grid -> draw(robot, grid), () -> failed(robot));
         } catch (NoClassDefFoundError e) {
             throw new BotException(
                     "map start: the library EJML is missing; org.ejml:ejml-dsparse on the class path would be right",
                     e);
         }
+    }
+
+    private void failed(MajicBot robot) {
+        news.accept(robot, "builds the map no longer because of an error in MAJIC; the log has it");
+        robot.time().runAsync("end of mapping", () -> endIfMappedBy(robot));
     }
 
     private synchronized void draw(MajicBot robot, OccupancyGrid grid) {
@@ -147,9 +255,9 @@ public final class CurrentMap {
             return;
         }
         ending.end(LAST_S);
-        robot.removeListener(watch);
         synchronized (this) {
             mapping = mapping == ending ? null : mapping;
+            stands = map != null && mapping == null;
         }
     }
 

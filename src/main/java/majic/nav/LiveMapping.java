@@ -1,33 +1,22 @@
 package majic.nav;
 
-import java.lang.System.Logger;
-import java.lang.System.Logger.Level;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.function.Consumer;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
-import majic.bot.RangeSensor;
-import majic.bot.ScanListener;
+import majic.bot.Uncertainty;
 import majic.nav.grid.GridBuilder;
 import majic.nav.grid.OccupancyGrid;
 import majic.nav.mapping.Mapper;
-import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Builds a map of what one robot measures while it drives, on a thread of its own. The frame of the map is that of the
- * robot's poses when the first scan comes. With a laser scanner the scans are matched, and the robot is placed where
- * the map has it, whenever its odometry has become wrong. The few wide beams of sonars say too little of the place:
- * they are drawn where the odometry has the robot. Thread-safe.
+ * Builds a map of what one robot measures while it drives. The frame of the map is that of the robot's poses when the
+ * first scan comes. With a laser scanner the scans are matched, and the robot is placed where the map has it, whenever
+ * its odometry has become wrong. The few wide beams of sonars say too little of the place: they are drawn where the
+ * odometry has the robot.
  */
-final class LiveMapping implements ScanListener {
-    private static final Logger LOG = System.getLogger(LiveMapping.class.getName());
-
-    /** A loop that closes takes some hundred milliseconds; the oldest scans of a longer time are left out. */
-    private static final int MOST_WAITING = 30;
-
+final class LiveMapping implements ScanThread.Work {
     /** The time between two drawings of the grid, seconds. */
     private static final double DRAW_S = 1;
 
@@ -36,20 +25,18 @@ final class LiveMapping implements ScanListener {
 
     private static final double WRONG_DEG = 1;
 
-    /** The least beams of a laser scanner, and their widest opening. */
-    private static final int LASER_BEAMS = 30;
-
-    private static final double LASER_DEG = 5;
+    /** The robot is right by the map itself; what is left are a cell and half a degree. */
+    private static final Uncertainty ON_ITS_OWN_MAP = Uncertainty.of(50, 0.5);
 
     private final MajicBot robot;
     private final Consumer<OccupancyGrid> drawn;
-    private final Signal changed;
+    private final Runnable failed;
+    private final ScanThread thread;
     private final Mapper mapper = new Mapper();
     private final GridBuilder coarse = new GridBuilder();
     private boolean laser;
-    private final Deque<RangeScan> waiting = new ArrayDeque<>();
-    private boolean ending;
-    private boolean ended;
+    private boolean fresh;
+    private long drawnNanos;
     private @Nullable Pose frame;
     private volatile int scans;
     private volatile int loops;
@@ -59,17 +46,18 @@ final class LiveMapping implements ScanListener {
      *
      * @param robot with range sensors
      * @param drawn receives the map, in the frame of the robot's poses, each time it has become another one
+     * @param failed called if it ends by an error
      */
-    LiveMapping(MajicBot robot, Consumer<OccupancyGrid> drawn) {
+    LiveMapping(MajicBot robot, Consumer<OccupancyGrid> drawn, Runnable failed) {
         this.robot = robot;
         this.drawn = drawn;
-        this.changed = robot.time().signal();
+        this.failed = failed;
+        this.thread = new ScanThread(robot, "mapping", this);
     }
 
     /** Asks the robot for its scans from now on. */
     void begin() {
-        robot.time().thread("mapping", this::run).start();
-        robot.addScanListener(this);
+        thread.begin();
     }
 
     /** The robot that is driven. */
@@ -87,106 +75,51 @@ final class LiveMapping implements ScanListener {
         return loops;
     }
 
-    @Override
-    public void scanned(RangeScan scan) {
-        synchronized (this) {
-            if (ending) {
-                return;
-            }
-            if (waiting.size() == MOST_WAITING) {
-                waiting.removeFirst();
-            }
-            waiting.addLast(scan);
-        }
-        changed.raise();
-    }
-
     /**
      * Ends it: what has been measured so far is added, and all poses are fitted once more.
      *
      * @param seconds the longest wait for the last map, on the clock of the robot
      */
     void end(double seconds) {
-        robot.removeScanListener(this);
-        synchronized (this) {
-            ending = true;
-        }
-        changed.raise();
-        try {
-            changed.await(this::hasEnded, seconds);
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        }
+        thread.end();
+        thread.awaitEnd(seconds);
     }
 
-    private synchronized boolean hasEnded() {
-        return ended;
-    }
-
-    private synchronized boolean isDue() {
-        return ending || !waiting.isEmpty();
-    }
-
-    private synchronized @Nullable RangeScan next() {
-        return waiting.pollFirst();
-    }
-
-    private void run() {
-        long drawnNanos = robot.time().nanos();
-        boolean fresh = false;
-        try {
-            while (changed.await(this::isDue, Signal.FOR_EVER)) {
-                RangeScan scan = next();
-                if (scan == null) {
-                    break;
-                }
-                fresh |= add(scan);
-                if (fresh && (scans == 1 || robot.time().secondsSince(drawnNanos) >= DRAW_S)) {
-                    draw();
-                    drawnNanos = robot.time().nanos();
-                    fresh = false;
-                }
-            }
-            if (laser) {
-                mapper.finish();
-            }
-            draw();
-        } catch (InterruptedException e) {
-            Thread.currentThread().interrupt();
-        } catch (RuntimeException | Error e) {
-            LOG.log(Level.ERROR, "mapping with " + robot.name() + " has ended", e);
-        } finally {
-            robot.removeScanListener(this);
-            synchronized (this) {
-                ended = true;
-            }
-            changed.raise();
-        }
-    }
-
-    private boolean add(RangeScan scan) {
-        boolean fine = isLaser(scan.sensor());
+    @Override
+    public void add(RangeScan scan, boolean fine) {
         if (frame == null || fine && !laser) {
             frame = robot.odometryOrigin().plus(scan.odometry());
+            drawnNanos = robot.time().nanos();
         }
         laser |= fine;
         if (!laser) {
             coarse.add(scan, robot.odometryOrigin().plus(scan.odometry()));
             scans++;
-            return true;
+            fresh = true;
+        } else if (mapper.add(scan)) {
+            scans = mapper.scans();
+            loops = mapper.loops();
+            place(frame.plus(mapper.origin()));
+            fresh = true;
         }
-        if (!fine || !mapper.add(scan)) {
-            return false;
+        if (fresh && (scans == 1 || robot.time().secondsSince(drawnNanos) >= DRAW_S)) {
+            draw();
+            drawnNanos = robot.time().nanos();
+            fresh = false;
         }
-        scans = mapper.scans();
-        loops = mapper.loops();
-        place(frame.plus(mapper.origin()));
-        return true;
     }
 
-    private static boolean isLaser(RangeSensor sensor) {
-        return sensor.beams().size() >= LASER_BEAMS
-                && sensor.beams().stream().allMatch(beam -> beam.openingDeg() <= LASER_DEG);
+    @Override
+    public void finish() {
+        if (laser) {
+            mapper.finish();
+        }
+        draw();
+    }
+
+    @Override
+    public void failed() {
+        failed.run();
     }
 
     /** Corrects the frame of the robot's odometry, not the odometry, by which it moves. */
@@ -195,7 +128,7 @@ final class LiveMapping implements ScanListener {
         Pose now = robot.state().pose();
         Pose right = origin.plus(now.seenFrom(robot.odometryOrigin()));
         if (now.distanceMm(right) > WRONG_MM || Math.abs(wrong.headingDeg()) > WRONG_DEG) {
-            robot.place(right);
+            robot.place(right, ON_ITS_OWN_MAP);
         }
     }
 

@@ -10,6 +10,7 @@ import java.util.function.BiConsumer;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.bot.BotType;
+import majic.bot.MajicBot;
 import majic.environment.Settings;
 import majic.log.Line;
 import majic.log.ParameterLog;
@@ -48,7 +49,7 @@ public final class Session {
     private final ActOffers offers;
     private final RobotConnector connector;
     private final Plotting plotting = new Plotting();
-    private final CurrentMap map = new CurrentMap();
+    private final CurrentMap map = new CurrentMap(this::newsOfMap);
 
     /**
      * A session without listeners.
@@ -153,6 +154,12 @@ public final class Session {
      */
     public CurrentMap map() {
         return map;
+    }
+
+    private void newsOfMap(MajicBot bot, String text) {
+        team.members().stream()
+                .filter(member -> member.bot() == bot)
+                .forEach(member -> output.send(Line.Kind.NOTICE, member.number() + ": " + member.label() + " " + text));
     }
 
     /** Sends a line if STOP is latched, with its origin, for listeners that were added after it. */
@@ -314,7 +321,13 @@ public final class Session {
         }
 
         @Override
+        public void added(Member member) {
+            map.follow(member.bot());
+        }
+
+        @Override
         public void removed(Member member) {
+            map.unfollow(member.bot());
             output.send(Line.Kind.ANSWER, "Bot " + member.number() + " is dead");
         }
 

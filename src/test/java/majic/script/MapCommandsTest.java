@@ -40,10 +40,24 @@ class MapCommandsTest {
     }
 
     private void drive(List<Pose> odometry) throws InterruptedException {
+        drive(robot, way, odometry);
+    }
+
+    private void drive(FakeBot bot, List<Pose> truth, List<Pose> odometry) throws InterruptedException {
         for (int step = 0; step < odometry.size(); step++) {
-            robot.measure(floor.scan(Floor.LASER, fixture.time.nanos() / 1e9, way.get(step), odometry.get(step)));
+            bot.measure(floor.scan(Floor.LASER, fixture.time.nanos() / 1e9, truth.get(step), odometry.get(step)));
             fixture.pause(0.1);
         }
+    }
+
+    /** A second robot, in a map that the first one has built. */
+    private FakeBot onTheMap() throws InterruptedException {
+        fixture.runPipe("map start 1");
+        drive(way);
+        fixture.runPipe("map stop");
+        FakeBot other = fixture.add(fixture.pioneer);
+        other.equip(Floor.LASER);
+        return other;
     }
 
     private NavigationMap map() {
@@ -126,6 +140,66 @@ class MapCommandsTest {
         assertThat(robot.odometryOrigin()).isEqualTo(before).isEqualTo(new Pose(5000, 2000, 90));
         assertThat(map().grid().stateAt(5000, 10_000)).isEqualTo(State.FREE);
         assertThat(map().grid().stateAt(8000, 10_000)).isNotEqualTo(State.FREE);
+    }
+
+    @Test
+    void aRobotThatIsPlacedOnTheMapIsKeptRightThoughItsOdometryIsWrong() throws InterruptedException {
+        FakeBot other = onTheMap();
+        List<Pose> odometry = floor.odometry(way, 0.02, 0.3);
+        fixture.runPipe("2 set pose 0 0 0");
+        drive(other, way, odometry);
+
+        Pose last = way.get(way.size() - 1);
+        assertThat(odometry.get(odometry.size() - 1).distanceMm(last)).isGreaterThan(1000);
+        assertThat(other.state().pose().distanceMm(last)).isLessThan(250);
+        assertThat(other.uncertainty().sigmaMm()).isLessThan(200);
+        assertThat(fixture.runPipe("2 get placed")).last().asString().matches("2 placed = [0-9.]+ mm, [0-9.]+ deg");
+    }
+
+    @Test
+    void aRobotThatWasCarriedAwayIsFoundAgain() throws InterruptedException {
+        FakeBot other = onTheMap();
+        fixture.runPipe("2 set pose 0 0 0");
+        drive(other, way.subList(0, 60), way.subList(0, 60));
+        List<Pose> elsewhere = way.subList(155, 300);
+        drive(
+                other,
+                elsewhere,
+                elsewhere.stream()
+                        .map(pose -> way.get(60).plus(pose.seenFrom(elsewhere.get(0))))
+                        .toList());
+
+        assertThat(fixture.answers())
+                .anyMatch(line -> line.contains("does not know where it is on the map"))
+                .anyMatch(line -> line.contains("has found its place"));
+        assertThat(other.state().pose().distanceMm(elsewhere.get(144))).isLessThan(500);
+    }
+
+    @Test
+    void aRobotWhoseMeasurementsContradictTheMapNoLongerClaimsToKnowItsPlace() throws InterruptedException {
+        FakeBot other = onTheMap();
+        fixture.runPipe("2 set pose 8m 0 45");
+        drive(other, way.subList(0, 20), way.subList(0, 20));
+
+        assertThat(fixture.answers()).anyMatch(line -> line.contains("does not know where it is on the map"));
+        assertThat(fixture.runPipe("2 get placed")).last().asString().contains("unknown (not placed)");
+    }
+
+    @Test
+    void aRobotThatLooksForItsPlaceFindsTheRightOne() throws InterruptedException {
+        FakeBot other = onTheMap();
+        assertThat(fixture.runPipe("2 localize")).last().asString().startsWith("2 localize: looks for its place");
+        drive(other, way, way);
+
+        assertThat(fixture.answers()).anyMatch(line -> line.contains("has found its place"));
+        assertThat(other.state().pose().distanceMm(way.get(way.size() - 1))).isLessThan(500);
+    }
+
+    @Test
+    void aRobotIsLookedForOnlyOnAMapAndWithRanges() throws InterruptedException {
+        assertThat(fixture.runPipe("1 localize")).last().asString().contains("localize: there is no map");
+        fixture.add(fixture.aibo);
+        assertThat(fixture.runPipe("2 localize")).last().asString().contains("no range sensors");
     }
 
     @Test

@@ -51,6 +51,7 @@ public final class Help {
             entry(
                     "wait",
                     "1 wait: holds what follows until robot 1 has finished; \"wait\" for all, \"wait 2s\" for a time"),
+            entry("localize", "1 localize: looks for the robot everywhere on the map, while it drives"),
             entry("help", "1 help [P]: commands and parameters of robot 1; \"help\" alone: the language")));
 
     private static final Map<String, String> SESSION_COMMANDS = new TreeMap<>(Map.ofEntries(
@@ -66,7 +67,7 @@ public final class Help {
                     "save session FILE, save log FILE, save team FILE: the session as a script, the parameter log as CSV, the robots as a script"),
             entry(
                     "lab",
-                    "lab: shows the true poses in the simulated lab, and how often each robot ran into something; lab place 2 X Y HEADING puts robot 2 there"),
+                    "lab: shows the true poses in the simulated lab, and how often each robot ran into something; lab place 2 X Y HEADING puts robot 2 there, lab carry does so without telling it"),
             entry(
                     "trust",
                     "trust [FILE [HASH]]: shows the code in an act; with its hash it gives consent to run it; trust off FILE takes that back; trust alone lists the consents"),

@@ -52,7 +52,7 @@ final class LabCommands {
 
     /**
      * Lifts a robot of the lab and puts it down at a pose in the room's frame, in its turn. From then on the robot
-     * reports the pose at which it was put down.
+     * reports the pose at which it was put down, unless it was carried away: then nothing tells it.
      */
     record Place(Token at, Literal x, Literal y, Literal heading) implements Command {
         @Override
@@ -72,7 +72,15 @@ final class LabCommands {
 
         @Override
         public String text() {
-            return "lab place " + pose();
+            return verb() + pose();
+        }
+
+        private boolean isCarried() {
+            return at.is("carry");
+        }
+
+        private String verb() {
+            return isCarried() ? "lab carry " : "lab place ";
         }
 
         /** The pose, as a line has it behind the robots. */
@@ -86,7 +94,8 @@ final class LabCommands {
                 BotFactory factory = check.session().factory();
                 LabAccess lab = requireLab(factory);
                 if (factory.nameInLab(check.bot()).isEmpty() || check.bot().time() != lab.time()) {
-                    throw new BotException("lab place: robot " + check.robot().number()
+                    throw new BotException(verb().trim() + ": robot "
+                            + check.robot().number()
                             + " is not in the simulated lab; \"" + check.robot().number()
                             + " set pose\" sets the pose that a real robot reports");
                 }
@@ -104,14 +113,16 @@ final class LabCommands {
             Pose pose = new Pose(x.number(), y.number(), heading.number());
             return new QueuedCommand(text(), false, control -> {
                 requireLab(factory).place(robot, pose);
-                member.bot().place(pose);
+                if (!isCarried()) {
+                    member.bot().place(pose);
+                }
                 return List.of(text() + ": done");
             });
         }
 
         @Override
         public String replayLine(Execution execution, String robots) {
-            return "lab place " + robots + " " + pose();
+            return verb() + robots + " " + pose();
         }
     }
 

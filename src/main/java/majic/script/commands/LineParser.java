@@ -116,7 +116,7 @@ public final class LineParser {
     }
 
     private Statement statement(Token first) {
-        if (first.is("lab") && at.peekSecond().is("place")) {
+        if (first.is("lab") && at.peekSecond().isOneOf(List.of("place", "carry"))) {
             return place(first);
         }
         return first.isOneOf(SessionParser.WORDS)
@@ -124,7 +124,7 @@ public final class LineParser {
                 : forRobots(first);
     }
 
-    /** {@code place = "lab" "place" robots DISTANCE DISTANCE ANGLE ;} */
+    /** {@code place = "lab" ( "place" | "carry" ) robots DISTANCE DISTANCE ANGLE ;} */
     private Statement place(Token first) {
         at.advance();
         Token word = at.advance();
@@ -179,7 +179,10 @@ public final class LineParser {
         return command;
     }
 
-    /** {@code command = move | turn | drive | stop | get | set | log | plot | name | act | wait | help | own ;} */
+    /**
+     * {@code command = move | turn | drive | stop | get | set | log | plot | name | act | wait | localize | help | own
+     * ;}
+     */
     private Command command() {
         return arguments(at.consume(Kind.WORD, "a command"));
     }
@@ -197,6 +200,7 @@ public final class LineParser {
             case "name" -> name(word);
             case "act" -> act(word);
             case "wait" -> new WaitCommands.AwaitRobots(word);
+            case "localize" -> new MapCommands.Localize(word);
             case "help" -> help(word);
             default -> own(word);
         };

@@ -8,6 +8,7 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.nav.CurrentMap;
 import majic.nav.grid.NavigationMap;
+import majic.script.run.Command;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.Scheduling;
@@ -34,6 +35,37 @@ final class MapCommands {
         @Override
         public void run(Execution execution) {
             execution.answer("map: " + execution.session().map().text());
+        }
+    }
+
+    /** Looks for robots everywhere on the map. */
+    record Localize(Token at) implements Command {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public String text() {
+            return "localize";
+        }
+
+        @Override
+        public void check(Check check) {
+            if (check.bot().isConnected() && check.bot().rangeSensors().isEmpty()) {
+                throw new ScriptException(
+                        at,
+                        "localize: robot " + check.robot().number()
+                                + " has no range sensors; \"set pose\" places it, or dragging it on the team map");
+            }
+        }
+
+        @Override
+        public void run(Execution execution, List<Member> robots) {
+            for (Member member : robots) {
+                execution.session().map().localize(member.bot());
+                execution.answer(member.number() + " localize: looks for its place on the map; drive it some metres");
+            }
         }
     }
 

@@ -33,6 +33,14 @@ public final class Completer {
     private static final Completion UNTIL =
             new Completion("until", "CONDITION", "ends the motion as soon as the condition holds");
 
+    private static final List<Completion> MAP = List.of(
+            new Completion("start", "ROBOT", "the robot builds a map while it drives"),
+            Completion.word("stop", "ends that"),
+            new Completion("save", "FILE", "writes the map"),
+            new Completion("open", "FILE", "opens a map"),
+            Completion.word("close", "removes the map"),
+            new Completion("place", "NAME X Y [HEADING]", "gives a place a name"));
+
     private final Team team;
     private final BotFactory factory;
     private final Function<Robots, List<Member>> selection;
@@ -165,8 +173,16 @@ public final class Completer {
             case "remove" -> Explained.robots(team.members());
             case "lab" ->
                 next
-                        ? List.of(new Completion("place", "ROBOT X Y HEADING", "puts a robot of the lab down there"))
+                        ? List.of(
+                                new Completion("place", "ROBOT X Y HEADING", "puts a robot of the lab down there"),
+                                new Completion("carry", "ROBOT X Y HEADING", "does so without telling the robot"))
                         : tokens.size() == 2 ? Explained.robots(team.members()) : List.of();
+            case "map" ->
+                next
+                        ? MAP
+                        : tokens.size() == 2 && tokens.get(1).is("start")
+                                ? Explained.robots(team.members())
+                                : List.of();
             case "acts" -> next ? acts.completions() : List.of();
             case "trust" -> next ? joined(acts.completions(), List.of(OFF)) : List.of();
             case "help" -> next ? Help.topics().stream().map(Explained::word).toList() : List.of();

@@ -1,0 +1,129 @@
+package majic.nav;
+
+import java.util.Locale;
+import java.util.function.Consumer;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.bot.RangeScan;
+import majic.bot.Uncertainty;
+import majic.nav.grid.OccupancyGrid;
+import majic.nav.localisation.Localizer;
+import majic.nav.localisation.PoseEstimate;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Keeps the place of one robot on a map right while it drives: from where it was placed, or looking everywhere. A
+ * person who places the robot is believed. A robot whose scans contradict the map has been carried away: its place
+ * becomes unknown, and it is looked for everywhere.
+ */
+final class LiveLocalisation implements ScanThread.Work {
+    /** Of random numbers. */
+    private static final long SEED = 1;
+
+    private final MajicBot robot;
+    private final OccupancyGrid map;
+    private final Consumer<String> news;
+    private final ScanThread thread;
+    private volatile boolean search;
+    private boolean searching;
+    private @Nullable Localizer localizer;
+    private @Nullable Pose last;
+    private @Nullable Pose placedHere;
+
+    /**
+     * A localisation that {@link #begin} begins.
+     *
+     * @param robot with range sensors
+     * @param map in the frame of its poses
+     * @param search whether to look everywhere; else from where it was placed
+     * @param news receives half a sentence when the robot is lost or found
+     */
+    LiveLocalisation(MajicBot robot, OccupancyGrid map, boolean search, Consumer<String> news) {
+        this.robot = robot;
+        this.map = map;
+        this.search = search;
+        this.news = news;
+        this.thread = new ScanThread(robot, "localisation", this);
+    }
+
+    void begin() {
+        thread.begin();
+    }
+
+    /** Forgets the place with the next scan, and looks everywhere. */
+    void search() {
+        search = true;
+    }
+
+    void end() {
+        thread.end();
+    }
+
+    @Override
+    public void add(RangeScan scan, boolean laser) {
+        Localizer found = localizer == null ? new Localizer(map, SEED) : localizer;
+        localizer = found;
+        if (search) {
+            search = false;
+            lose();
+            found.search();
+        } else if (!robot.placedAt().map(pose -> pose == placedHere).orElse(true)) {
+            believe(found, last == null ? scan.odometry() : last);
+        }
+        last = scan.odometry();
+        if (found.add(scan)) {
+            take(found.estimate(scan.odometry()), scan.odometry());
+        }
+    }
+
+    /** Takes over where a person has put the robot since the last scan. */
+    private void believe(Localizer found, Pose odometry) {
+        Uncertainty given = robot.uncertainty();
+        if (given.isKnown()) {
+            placedHere = robot.placedAt().orElse(null);
+            searching = false;
+            found.place(robot.odometryOrigin().plus(odometry), given.sigmaMm(), given.sigmaDeg());
+        }
+    }
+
+    private void take(PoseEstimate estimate, Pose odometry) {
+        if (estimate.placed()) {
+            Pose here = place(estimate, odometry);
+            if (searching) {
+                searching = false;
+                news.accept(String.format(
+                        Locale.ROOT,
+                        "has found its place: x %.0f mm, y %.0f mm, heading %.0f deg",
+                        here.xMm(),
+                        here.yMm(),
+                        here.headingDeg()));
+            }
+        } else if (!searching) {
+            lose();
+            news.accept(
+                    "does not know where it is on the map: what it measures contradicts its place; it looks for it");
+        }
+    }
+
+    /** Corrects the frame of the robot's odometry, not the odometry, by which it moves. */
+    private Pose place(PoseEstimate estimate, Pose odometry) {
+        Pose origin = estimate.pose().originOf(odometry);
+        Pose right = origin.plus(robot.state().pose().seenFrom(robot.odometryOrigin()));
+        placedHere = right;
+        robot.place(right, estimate.uncertainty());
+        return right;
+    }
+
+    private void lose() {
+        searching = true;
+        Pose guess = robot.state().pose();
+        placedHere = guess;
+        robot.place(guess, Uncertainty.UNKNOWN);
+    }
+
+    @Override
+    public void failed() {
+        lose();
+        news.accept("is no longer followed on the map because of an error in MAJIC; the log has it");
+    }
+}
