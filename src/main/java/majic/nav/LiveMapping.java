@@ -20,7 +20,7 @@ final class LiveMapping implements ScanThread.Work {
     /** The time between two drawings of the grid, seconds. */
     private static final double DRAW_S = 1;
 
-    /** The robot is placed anew if it is as far from where the map has it. */
+    /** The pose of the robot is corrected if it is as far from where the map has it. */
     private static final double WRONG_MM = 30;
 
     private static final double WRONG_DEG = 1;
@@ -127,9 +127,8 @@ final class LiveMapping implements ScanThread.Work {
         Pose wrong = robot.odometryOrigin().seenFrom(origin);
         Pose now = robot.state().pose();
         Pose right = origin.plus(now.seenFrom(robot.odometryOrigin()));
-        if (now.distanceMm(right) > WRONG_MM || Math.abs(wrong.headingDeg()) > WRONG_DEG) {
-            robot.place(right, ON_ITS_OWN_MAP);
-        }
+        boolean isWrong = now.distanceMm(right) > WRONG_MM || Math.abs(wrong.headingDeg()) > WRONG_DEG;
+        robot.place(isWrong ? right : now, ON_ITS_OWN_MAP);
     }
 
     private void draw() {

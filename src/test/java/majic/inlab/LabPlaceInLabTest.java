@@ -23,6 +23,15 @@ class LabPlaceInLabTest {
     }
 
     @Test
+    void aRobotThatIsCarriedAwayDoesNotKnow() throws InterruptedException {
+        Pose reported = rig.team().member(2).bot().state().pose();
+
+        assertThat(rig.run("lab carry 2 -1000 200 90")).containsExactly("2 lab carry -1000 200 90: done");
+        assertThat(rig.truePose("pioneer")).isEqualTo(new Pose(-1000, 200, 90));
+        assertThat(rig.team().member(2).bot().state().pose()).isEqualTo(reported);
+    }
+
+    @Test
     void wallsOtherRobotsAndWhatIsOutsideTheRoomRefuseARobot() throws InterruptedException {
         Pose before = rig.truePose("pioneer");
         assertThat(rig.run("lab place 2 4500 0 0", "2 wait"))

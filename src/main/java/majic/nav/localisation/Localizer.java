@@ -52,6 +52,9 @@ public final class Localizer {
     /** The logarithm of the likelihood of an echo in what is unknown: between that of agreement and that of none. */
     private static final double NEUTRAL = -1;
 
+    /** The same for a robot that would stand in a wall, in all. */
+    private static final double IN_A_WALL = -100;
+
     private static final int TRIALS = 100_000;
 
     /** Of these, so many are moved to the best place nearby, by steps from 200 mm and 8 degrees down to an eighth. */
@@ -75,7 +78,7 @@ public final class Localizer {
     /** Echoes within 200 mm of a wall of the map: at least so many of the scans when placed. */
     private static final double FITS_MM = 200;
 
-    private static final double LEAST_FIT = 0.75;
+    private static final double LEAST_FIT = 0.85;
 
     /** A scan with fewer echoes in known parts of the map proves nothing. */
     private static final double LEAST_KNOWN = 0.6;
@@ -292,7 +295,7 @@ public final class Localizer {
         double angle = Math.toRadians(pose.headingDeg());
         double cos = Math.cos(angle);
         double sin = Math.sin(angle);
-        double sum = 0;
+        double sum = field.distanceMm(pose.xMm(), pose.yMm()) == 0 ? IN_A_WALL : 0;
         for (int index = 0; index < echoes.count(); index++) {
             double distance = field.distanceMm(
                     pose.xMm() + cos * echoes.x()[index] - sin * echoes.y()[index],
