@@ -6,6 +6,7 @@ import javax.swing.JFrame;
 import javax.swing.JMenu;
 import majic.gui.editor.EditorContext;
 import majic.gui.editor.EditorWindow;
+import majic.gui.editor.RecentFiles;
 import majic.gui.editor.RecentMenu;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.ProgramServices;
@@ -72,7 +73,7 @@ final class FrameEditor {
     }
 
     void fillRecent(JMenu menu) {
-        RecentMenu.fill(menu, services.settings(), this::open);
+        RecentMenu.fill(menu, new RecentFiles(services.settings(), RecentFiles.SCRIPTS), this::open);
     }
 
     /** Asks what to do with scripts that are not saved or that run; then does something, unless the answer is no. */

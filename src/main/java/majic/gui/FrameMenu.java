@@ -33,6 +33,7 @@ final class FrameMenu extends JMenuBar {
     private final JMenu robot = add("robot");
     private final JMenu act = add("act");
     private final JMenu lab = add("lab");
+    private final JMenu map = add("map");
     private final JMenu view = add("view");
     private final JMenu window = add("window");
     private final JMenu help = add("help");
@@ -48,6 +49,7 @@ final class FrameMenu extends JMenuBar {
             FrameReconnect reconnect,
             GamepadControl gamepad,
             TeamMap map,
+            MapMenu mapMenu,
             Plots plots,
             AlarmSound alarmSound,
             Settings settings,
@@ -71,6 +73,7 @@ final class FrameMenu extends JMenuBar {
         fillRobot(actions, others, parts);
         fill(act, actions.loadAct, others.endAct, null, others.makeAct);
         fillLab(parts.lab);
+        parts.mapMenu.fill(map);
         fillView(parts);
         WindowMenu.fill(window);
         fill(help, actions.help, others.guide, others.tour, null, others.about);

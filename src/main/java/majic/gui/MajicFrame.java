@@ -121,6 +121,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         mainPane = new TeamTabs(session.team(), selection, ofRobots);
         team = new TeamPane(session, selection, mainPane, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
+        team.map().namePlaces(channel, commandLine::propose);
         alarmSound = new AlarmSound(services.settings(), AlarmSound::play);
         stopKeys = new StopKeys(session.team(), this::stopAll);
         helpKey = new HelpKey(dialogs::help);
@@ -203,6 +204,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                         reconnect,
                         gamepad,
                         team.map(),
+                        new MapMenu(this, session, services.settings(), selection, channel),
                         plots,
                         alarmSound,
                         services.settings(),

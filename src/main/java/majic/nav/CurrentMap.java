@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
+import java.util.stream.Collectors;
 import majic.bot.BotException;
 import majic.bot.BotListener;
 import majic.bot.BotState;
@@ -24,6 +25,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class CurrentMap {
     private static final double LAST_S = 30;
+    private static final String PLACE = "map place";
     private static final double MM_PER_M = 1000;
 
     private @Nullable NavigationMap map;
@@ -268,8 +270,45 @@ public final class CurrentMap {
      * @throws BotException if there is no map
      */
     public synchronized void add(NavigationMap.Place place) {
-        map = present("map place").with(place);
+        map = present(PLACE).with(place);
         unsaved = true;
+    }
+
+    /**
+     * Removes a place.
+     *
+     * @param name of the place, whatever the case
+     * @throws BotException if there is no map, or no such place
+     */
+    public synchronized void remove(String name) {
+        known(name);
+        map = present(PLACE).without(name);
+        unsaved = true;
+    }
+
+    /**
+     * Gives a place another name.
+     *
+     * @param name its present one, whatever the case
+     * @param now the new one; a place that had it is removed
+     * @throws BotException if there is no map, or no such place
+     */
+    public synchronized void rename(String name, String now) {
+        NavigationMap.Place place = known(name);
+        map = present(PLACE).without(name).with(new NavigationMap.Place(now, place.pose(), place.withHeading()));
+        unsaved = true;
+    }
+
+    private NavigationMap.Place known(String name) {
+        NavigationMap here = present(PLACE);
+        return here.place(name)
+                .orElseThrow(() -> new BotException(PLACE + " " + name + ": there is no such place; there "
+                        + (here.places().isEmpty()
+                                ? "are none"
+                                : "are "
+                                        + here.places().stream()
+                                                .map(NavigationMap.Place::name)
+                                                .collect(Collectors.joining(", ")))));
     }
 
     private synchronized NavigationMap present(String command) {

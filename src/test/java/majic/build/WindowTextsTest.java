@@ -71,6 +71,7 @@ class WindowTextsTest {
             "background",
             "log",
             "submit",
+            "propose",
             "compile",
             "matches",
             "replaceAll",

@@ -30,6 +30,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class CommandLine extends JTextField implements ClosesByEsc {
     private static final Texts TEXTS = Texts.of(CommandLine.class);
+    private static final String NAME = "NAME";
     private static final long serialVersionUID = 1L;
 
     /** A key that follows the return of a refused line sooner than this was typed for a new line. */
@@ -263,6 +264,18 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
             putting = false;
         }
         unmark();
+    }
+
+    /**
+     * Puts a line there whose word {@code NAME} is selected, so that typing replaces it.
+     *
+     * @param line a command with that word
+     */
+    public void propose(String line) {
+        int name = line.indexOf(NAME);
+        put(new CompletedLine(line, name + NAME.length()));
+        select(name, name + NAME.length());
+        requestFocusInWindow();
     }
 
     private void up() {

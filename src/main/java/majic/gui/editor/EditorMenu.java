@@ -68,7 +68,7 @@ final class EditorMenu extends JMenuBar {
         JMenu recent = new JMenu(TEXTS.get("menu.recent"));
         recent.addChangeListener(change -> {
             if (recent.isSelected()) {
-                RecentMenu.fill(recent, context.settings(), window::open);
+                RecentMenu.fill(recent, new RecentFiles(context.settings(), RecentFiles.SCRIPTS), window::open);
             }
         });
         return recent;

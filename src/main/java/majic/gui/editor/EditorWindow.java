@@ -163,11 +163,11 @@ public final class EditorWindow extends JFrame {
         notice.setVisible(false);
         all().stream().filter(EditorTab::isUntouched).findFirst().ifPresent(this::remove);
         add(read, true);
-        new RecentFiles(context.settings()).add(read.path());
+        new RecentFiles(context.settings(), RecentFiles.SCRIPTS).add(read.path());
     }
 
     private void notOpened(Path path, String why) {
-        new RecentFiles(context.settings()).remove(path);
+        new RecentFiles(context.settings(), RecentFiles.SCRIPTS).remove(path);
         notice.show(why, new FileNotice.Choice("close", TEXTS.get("notice.close"), () -> {}));
         bringToFront();
     }

@@ -9,21 +9,35 @@ import majic.bot.BotException;
 import majic.environment.Settings;
 import majic.gui.kit.EventThread;
 
-/** The scripts that were opened or saved last, kept in the settings. Must be used on the event dispatch thread. */
+/**
+ * The files of a kind that were opened or saved last, kept in the settings. Must be used on the event dispatch thread.
+ */
 public final class RecentFiles {
-    private static final String KEY = "editor.recent";
+    /** The setting that has the scripts. */
+    public static final String SCRIPTS = "editor.recent";
+
+    /** The setting that has the maps. */
+    public static final String MAPS = "map.recent";
+
     private static final int MOST = 10;
 
     private final Settings settings;
+    private final String key;
 
-    public RecentFiles(Settings settings) {
+    /**
+     * The files of a kind.
+     *
+     * @param key the setting that has them
+     */
+    public RecentFiles(Settings settings, String key) {
         this.settings = settings;
+        this.key = key;
     }
 
     /** Returns the files, the latest first. */
     public List<Path> list() {
         List<Path> files = new ArrayList<>();
-        for (String line : settings.get(KEY).orElse("").split("\n")) {
+        for (String line : settings.get(key).orElse("").split("\n")) {
             try {
                 if (!line.isEmpty()) {
                     files.add(Path.of(line));
@@ -36,7 +50,7 @@ public final class RecentFiles {
     }
 
     /** Puts a file at the beginning of the list. */
-    void add(Path file) {
+    public void add(Path file) {
         List<Path> files = list();
         files.remove(file);
         files.add(0, file);
@@ -53,15 +67,15 @@ public final class RecentFiles {
 
     private void store(List<Path> files) {
         String text = String.join("\n", files.stream().map(Path::toString).toList());
-        EventThread.background("remembering the scripts", () -> store(text));
+        EventThread.background("remembering recent files", () -> store(text));
     }
 
     private void store(String text) {
         try {
-            settings.put(KEY, text);
+            settings.put(key, text);
         } catch (BotException e) {
             System.getLogger(RecentFiles.class.getName())
-                    .log(Level.DEBUG, "the scripts are not remembered after the end", e);
+                    .log(Level.DEBUG, "recent files are not remembered after the end", e);
         }
     }
 }

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
-import majic.environment.Settings;
 import majic.text.Texts;
 
 /** The entries of the menu of recent files. */
@@ -19,9 +18,9 @@ public final class RecentMenu {
      *
      * @param open receives the file that is chosen
      */
-    public static void fill(JMenu menu, Settings settings, Consumer<Path> open) {
+    public static void fill(JMenu menu, RecentFiles recent, Consumer<Path> open) {
         menu.removeAll();
-        List<Path> files = new RecentFiles(settings).list();
+        List<Path> files = recent.list();
         for (int index = 0; index < files.size(); index++) {
             Path file = files.get(index);
             JMenuItem item = new JMenuItem((index + 1) % 10 + "  " + file.getFileName());

@@ -128,7 +128,7 @@ final class TabFile {
         exists = true;
         reported = OnDisk.SAME;
         tab.notice().setVisible(false);
-        new RecentFiles(context.settings()).add(written.path());
+        new RecentFiles(context.settings(), RecentFiles.SCRIPTS).add(written.path());
         tab.changed();
         then.run();
     }

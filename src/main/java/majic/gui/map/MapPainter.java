@@ -176,7 +176,7 @@ public final class MapPainter {
     }
 
     /** Draws a place as a square with its name. */
-    private void paintPlace(NavigationMap.Place place) {
+    void paintPlace(NavigationMap.Place place) {
         Point2D at = view.pixel(place.pose().xMm(), place.pose().yMm());
         g.setStroke(THIN);
         g.setColor(Palette.link());

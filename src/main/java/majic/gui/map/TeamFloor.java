@@ -12,6 +12,7 @@ import java.util.Set;
 import java.util.stream.Stream;
 import majic.bot.Pose;
 import majic.lab.LabAccess.Wall;
+import majic.nav.grid.NavigationMap.Place;
 import majic.panel.map.MapContent;
 import majic.panel.map.MapView;
 import majic.text.Texts;
@@ -28,9 +29,13 @@ final class TeamFloor implements MapContent {
     /** Radius in mm shown around robots with an unknown environment. */
     private static final double FREE_MM = 600;
 
+    /** How far from its centre a place can be clicked. */
+    private static final double PLACE_PX = 8;
+
     private MapScene scene = MapScene.EMPTY;
     private Set<Integer> selected = Set.of();
     private MapScene.@Nullable Robot preview;
+    private @Nullable Place placePreview;
     private boolean placeable;
 
     void show(MapScene newScene) {
@@ -50,6 +55,28 @@ final class TeamFloor implements MapContent {
     /** Draws a robot where it is being dragged to; null ends that. */
     void preview(MapScene.@Nullable Robot robot) {
         preview = robot;
+    }
+
+    /** Draws a place where it is being dragged to; null ends that. */
+    void preview(@Nullable Place place) {
+        placePreview = place;
+    }
+
+    boolean hasPicture() {
+        return scene.map() != null;
+    }
+
+    /** Returns the place that is drawn at a pixel. */
+    Optional<Place> placeAt(Point2D pixel, MapView view) {
+        MapPicture map = scene.map();
+        return map == null
+                ? Optional.empty()
+                : map.places().stream()
+                        .filter(place ->
+                                view.pixel(place.pose().xMm(), place.pose().yMm())
+                                                .distance(pixel)
+                                        <= PLACE_PX)
+                        .findFirst();
     }
 
     /** Returns the robot that is drawn at a pixel; of several a selected one if there is one. */
@@ -73,6 +100,9 @@ final class TeamFloor implements MapContent {
         painter.paint(scene, selected);
         if (preview != null) {
             painter.paintPreview(preview, place(preview.reported()));
+        }
+        if (placePreview != null) {
+            painter.paintPlace(placePreview);
         }
     }
 

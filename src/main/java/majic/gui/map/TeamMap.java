@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.RobotSelection;
+import majic.nav.grid.NavigationMap.Place;
 import majic.panel.map.ZoomableMap;
 import majic.team.Member;
 import majic.team.Team;
@@ -62,6 +63,33 @@ public final class TeamMap extends ZoomableMap {
         addMouseListener(placing);
         addMouseMotionListener(placing);
         floor.allowPlacing();
+    }
+
+    /**
+     * Lets the places on the map be named, moved and removed by the mouse.
+     *
+     * @param propose receives a command in which the user replaces the word {@code NAME}
+     */
+    public void namePlaces(CommandChannel channel, Consumer<String> propose) {
+        PlaceMouse places = new PlaceMouse(this, channel, propose);
+        addMouseListener(places);
+        addMouseMotionListener(places);
+    }
+
+    /** Returns the place with a name at a pixel. */
+    Optional<Place> placeAt(Point pixel) {
+        return floor.placeAt(pixel, view());
+    }
+
+    /** Returns whether there is a map on which places can have names. */
+    boolean hasPicture() {
+        return floor.hasPicture();
+    }
+
+    /** Draws a place where it is being dragged to; null ends that. */
+    void preview(@Nullable Place place) {
+        floor.preview(place);
+        repaint();
     }
 
     /** Returns the robot at a pixel; of several the selected one. */

@@ -65,6 +65,30 @@ public record NavigationMap(
     }
 
     /**
+     * Returns a place of this map.
+     *
+     * @param name whatever the case
+     * @return empty if no place has that name
+     */
+    public Optional<Place> place(String name) {
+        return places.stream()
+                .filter(place -> place.name().equalsIgnoreCase(name))
+                .findFirst();
+    }
+
+    /**
+     * Returns this map without a place.
+     *
+     * @param name of the place, whatever the case
+     * @return the other places on it
+     */
+    public NavigationMap without(String name) {
+        List<Place> others = new ArrayList<>(places);
+        others.removeIf(place -> place.name().equalsIgnoreCase(name));
+        return new NavigationMap(grid, others, forbidden, home);
+    }
+
+    /**
      * Returns a map without places and lines.
      *
      * @param grid what is free, occupied and unknown

@@ -168,6 +168,25 @@ final class MapCommands {
         }
     }
 
+    /** Gives a place another name, or removes it. */
+    record ChangePlace(Token name, @Nullable Token now) implements SessionCommand {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public void run(Execution execution) {
+            CurrentMap map = execution.session().map();
+            if (now == null) {
+                map.remove(name.text());
+            } else {
+                map.rename(name.text(), now.text());
+            }
+            execution.answer("map place " + name.text() + (now == null ? " off" : " as " + now.text()) + ": done");
+        }
+    }
+
     /** Gives a place on the map a name. */
     record Place(Token name, Literal x, Literal y, @Nullable Literal heading) implements SessionCommand {
         @Override

@@ -96,8 +96,8 @@ public final class SessionParser {
     }
 
     /**
-     * {@code map = "map" [ "start" robots | "stop" | "open" FILE | "save" FILE | "close" | "place" NAME DISTANCE
-     * DISTANCE [ ANGLE ] ] ;}
+     * {@code map = "map" [ "start" robots | "stop" | "open" FILE | "save" FILE | "close" | "place" NAME ( "off" | "as"
+     * NAME | DISTANCE DISTANCE [ ANGLE ] ) ] ;}
      */
     private SessionCommand map() {
         if (at.peek().isEnd()) {
@@ -121,6 +121,12 @@ public final class SessionParser {
         }
         if (at.match("place")) {
             Token name = at.consume(Kind.WORD, "the name of the place");
+            if (at.match("off")) {
+                return new MapCommands.ChangePlace(name, null);
+            }
+            if (at.match("as")) {
+                return new MapCommands.ChangePlace(name, at.consume(Kind.WORD, "the new name"));
+            }
             Literal x = at.number(Quantity.DISTANCE);
             Literal y = at.number(Quantity.DISTANCE);
             return new MapCommands.Place(name, x, y, at.peek().isEnd() ? null : at.number(Quantity.ANGLE));
