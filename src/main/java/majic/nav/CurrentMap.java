@@ -31,6 +31,7 @@ public final class CurrentMap {
     private @Nullable NavigationMap map;
     private @Nullable LiveMapping mapping;
     private boolean unsaved;
+    private @Nullable Path file;
     private final BiConsumer<MajicBot, String> news;
     private final Map<MajicBot, LiveLocalisation> localised = new ConcurrentHashMap<>();
 
@@ -137,12 +138,18 @@ public final class CurrentMap {
         List.copyOf(localised.keySet()).forEach(this::endLocalisation);
         map = now;
         unsaved = changed;
+        file = null;
         stands = now != null && mapping == null;
     }
 
     /** Returns the map as it is now; empty if there is none. */
     public synchronized Optional<NavigationMap> get() {
         return Optional.ofNullable(map);
+    }
+
+    /** Returns the file that the map was opened from or saved in last; empty if it is another one since. */
+    public synchronized Optional<Path> file() {
+        return Optional.ofNullable(unsaved ? null : file);
     }
 
     /** Returns the robot that builds the map at the moment. */
@@ -162,6 +169,7 @@ public final class CurrentMap {
         synchronized (this) {
             refuseToReplace("map open");
             change(opened, false);
+            this.file = file.toAbsolutePath();
         }
     }
 
@@ -332,6 +340,7 @@ public final class CurrentMap {
         MapFiles.write(yaml, written);
         synchronized (this) {
             unsaved &= map != written;
+            file = map == written ? yaml.toAbsolutePath() : file;
         }
     }
 

@@ -14,6 +14,7 @@ import majic.script.run.ScriptSource;
 import majic.team.BotFactory;
 import majic.team.Member;
 import majic.text.VisibleText;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A team that was saved: a script of {@code add} lines, each followed by the name, the calibration and the start pose
@@ -31,7 +32,10 @@ public final class SavedTeam {
 
     private static final Pattern PLACE = Pattern.compile("(?i)lab\\s+place\\s+(\\d{1,3})\\s+\\S.*");
 
+    private static final Pattern MAP = Pattern.compile("(?i)map\\s+open\\s+(\"[^\"]+\"|\\S+)");
+
     private final List<Robot> robots;
+    private final @Nullable String map;
 
     /**
      * One robot.
@@ -65,8 +69,9 @@ public final class SavedTeam {
         }
     }
 
-    private SavedTeam(List<Robot> robots) {
+    private SavedTeam(List<Robot> robots, @Nullable String map) {
         this.robots = List.copyOf(robots);
+        this.map = map;
     }
 
     /**
@@ -97,16 +102,19 @@ public final class SavedTeam {
 
     private static SavedTeam parse(String script, String place) {
         List<Robot> robots = new ArrayList<>();
+        String map = null;
         List<String> lines = script.lines().toList();
         for (int index = 0; index < lines.size(); index++) {
             String line = lines.get(index).strip();
-            if (!line.isEmpty() && !line.startsWith("#") && !isTaken(line, robots)) {
+            if (MAP.matcher(line).matches()) {
+                map = line;
+            } else if (!line.isEmpty() && !line.startsWith("#") && !isTaken(line, robots)) {
                 throw new BotException(place + (index + 1) + ": \"" + VisibleText.of(shortened(line))
-                        + "\" is no line of a saved team; it has \"add ADDRESS as N\" and then \"N name NAME\","
+                        + "\" is no line of a saved team; it has \"map open FILE\", \"add ADDRESS as N\" and then \"N name NAME\","
                         + " \"N set P VALUE\" and \"lab place N X Y HEADING\"");
             }
         }
-        return new SavedTeam(robots);
+        return new SavedTeam(robots, map);
     }
 
     private static String shortened(String line) {
@@ -182,12 +190,15 @@ public final class SavedTeam {
     }
 
     /**
-     * Adds the robots, all at the same time, and then sets their calibrations and poses. Returns at once; the answers
+     * Opens the map of the team, adds the robots, all at the same time, and sets their calibrations and poses. Returns at once; the answers
      * go to the listeners of the session.
      *
      * @param session the session to add them to
      */
     public void open(Session session) {
+        if (map != null) {
+            MajicParser.pipe(session).parseText(map);
+        }
         for (Robot robot : robots) {
             session.team()
                     .time()

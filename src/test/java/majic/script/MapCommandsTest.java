@@ -251,6 +251,41 @@ class MapCommandsTest {
     }
 
     @Test
+    void aSavedTeamHasTheMapThatIsInAFile() throws InterruptedException {
+        Path file = folder.resolve("office.yaml");
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, 20));
+        fixture.runPipe("map stop");
+        assertThat(fixture.session.teamScript()).doesNotContain("map open");
+        fixture.runPipe("map save \"" + file + '"');
+
+        String team = fixture.session.teamScript();
+        assertThat(team).contains("map open " + file);
+        try (ScriptFixture again = new ScriptFixture()) {
+            SavedTeam.parse(team).open(again.session);
+            again.pause(1);
+            assertThat(again.session.map().file()).contains(file);
+        }
+    }
+
+    @Test
+    void aPlaceIsRenamedAndRemoved() throws InterruptedException {
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, 5));
+        fixture.runPipe("map stop", "map place desk 1500 300 90");
+
+        assertThat(fixture.runPipe("map place Desk as table")).contains("map place Desk as table: done");
+        assertThat(map().place("table").orElseThrow().pose()).isEqualTo(new Pose(1500, 300, 90));
+        assertThat(map().place("desk")).isEmpty();
+        assertThat(fixture.runPipe("map place desk off"))
+                .last()
+                .asString()
+                .contains("map place desk: there is no such place; there are table");
+        assertThat(fixture.runPipe("map place table off")).contains("map place table off: done");
+        assertThat(map().places()).isEmpty();
+    }
+
+    @Test
     void aMapThatIsNotSavedIsNotReplaced() throws InterruptedException {
         fixture.runPipe("map start 1");
         drive(way.subList(0, 5));

@@ -11,6 +11,7 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Unit;
 import majic.bot.Value;
+import majic.nav.CurrentMap;
 import majic.script.record.SessionRecord;
 import majic.script.run.RobotConnector;
 import majic.script.run.SessionState;
@@ -25,11 +26,12 @@ import majic.team.Team;
  * @param team the robots
  * @param factory has the names of those in the simulated lab, which are put down at their places again
  * @param connector has their addresses
+ * @param map is opened again if it is in a file
  */
-public record TeamScript(Team team, BotFactory factory, RobotConnector connector) {
+public record TeamScript(Team team, BotFactory factory, RobotConnector connector, CurrentMap map) {
     /** Returns the script of a session. */
     public static TeamScript of(SessionState session) {
-        return new TeamScript(session.team(), session.factory(), session.connector());
+        return new TeamScript(session.team(), session.factory(), session.connector(), session.map());
     }
 
     /** Returns whether there is no robot to write. */
@@ -62,7 +64,10 @@ public record TeamScript(Team team, BotFactory factory, RobotConnector connector
                         .map(add -> add + name(member) + settings.apply(member))
                         .orElse(""))
                 .collect(Collectors.joining());
-        return "# " + team.listing() + "\n" + robots;
+        String opened = map.file()
+                .map(file -> "map open " + SessionRecord.quoted(file.toString()) + "\n")
+                .orElse("");
+        return "# " + team.listing() + "\n" + opened + robots;
     }
 
     private Optional<String> add(Member member) {
