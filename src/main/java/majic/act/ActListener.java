@@ -1,7 +1,9 @@
 package majic.act;
 
 import java.util.List;
+import java.util.Optional;
 import majic.bot.BotException;
+import majic.nav.grid.NavigationMap;
 
 /** Receives the events of a running act, on the act's thread. */
 interface ActListener {
@@ -20,6 +22,11 @@ interface ActListener {
      */
     default void plot(List<String> parameters) {
         throw new BotException("a plot needs the window of MAJIC, which is not open");
+    }
+
+    /** Returns the map of the team; empty if there is none. */
+    default Optional<NavigationMap> map() {
+        return Optional.empty();
     }
 
     /** Receives the end of the act, after its clean-up; the act can no longer use a robot. */

@@ -5,8 +5,10 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
+import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
@@ -14,6 +16,7 @@ import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.driver.Permit;
+import majic.nav.grid.NavigationMap;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.time.Signal;
@@ -50,6 +53,7 @@ public final class ActRun {
     private final Permit permit;
     private final AtomicReference<Phase> phase = new AtomicReference<>(Phase.RUNNING);
     private volatile @Nullable BiConsumer<List<Member>, List<String>> plots;
+    private volatile Supplier<Optional<NavigationMap>> map = Optional::empty;
     private volatile boolean calledOff;
     private volatile boolean halted;
     private volatile boolean over;
@@ -93,6 +97,15 @@ public final class ActRun {
      */
     public void usePlots(BiConsumer<List<Member>, List<String>> window) {
         plots = window;
+    }
+
+    /**
+     * Sets where the act finds the map of the team; without this call there is none.
+     *
+     * @param present the map as it is now; called on the act's thread
+     */
+    public void useMap(Supplier<Optional<NavigationMap>> present) {
+        map = present;
     }
 
     /**
@@ -266,6 +279,11 @@ public final class ActRun {
                     .findFirst()
                     .orElseThrow(() -> new ParameterException(
                             name, name + ": no robot of the act has a number or switch of this name that can be read"));
+        }
+
+        @Override
+        public Optional<NavigationMap> map() {
+            return map.get();
         }
 
         @Override

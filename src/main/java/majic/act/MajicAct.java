@@ -6,12 +6,15 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
 import majic.bot.Value;
+import majic.nav.grid.NavigationMap;
+import majic.nav.grid.OccupancyGrid;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
@@ -26,6 +29,9 @@ import org.jspecify.annotations.Nullable;
 public abstract class MajicAct extends Thread implements Serializable {
     private static final long serialVersionUID = 1;
     private static final Logger LOG = System.getLogger(MajicAct.class.getName());
+
+    /** Farther obstacles are not looked for. */
+    private static final double OBSTACLE_MM = 10_000;
 
     /**
      * No field of this class is saved: an act that is read from a file has no thread, no robot and no clock, and is not
@@ -180,6 +186,44 @@ public abstract class MajicAct extends Thread implements Serializable {
             throw new BotException("an act has no robots before it is started");
         }
         listening.plot(List.of(parameters));
+    }
+
+    /**
+     * Returns whether the robot would have room at a place: whether all of the map of the team within the radius of its
+     * body is known to be free.
+     *
+     * @param xMm in the frame of the map, which is that of the robots' poses
+     * @param yMm in the same frame
+     * @return false also where nothing is known
+     * @throws BotException if there is no map, or the act has no robot yet
+     */
+    protected final boolean free(double xMm, double yMm) {
+        return map().isFree(xMm, yMm, robot(Role.ME).get("body").number());
+    }
+
+    /**
+     * Returns how far the centre of the robot is from the nearest obstacle on the map of the team.
+     *
+     * @return mm; infinite if there is none within {@value #OBSTACLE_MM} mm
+     * @throws BotException if there is no map, or the place of the robot on it is not known
+     */
+    protected final double distanceToObstacle() {
+        BotControl me = robot(Role.ME);
+        OccupancyGrid map = map();
+        if (me.get("placed") instanceof Value.Unknown) {
+            throw new BotException(
+                    "the place of the robot on the map is not known; \"set pose\" or \"localize\" places it");
+        }
+        return map.obstacleMm(me.get("x").number(), me.get("y").number(), OBSTACLE_MM);
+    }
+
+    private OccupancyGrid map() {
+        ActListener listening = listener;
+        return (listening == null ? Optional.<NavigationMap>empty() : listening.map())
+                .map(NavigationMap::grid)
+                .orElseThrow(
+                        () -> new BotException(
+                                "the team has no map; \"map start 2\" builds one with robot 2, and \"map open FILE\" opens one"));
     }
 
     /**

@@ -190,8 +190,8 @@ public final class SavedTeam {
     }
 
     /**
-     * Opens the map of the team, adds the robots, all at the same time, and sets their calibrations and poses. Returns at once; the answers
-     * go to the listeners of the session.
+     * Opens the map of the team, adds the robots, all at the same time, and sets their calibrations and poses. Returns
+     * at once; the answers go to the listeners of the session.
      *
      * @param session the session to add them to
      */

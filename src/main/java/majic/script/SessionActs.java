@@ -151,6 +151,7 @@ final class SessionActs implements ActRunner {
             MajicAct fresh = found.fresh(values);
             ActRun run = new ActRun(fresh, found.name(), found.titled(values), robots, permit);
             run.usePlots(plotting::show);
+            run.useMap(execution.session().map()::get);
             if (fresh instanceof ScriptAct script) {
                 script.enter(execution, run.owner(), robots);
             }

@@ -6,9 +6,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.FakeBot;
+import majic.bot.Pose;
+import majic.nav.grid.NavigationMap;
+import majic.nav.grid.OccupancyGrid;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.team.QueuedCommand;
@@ -113,6 +117,47 @@ class ActRunTest {
         assertThat(rig.said)
                 .anyMatch(line -> line.contains(
                         "nonsense: no robot of the act has a number or switch of this name that can be read"));
+    }
+
+    /** Says what it knows of the map. */
+    private static final class Looks extends MajicAct {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        protected void behave() {
+            say("free " + free(0, 0) + " " + free(1800, 0) + " " + free(9000, 0));
+            say("obstacle " + Math.round(distanceToObstacle()));
+        }
+    }
+
+    private ActRun looking() {
+        return new ActRun(new Looks(), "Looks", Map.of(Role.ME, List.of(rig.first)), rig.first.currentPermit());
+    }
+
+    @Test
+    void itAsksTheMapOfTheTeam() throws InterruptedException {
+        OccupancyGrid wallAhead =
+                OccupancyGrid.of(new Pose(-2000, -2000, 0), 100, 40, 40, (column, row) -> column == 39 ? 0.9 : 0.1);
+        rig.first.bot().place(Pose.START);
+        ActRun run = looking();
+        run.useMap(() -> Optional.of(NavigationMap.of(wallAhead)));
+        rig.submit(run);
+        rig.awaitIdle();
+
+        assertThat(rig.said).contains("1: Looks: free true false false", "1: Looks: obstacle 1900");
+    }
+
+    @Test
+    void withoutAMapOrAPlaceOnItItFailsWithWhatWouldBeRight() throws InterruptedException {
+        rig.submit(looking());
+        rig.awaitIdle();
+        assertThat(rig.said).anyMatch(line -> line.contains("the team has no map; \"map start 2\" builds one"));
+
+        ActRun lost = looking();
+        lost.useMap(() -> Optional.of(NavigationMap.of(OccupancyGrid.of(Pose.START, 100, 9, 9, (column, row) -> 0.1))));
+        rig.submit(lost);
+        rig.awaitIdle();
+        assertThat(rig.said).anyMatch(line -> line.contains("the place of the robot on the map is not known"));
     }
 
     @Test

@@ -63,6 +63,55 @@ public final class OccupancyGrid {
     }
 
     /**
+     * Returns whether all cells within a distance of a place are known to be free.
+     *
+     * @param xMm of the place
+     * @param yMm of the place
+     * @param radiusMm the distance, 0 or more
+     * @return false if one is occupied, unknown or outside of the grid
+     */
+    public boolean isFree(double xMm, double yMm, double radiusMm) {
+        int cells = (int) Math.ceil(radiusMm / cellMm);
+        for (int up = -cells; up <= cells; up++) {
+            for (int right = -cells; right <= cells; right++) {
+                double x = right * cellMm;
+                double y = up * cellMm;
+                if (Math.hypot(x, y) <= radiusMm && stateAt(xMm + x, yMm + y) != State.FREE) {
+                    return false;
+                }
+            }
+        }
+        return true;
+    }
+
+    /**
+     * Returns the distance from a place to the nearest occupied cell.
+     *
+     * @param xMm of the place
+     * @param yMm of the place
+     * @param mostMm farther ones are not looked for
+     * @return mm, with the precision of a cell; infinite if there is none
+     */
+    public double obstacleMm(double xMm, double yMm, double mostMm) {
+        int cells = (int) Math.ceil(mostMm / cellMm);
+        double nearest = Double.POSITIVE_INFINITY;
+        for (int ring = 0; ring <= cells && ring * cellMm <= Math.min(nearest, mostMm); ring++) {
+            for (int along = -ring; along <= ring; along++) {
+                nearest = Math.min(nearest, occupiedMm(xMm, yMm, along, ring));
+                nearest = Math.min(nearest, occupiedMm(xMm, yMm, along, -ring));
+                nearest = Math.min(nearest, occupiedMm(xMm, yMm, ring, along));
+                nearest = Math.min(nearest, occupiedMm(xMm, yMm, -ring, along));
+            }
+        }
+        return nearest <= mostMm ? nearest : Double.POSITIVE_INFINITY;
+    }
+
+    private double occupiedMm(double xMm, double yMm, int right, int up) {
+        boolean occupied = stateAt(xMm + right * cellMm, yMm + up * cellMm) == State.OCCUPIED;
+        return occupied ? Math.hypot(right, up) * cellMm : Double.POSITIVE_INFINITY;
+    }
+
+    /**
      * Makes a grid.
      *
      * @param origin the place of the lower left corner, and the direction of the columns
