@@ -12,6 +12,7 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.RangeSensor;
 import majic.nav.grid.NavigationMap;
+import majic.nav.grid.OccupancyGrid;
 import majic.nav.grid.OccupancyGrid.State;
 import majic.nav.mapping.Floor;
 import org.junit.jupiter.api.AutoClose;
@@ -269,6 +270,25 @@ class MapCommandsTest {
     }
 
     @Test
+    void otherProgramsGetTheCellsInRows() throws InterruptedException {
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, 20));
+        fixture.runPipe("map stop");
+        OccupancyGrid grid = map().grid();
+
+        List<String> lines = fixture.runPipe("map rows");
+        List<String> rows = lines.subList(lines.size() - grid.height(), lines.size());
+        assertThat(lines.get(lines.size() - grid.height() - 1))
+                .startsWith("map rows: " + grid.height() + " rows of " + grid.width()
+                        + " cells of 50 mm, the top row first; ");
+        assertThat(rows).allMatch(row -> row.length() == grid.width());
+        int column = (int) ((1000 - grid.origin().xMm()) / 50);
+        int row = (int) ((0 - grid.origin().yMm()) / 50);
+        assertThat(rows.get(grid.height() - 1 - row).charAt(column)).isEqualTo('.');
+        assertThat(String.join("", rows)).contains("#", "?");
+    }
+
+    @Test
     void aPlaceIsRenamedAndRemoved() throws InterruptedException {
         fixture.runPipe("map start 1");
         drive(way.subList(0, 5));
@@ -306,8 +326,8 @@ class MapCommandsTest {
     void whatIsMissingIsNamed() throws InterruptedException {
         assertThat(fixture.refusal("map start")).isPresent();
         assertThat(fixture.refusal("map begin 1"))
-                .hasValueSatisfying(text ->
-                        assertThat(text).contains("\"start\", \"stop\", \"open\", \"save\", \"close\" or \"place\""));
+                .hasValueSatisfying(text -> assertThat(text)
+                        .contains("\"start\", \"stop\", \"open\", \"save\", \"close\", \"rows\" or \"place\""));
         assertThat(fixture.refusal("map stop 1")).isPresent();
         fixture.runPipe("release");
         assertThat(fixture.runPipe("map place desk 0 0")).last().asString().contains("there is no map");

@@ -73,7 +73,7 @@ public final class Help {
                     "trust [FILE [HASH]]: shows the code in an act; with its hash it gives consent to run it; trust off FILE takes that back; trust alone lists the consents"),
             entry(
                     "map",
-                    "map start ROBOT, map stop: a robot builds the map while it drives; map save FILE, map open FILE, map close; map place NAME X Y [HEADING], map place NAME as OTHER, map place NAME off; map alone describes it"),
+                    "map start ROBOT, map stop: a robot builds the map while it drives; map save FILE, map open FILE, map close; map rows lists its cells; map place NAME X Y [HEADING], map place NAME as OTHER, map place NAME off; map alone describes it"),
             entry("quit", "quit: stops and closes all robots and ends MAJIC")));
 
     /** The words of the commands that every robot has. */

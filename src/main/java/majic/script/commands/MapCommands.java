@@ -8,6 +8,7 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.nav.CurrentMap;
 import majic.nav.grid.NavigationMap;
+import majic.nav.grid.OccupancyGrid;
 import majic.script.run.Command;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
@@ -35,6 +36,51 @@ final class MapCommands {
         @Override
         public void run(Execution execution) {
             execution.answer("map: " + execution.session().map().text());
+        }
+    }
+
+    /** Lists the cells of the map, for other programs. */
+    record Rows() implements SessionCommand {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public void run(Execution execution) {
+            OccupancyGrid grid = execution
+                    .session()
+                    .map()
+                    .get()
+                    .map(NavigationMap::grid)
+                    .orElseThrow(() -> new BotException("map rows: there is no map"));
+            Pose origin = grid.origin();
+            execution.answer(String.format(
+                    Locale.ROOT,
+                    "map rows: %d rows of %d cells of %.0f mm, the top row first; lower left corner at x %.0f mm, y %.0f mm,"
+                            + " heading %.1f deg; # occupied, . free, ? unknown",
+                    grid.height(),
+                    grid.width(),
+                    grid.cellMm(),
+                    origin.xMm(),
+                    origin.yMm(),
+                    origin.headingDeg()));
+            for (int row = grid.height() - 1; row >= 0; row--) {
+                execution.answer(text(grid, row));
+            }
+        }
+
+        private static String text(OccupancyGrid grid, int row) {
+            StringBuilder text = new StringBuilder(grid.width());
+            for (int column = 0; column < grid.width(); column++) {
+                text.append(
+                        switch (grid.state(column, row)) {
+                            case OCCUPIED -> '#';
+                            case FREE -> '.';
+                            case UNKNOWN -> '?';
+                        });
+            }
+            return text.toString();
         }
     }
 

@@ -96,8 +96,8 @@ public final class SessionParser {
     }
 
     /**
-     * {@code map = "map" [ "start" robots | "stop" | "open" FILE | "save" FILE | "close" | "place" NAME ( "off" | "as"
-     * NAME | DISTANCE DISTANCE [ ANGLE ] ) ] ;}
+     * {@code map = "map" [ "start" robots | "stop" | "open" FILE | "save" FILE | "close" | "rows" | "place" NAME (
+     * "off" | "as" NAME | DISTANCE DISTANCE [ ANGLE ] ) ] ;}
      */
     private SessionCommand map() {
         if (at.peek().isEnd()) {
@@ -119,6 +119,9 @@ public final class SessionParser {
         if (at.match("close")) {
             return new MapCommands.Close();
         }
+        if (at.match("rows")) {
+            return new MapCommands.Rows();
+        }
         if (at.match("place")) {
             Token name = at.consume(Kind.WORD, "the name of the place");
             if (at.match("off")) {
@@ -131,7 +134,7 @@ public final class SessionParser {
             Literal y = at.number(Quantity.DISTANCE);
             return new MapCommands.Place(name, x, y, at.peek().isEnd() ? null : at.number(Quantity.ANGLE));
         }
-        throw at.unexpected("\"start\", \"stop\", \"open\", \"save\", \"close\" or \"place\"");
+        throw at.unexpected("\"start\", \"stop\", \"open\", \"save\", \"close\", \"rows\" or \"place\"");
     }
 
     /** {@code help = "help" [ WORD ] ;} */

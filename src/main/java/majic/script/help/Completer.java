@@ -39,6 +39,7 @@ public final class Completer {
             new Completion("save", "FILE", "writes the map"),
             new Completion("open", "FILE", "opens a map"),
             Completion.word("close", "removes the map"),
+            Completion.word("rows", "lists its cells"),
             new Completion("place", "NAME X Y [HEADING]", "gives a place a name"));
 
     private final Team team;
