@@ -39,6 +39,7 @@ import org.jspecify.annotations.Nullable;
 public final class LabClock implements TimeSource, AutoCloseable {
     private static final Logger LOG = System.getLogger(LabClock.class.getName());
     private static final long LOOK_NANOS = 250_000_000;
+    private static final int STALLED_SECONDS = 10;
     private static final long NEVER = Long.MAX_VALUE;
 
     private final long stepNanos;
@@ -49,7 +50,7 @@ public final class LabClock implements TimeSource, AutoCloseable {
     private final NavigableSet<Waiter> waiting = new TreeSet<>(
             Comparator.<Waiter>comparingLong(waiter -> waiter.deadline).thenComparingLong(waiter -> waiter.number));
     private final Map<Thread, ClockMember> members = new HashMap<>();
-    private final StallDetector watch = new StallDetector();
+    private final StallDetector watch;
     private volatile long nowNanos;
     private volatile @Nullable String ended;
     private int running;
@@ -68,6 +69,16 @@ public final class LabClock implements TimeSource, AutoCloseable {
      * @param pacing when the clock may take a step
      */
     public LabClock(long stepNanos, Runnable lab, Pacing pacing) {
+        this(stepNanos, lab, pacing, STALLED_SECONDS);
+    }
+
+    /**
+     * Creates a clock that ends after another time without an advance.
+     *
+     * @param stalledSeconds real time, s; used by a stepped clock only
+     */
+    LabClock(long stepNanos, Runnable lab, Pacing pacing, int stalledSeconds) {
+        watch = new StallDetector(stalledSeconds);
         this.stepNanos = stepNanos;
         this.lab = lab;
         this.pacing = pacing;

@@ -14,13 +14,18 @@ import java.util.stream.Stream;
  * the clock's lock, except {@link #stepped()}.
  */
 final class StallDetector {
-    private static final long STALLED_NANOS = TimeUnit.SECONDS.toNanos(10);
     private static final long NOT_READ = -1;
     private static final int MOST_FRAMES = 25;
 
     private final ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    private final int stalledSeconds;
     private volatile long sinceNanos = System.nanoTime();
     private long usedNanos = NOT_READ;
+
+    /** Creates one that takes a clock for stalled after so many seconds of real time. */
+    StallDetector(int stalledSeconds) {
+        this.stalledSeconds = stalledSeconds;
+    }
 
     /** Records that the clock has taken a step, or that nothing waits for one. */
     void stepped() {
@@ -28,16 +33,18 @@ final class StallDetector {
     }
 
     /**
-     * Returns whether nothing has happened for 10 s of real time. Reads the processor time of the members only after
-     * half of that, because this is called at each wait of a member, and reading takes longer than a step.
+     * Returns whether nothing has happened for the time that makes a clock stalled. Reads the processor time of the
+     * members only after half of that, because this is called at each wait of a member, and reading takes longer than a
+     * step.
      */
     boolean isOver(Collection<Thread> members) {
+        long stalledNanos = TimeUnit.SECONDS.toNanos(stalledSeconds);
         long waited = System.nanoTime() - sinceNanos;
-        if (waited < STALLED_NANOS / 2) {
+        if (waited < stalledNanos / 2) {
             usedNanos = NOT_READ;
         } else if (usedNanos == NOT_READ) {
             usedNanos = processorNanos(members);
-        } else if (waited >= STALLED_NANOS) {
+        } else if (waited >= stalledNanos) {
             if (processorNanos(members) == usedNanos) {
                 return true;
             }
@@ -55,8 +62,7 @@ final class StallDetector {
     /** Reports everything that may delay the clock: its members, the connections, and the stacks of all threads. */
     String report(Map<Thread, ClockMember> members, String lines) {
         StringJoiner report = new StringJoiner("\n");
-        report.add(
-                "the stepped clock has stood still for " + STALLED_NANOS / 1_000_000_000 + " s though a thread waits");
+        report.add("the stepped clock has stood still for " + stalledSeconds + " s though a thread waits");
         members.forEach((thread, member) -> report.add("  " + thread.getName() + ": " + member));
         report.add("  " + lines);
         Thread.getAllStackTraces().forEach((thread, stack) -> {
