@@ -67,6 +67,7 @@ class StalledBrokerTest {
                     problem -> outcomes.add(problem == null ? "acknowledged" : String.valueOf(problem.getMessage())));
         }
         connection.close();
+        server.close();
 
         for (int i = 0; i < 3; i++) {
             assertThat(outcomes.poll(WaitLimit.SECONDS, TimeUnit.SECONDS))
