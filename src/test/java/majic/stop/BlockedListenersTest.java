@@ -24,14 +24,16 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Tests that STOP halts real drivers' robots although every listener blocks forever. The lab's clock follows the wall
- * clock here.
+ * clock here, at {@value #SPEED} times its speed: a stepped one would wait for the blocked threads.
  */
 class BlockedListenersTest {
+    private static final double SPEED = 20;
+
     private final Gate gate = Gate.closed();
 
     @Test
     void everyRobotOfTheLabIsStopped() throws IOException, InterruptedException {
-        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), 1);
+        try (SimulatedLab lab = SimulatedLab.scaled(LabOptions.exactOnFreePorts(), SPEED);
                 Team team = new Team(lab.time())) {
             BotFactory factory = new BotFactory(Plugins.in(Path.of("none")).types(), Settings.inMemory());
             factory.useLab(lab);
