@@ -2,6 +2,7 @@ package majic.stop;
 
 import java.util.OptionalLong;
 import java.util.TreeMap;
+import majic.time.WaitLimit;
 
 /** The bytes that passed one place so far, as text of one character a byte, and when each passed. Thread-safe. */
 public final class TimedBytes {
@@ -13,7 +14,6 @@ public final class TimedBytes {
         synchronized (bytes) {
             bytes.append(text);
             nanosByEnd.put(bytes.length(), nanos);
-            bytes.notifyAll();
         }
     }
 
@@ -31,12 +31,14 @@ public final class TimedBytes {
         }
     }
 
-    /** Waits until a text has passed, after the first bytes. */
-    void await(String text, int from) throws InterruptedException {
+    /** Waits until a text has passed, after the first bytes; fails if it does not pass in time. */
+    void await(String text, int from) {
+        WaitLimit.until("'" + text + "' to pass after the first " + from + " bytes", () -> hasPassed(text, from));
+    }
+
+    private boolean hasPassed(String text, int from) {
         synchronized (bytes) {
-            while (bytes.indexOf(text, from) < 0) {
-                bytes.wait();
-            }
+            return bytes.indexOf(text, from) >= 0;
         }
     }
 
