@@ -3,6 +3,8 @@ package majic.pioneer;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.function.Supplier;
+import java.util.stream.Stream;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.Guard;
@@ -10,9 +12,12 @@ import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.Pose;
 import majic.inlab.LabRig;
+import majic.inlab.acts.ActLabs;
 import majic.lab.LabAccess.Wall;
 import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Tests the Pioneer's driver with the lab's Pioneer, on the lab's stepped clock. */
@@ -63,10 +68,14 @@ class PioneerInLabTest {
         assertThat(amount(bot.turn(-120))).isCloseTo(-120, within(1.0));
     }
 
-    @ParameterizedTest
-    @ValueSource(longs = {0, 3})
-    void wandersForTenMinutesAndTouchesNothing(long seed) {
-        connect(seed == 0 ? LabRig.exact() : LabRig.noisy(seed));
+    static Stream<Named<Supplier<LabRig>>> labs() {
+        return ActLabs.labs(1);
+    }
+
+    @ParameterizedTest(name = "in {0}")
+    @MethodSource("labs")
+    void wandersForTenMinutesAndTouchesNothing(Supplier<LabRig> lab) {
+        connect(lab.get());
         bot.addListener(new BotListener() {
             @Override
             public void stateChanged(MajicBot from, BotState state) {

@@ -32,7 +32,7 @@ public final class ActLabs {
     }
 
     /** Returns the same with another number of labs with noise. */
-    static Stream<Named<Supplier<LabRig>>> labs(int seeds) {
+    public static Stream<Named<Supplier<LabRig>>> labs(int seeds) {
         return labs(LabRig::exact, LabRig::noisy, seeds);
     }
 
