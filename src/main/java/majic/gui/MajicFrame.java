@@ -92,6 +92,15 @@ public final class MajicFrame extends JFrame implements PictureViewer {
      * @param services what the program provides
      */
     public MajicFrame(Session session, MajicParser parser, ProgramServices services) {
+        this(session, parser, services, AFTER_PAINTING_MS);
+    }
+
+    /**
+     * Creates a window that is completed at another time.
+     *
+     * @param completionMs when what would have delayed the window is added after it was opened, ms; 0 for at once
+     */
+    MajicFrame(Session session, MajicParser parser, ProgramServices services, int completionMs) {
         super("MAJIC");
         this.session = session;
         this.services = services;
@@ -130,7 +139,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         removeButton = FrameToolbar.button(actions.killBot);
         actionButton = FrameToolbar.button(actions.loadAct);
         killButton = FrameToolbar.button(actions.killMajic);
-        memory = place(actions);
+        memory = place(actions, completionMs);
         listen(parser);
     }
 
@@ -150,7 +159,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         return new StartPage(starting, teams.last());
     }
 
-    private FrameMemory place(FrameActions actions) {
+    private FrameMemory place(FrameActions actions, int completionMs) {
         List<JButton> buttons = List.of(
                 addButton,
                 removeButton,
@@ -166,7 +175,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         addWindowListener(new WindowAdapter() {
             @Override
             public void windowOpened(WindowEvent event) {
-                Timer painted = new Timer(AFTER_PAINTING_MS, done -> complete(menu, actions));
+                Timer painted = new Timer(completionMs, done -> complete(menu, actions));
                 painted.setRepeats(false);
                 painted.start();
             }

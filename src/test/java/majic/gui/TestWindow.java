@@ -185,7 +185,7 @@ public final class TestWindow implements AutoCloseable {
                 null,
                 history,
                 sharing);
-        return new MajicFrame(session, parser, services);
+        return new MajicFrame(session, parser, services, 0);
     }
 
     private void quit() {
