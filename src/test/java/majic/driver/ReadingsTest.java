@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import majic.bot.BotState;
 import majic.bot.Pose;
+import majic.bot.Uncertainty;
 import majic.time.TimeSource;
 import org.junit.jupiter.api.Test;
 
@@ -20,7 +21,7 @@ class ReadingsTest {
     @Test
     void turnsWhatComesAfterwardsWithTheHeadingThatWasSet() {
         reported(new Pose(1000, 500, 170));
-        readings.place(new Pose(100, 200, 90));
+        readings.place(new Pose(100, 200, 90), Uncertainty.BY_HAND);
 
         assertSame(reported(new Pose(1000, 500, 170).after(300, 0)), new Pose(100, 500, 90));
     }
@@ -28,10 +29,10 @@ class ReadingsTest {
     @Test
     void aRobotCanBePlacedAgainAndAgain() {
         reported(new Pose(5, 5, 5));
-        readings.place(new Pose(1, 2, 3));
+        readings.place(new Pose(1, 2, 3), Uncertainty.BY_HAND);
         reported(new Pose(7, 8, 9));
 
-        readings.place(new Pose(-1, -2, -180));
+        readings.place(new Pose(-1, -2, -180), Uncertainty.BY_HAND);
         assertSame(readings.state().pose(), new Pose(-1, -2, 180));
         assertThat(readings.placedAt()).contains(new Pose(-1, -2, 180));
     }
@@ -39,7 +40,7 @@ class ReadingsTest {
     @Test
     void aPlacedRobotStaysWhereItWasWhenItsOdometryStartsAgain() {
         reported(Pose.START);
-        readings.place(new Pose(1000, 2000, 90));
+        readings.place(new Pose(1000, 2000, 90), Uncertainty.BY_HAND);
         reported(new Pose(300, 0, 0));
         readings.reconnecting();
 
@@ -53,6 +54,19 @@ class ReadingsTest {
         readings.reconnecting();
 
         assertThat(reported(Pose.START)).isEqualTo(Pose.START);
+    }
+
+    @Test
+    void theUncertaintyOfAPlacedRobotGrowsWithItsWayUntilItIsPlacedAgain() {
+        reported(new Pose(300, 0, 0));
+        assertThat(readings.uncertainty().isKnown()).isFalse();
+        readings.place(new Pose(0, 0, 90), Uncertainty.of(10, 1));
+        reported(new Pose(2300, 0, 0));
+
+        assertThat(readings.uncertainty().sigmaMm()).isGreaterThan(100);
+        assertThat(readings.uncertainty()).isEqualTo(Uncertainty.of(10, 1).after(90, new Pose(2000, 0, 0)));
+        readings.place(new Pose(0, 2000, 90), Uncertainty.of(10, 1));
+        assertThat(readings.uncertainty()).isEqualTo(Uncertainty.of(10, 1));
     }
 
     private Pose reported(Pose odometry) {

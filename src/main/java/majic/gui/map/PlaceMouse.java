@@ -59,7 +59,7 @@ final class PlaceMouse extends MouseAdapter {
     @Override
     public void mouseDragged(MouseEvent event) {
         if (dragged != null) {
-            map.preview(moved(dragged, event));
+            map.previewPlace(moved(dragged, event));
         }
     }
 
@@ -68,7 +68,7 @@ final class PlaceMouse extends MouseAdapter {
         Place ended = dragged;
         dragged = null;
         if (ended != null) {
-            map.preview((Place) null);
+            map.previewPlace(null);
             if (map.contains(event.getPoint()) && event.getPoint().distance(pressed) > DRAG_PX) {
                 Place there = moved(ended, event);
                 channel.submit("map place " + there.name() + " " + at(there.pose())

@@ -58,7 +58,7 @@ final class TeamFloor implements MapContent {
     }
 
     /** Draws a place where it is being dragged to; null ends that. */
-    void preview(@Nullable Place place) {
+    void previewPlace(@Nullable Place place) {
         placePreview = place;
     }
 

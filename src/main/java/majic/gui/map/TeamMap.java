@@ -87,8 +87,8 @@ public final class TeamMap extends ZoomableMap {
     }
 
     /** Draws a place where it is being dragged to; null ends that. */
-    void preview(@Nullable Place place) {
-        floor.preview(place);
+    void previewPlace(@Nullable Place place) {
+        floor.previewPlace(place);
         repaint();
     }
 
