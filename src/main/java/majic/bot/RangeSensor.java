@@ -14,6 +14,9 @@ public record RangeSensor(String name, List<Beam> beams) {
     /** The most beams of a sensor. */
     public static final int MOST_BEAMS = 8192;
 
+    private static final int LEAST_LASER_BEAMS = 30;
+    private static final double WIDEST_LASER_DEG = 5;
+
     /** Refuses a sensor without a beam, or with too many. */
     public RangeSensor {
         beams = List.copyOf(beams);
@@ -42,5 +45,16 @@ public record RangeSensor(String name, List<Beam> beams) {
                         .mapToObj(beam -> new Beam(
                                 mount.plus(new Pose(0, 0, firstDeg + beam * stepDeg)), opening, 0, reachMm, noiseMm))
                         .toList());
+    }
+
+    /**
+     * Returns whether its scans say enough to find the place of the robot by them, as those of a laser scanner.
+     *
+     * @return true for at least {@value #LEAST_LASER_BEAMS} beams that are at most {@value #WIDEST_LASER_DEG} degrees
+     *     wide
+     */
+    public boolean isLaser() {
+        return beams.size() >= LEAST_LASER_BEAMS
+                && beams.stream().allMatch(beam -> beam.openingDeg() <= WIDEST_LASER_DEG);
     }
 }

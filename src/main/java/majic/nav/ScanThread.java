@@ -6,7 +6,6 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import majic.bot.MajicBot;
 import majic.bot.RangeScan;
-import majic.bot.RangeSensor;
 import majic.bot.ScanListener;
 import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
@@ -20,11 +19,6 @@ final class ScanThread implements ScanListener {
 
     /** Some scans take some hundred milliseconds; the oldest of a longer time are left out. */
     private static final int MOST_WAITING = 30;
-
-    /** The least beams of a laser scanner, and their widest opening. */
-    private static final int LASER_BEAMS = 30;
-
-    private static final double LASER_DEG = 5;
 
     private final MajicBot robot;
     private final String name;
@@ -126,7 +120,7 @@ final class ScanThread implements ScanListener {
                 if (scan == null) {
                     break;
                 }
-                boolean laser = isLaser(scan.sensor());
+                boolean laser = scan.sensor().isLaser();
                 hasLaser |= laser;
                 if (laser || !hasLaser) {
                     work.add(scan, laser);
@@ -145,10 +139,5 @@ final class ScanThread implements ScanListener {
             }
             changed.raise();
         }
-    }
-
-    private static boolean isLaser(RangeSensor sensor) {
-        return sensor.beams().size() >= LASER_BEAMS
-                && sensor.beams().stream().allMatch(beam -> beam.openingDeg() <= LASER_DEG);
     }
 }
