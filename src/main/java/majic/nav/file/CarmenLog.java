@@ -13,7 +13,8 @@ import majic.bot.RangeSensor;
 /**
  * Logs of odometry and laser scans in the format of CARMEN (Montemerlo, Roy, Thrun 2003; its logger's manual), plain or
  * compressed by gzip: {@code ODOM}, {@code FLASER}, {@code ROBOTLASER1}. Comments and all other lines are skipped, also
- * {@code PARAM} and {@code RLASER}. Metres and radians are converted to mm and degrees.
+ * {@code PARAM} and {@code RLASER}. Metres and radians are converted to mm and degrees; a range of 0 is nothing
+ * measured.
  *
  * <p>A line has at most 200,000 characters, a log {@value #MOST_LINES} lines.
  */
@@ -145,7 +146,8 @@ public final class CarmenLog {
         private float[] ranges(int count) throws IOException {
             float[] ranges = new float[count];
             for (int index = 0; index < count; index++) {
-                ranges[index] = (float) (number("range " + (index + 1) + " (m)", 0, FAR_M) * MM);
+                double range = number("range " + (index + 1) + " (m)", 0, FAR_M) * MM;
+                ranges[index] = range == 0 ? Float.NaN : (float) range;
             }
             return ranges;
         }

@@ -75,6 +75,13 @@ class CarmenLogTest {
     }
 
     @Test
+    void aRangeOfZeroIsNoEchoAtTheRobot() throws IOException {
+        read(flaser(1, "0", "0 0 0 0 0 0"));
+
+        assertThat(scans.get(0).rangeMm(0)).isNaN();
+    }
+
+    @Test
     void aScannerInFrontOfTheCentreIsMountedThere() throws IOException {
         read(flaser(1, "1", "1.2 0 0 1 0 0"));
 
