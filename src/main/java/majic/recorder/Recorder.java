@@ -26,7 +26,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Records what the robots of a team report, what happens to them, and the lines of the session, from now until it is
  * closed. Uses two threads: one finds what has changed, after each report of a robot and at most 10 times a second, the
- * other writes. So it delays neither a robot nor a listener, and it sends the robots nothing. Thread-safe.
+ * other writes. So it delays neither a robot nor a listener. It sends the robots nothing, except that those with a
+ * laser scanner are asked for their scans while they drive. Thread-safe.
  */
 public final class Recorder implements SessionListener, AutoCloseable {
     private static final Logger LOG = LateLogger.of(Recorder.class);
@@ -140,6 +141,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
         closed = true;
         due.raise();
         awaitLastSample();
+        robots.values().forEach(RobotSampler::end);
         writer.close();
     }
 
@@ -285,7 +287,10 @@ public final class Recorder implements SessionListener, AutoCloseable {
 
         @Override
         public void removed(Member member) {
-            robots.remove(member.bot());
+            RobotSampler removed = robots.remove(member.bot());
+            if (removed != null) {
+                removed.end();
+            }
             pictures.remove(member.bot());
             member.bot().removeListener(reports);
         }

@@ -53,6 +53,10 @@ final class RecordingFormat {
         REPORT,
         /** The true pose of a robot in the simulated lab has changed. */
         TRUTH,
+        /** A laser scanner of which scans follow. */
+        SENSOR,
+        /** What a laser scanner has measured. */
+        SCAN,
         /** A picture of a robot's camera. */
         PICTURE,
         /** Something happened to a robot or the team. */

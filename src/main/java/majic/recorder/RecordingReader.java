@@ -171,6 +171,11 @@ final class RecordingReader {
                 RecordingFormat.require(columns, 5);
                 sink.change(kind, robot(columns), columns[3], columns[4]);
             }
+            case SENSOR -> sink.sensor(robot(columns), columns);
+            case SCAN -> {
+                RecordingFormat.require(columns, 4);
+                sink.scan(robot(columns), columns);
+            }
             case PICTURE -> {
                 RecordingFormat.require(columns, 4);
                 sink.picture(robot(columns), columns[3]);

@@ -19,6 +19,14 @@ interface RecordingSink {
     /** A change of something that a robot has: one of {@code VALUE}, {@code STATUS}, {@code REPORT}, {@code TRUTH}. */
     default void change(RecordingFormat.Kind kind, int robot, String name, String text) {}
 
+    /** A laser scanner of which scans follow, for {@link ScanText#sensor(String[])}. */
+    default void sensor(int robot, String[] columns) {}
+
+    /**
+     * What a laser scanner has measured, for {@link ScanText#scan(String[], majic.bot.RangeSensor)}; 4 columns or more.
+     */
+    default void scan(int robot, String[] columns) {}
+
     /** A picture of a robot's camera, as the text of its bytes in base 64. */
     default void picture(int robot, String jpeg) {}
 

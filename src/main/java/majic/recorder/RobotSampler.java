@@ -18,7 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Finds what has changed of one robot since the last time: its parameters, the reports that its panel needs, what the
- * team keeps of it. Sends the robot nothing and waits for nothing. Samples are taken by one thread.
+ * team keeps of it. Sends the robot nothing, except that it asks for scans, and waits for nothing. Samples are taken by
+ * one thread.
  */
 final class RobotSampler {
     /** Changes all the time and follows from the times of the other values. */
@@ -33,6 +34,7 @@ final class RobotSampler {
     private List<Sampled> samples = List.of();
     private final Map<Kind, Map<String, String>> texts = new EnumMap<>(Kind.class);
     private final Map<String, String> reports = new HashMap<>();
+    private final ScanSampler scans;
     private volatile boolean forgotten = true;
     private volatile boolean reported = true;
     private double sampledS = Double.NEGATIVE_INFINITY;
@@ -40,6 +42,7 @@ final class RobotSampler {
     RobotSampler(Member member, RecordedRobot robot) {
         this.member = member;
         this.robot = robot;
+        this.scans = new ScanSampler(robot.number(), member.bot());
     }
 
     /** Describes everything anew the next time. Called by any thread. */
@@ -52,6 +55,11 @@ final class RobotSampler {
         reported = true;
     }
 
+    /** Asks the robot for nothing any more. Called by any thread. */
+    void end() {
+        scans.end();
+    }
+
     /** Adds a line for each change, if the robot has reported something or was not sampled for a while. */
     void sample(StringBuilder lines, StopStatus stops, double nowS) {
         if (reported || forgotten || nowS - sampledS >= QUIET_PERIOD_S) {
@@ -59,6 +67,7 @@ final class RobotSampler {
             sampledS = nowS;
             sample(lines, stops);
         }
+        scans.sample(lines, nowS);
     }
 
     private void sample(StringBuilder lines, StopStatus stops) {
@@ -67,6 +76,7 @@ final class RobotSampler {
             samples.forEach(sampled -> sampled.last = null);
             texts.clear();
             reports.clear();
+            scans.forget();
             lines.append(RecordingFormat.robot(robot));
         }
         MajicBot bot = member.bot();

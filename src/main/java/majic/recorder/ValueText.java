@@ -44,6 +44,14 @@ final class ValueText {
                 : BigDecimal.valueOf(scaled, digits).stripTrailingZeros().toPlainString();
     }
 
+    /** A place or an angle, with four decimal places as far as they are not zero. */
+    static String fine(double number) {
+        long scaled = Math.round(number * 1e4);
+        return scaled == 0
+                ? "0"
+                : BigDecimal.valueOf(scaled, 4).stripTrailingZeros().toPlainString();
+    }
+
     private static int decimals(double number) {
         double size = Math.abs(number);
         return size >= 100 ? 1 : size >= 10 ? 2 : size >= 1 ? 3 : 5;

@@ -306,6 +306,11 @@ public final class FakeBot extends BotDriver {
         return sensors;
     }
 
+    /** Whether something asks for scans. */
+    public boolean isAskedForScans() {
+        return hasScanListeners();
+    }
+
     /** Measures: it is where the odometry of the scan has it. */
     public void measure(RangeScan scan) {
         pose = scan.odometry();

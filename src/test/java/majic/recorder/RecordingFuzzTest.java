@@ -9,9 +9,12 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import java.util.zip.GZIPOutputStream;
 import majic.bot.Parameter;
+import majic.bot.RangeScan;
 import majic.text.OneSentence;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -28,6 +31,21 @@ class RecordingFuzzTest {
     @FuzzTest
     void anyLinesAreReadOrRefusedWithTheirPlace(byte[] lines) throws IOException {
         readOrRefused(compressed(lines));
+    }
+
+    @FuzzTest
+    void anyScansAreReadOrRefusedWithTheirPlace(byte[] lines) throws IOException {
+        Path file = file(compressed(lines));
+        try {
+            for (RecordedScans scans : RecordedScans.in(file)) {
+                List<RangeScan> read = new ArrayList<>();
+                scans.read(read::add);
+                assertThat(read).hasSize(scans.count());
+            }
+        } catch (IOException e) {
+            assertThat(e).hasMessageStartingWith("odd.majicrec cannot be read: it");
+            OneSentence.check(e.getMessage());
+        }
     }
 
     @FuzzTest
