@@ -23,13 +23,13 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code majic map build}: builds a map from a log of odometry and laser scans. */
+/** {@code majic map build}: builds a map from a log or a recording of odometry and laser scans. */
 @Command(
         name = "build",
         mixinStandardHelpOptions = true,
         versionProvider = Version.class,
         sortOptions = false,
-        description = "Builds a map from a log of odometry and laser scans, without a window.")
+        description = "Builds a map from a log or a recording of odometry and laser scans, without a window.")
 final class MapBuildCommand implements Callable<Integer> {
     private static final double MM = 1000;
     private static final int SECONDS_PER_MINUTE = 60;
@@ -39,7 +39,7 @@ final class MapBuildCommand implements Callable<Integer> {
     @Spec
     private @Nullable CommandSpec spec;
 
-    @Parameters(paramLabel = "LOG", description = "a CARMEN log, plain or compressed by gzip")
+    @Parameters(paramLabel = "LOG", description = "a CARMEN log, plain or compressed by gzip, or a recording")
     private Path log = Path.of("");
 
     @Option(
@@ -54,11 +54,27 @@ final class MapBuildCommand implements Callable<Integer> {
             description = "also writes the corrected way: a line \"time x y theta\" (s, m, m, rad) for each odometry")
     private @Nullable Path trajectory;
 
+    @Option(
+            names = "--robot",
+            paramLabel = "N",
+            description = "the number of the robot, if a recording has scans of several")
+    private @Nullable Integer robot;
+
+    @Option(
+            names = "--log",
+            paramLabel = "FILE",
+            description = "also writes what was read as a CARMEN log, compressed if FILE ends with .gz")
+    private @Nullable Path carmenLog;
+
     @Override
     public Integer call() throws IOException {
         PrintWriter err = Objects.requireNonNull(spec).commandLine().getErr();
+        ScanLog scans = ScanLog.of(log, robot, err::println);
+        if (carmenLog != null) {
+            scans.write(carmenLog);
+        }
         Building building = new Building(err);
-        CarmenLog.read(log, building, building::progress);
+        scans.read(building, building::progress);
         building.mapper.finish();
         Path yaml = named();
         OccupancyGrid grid = building.mapper.grid();
@@ -75,7 +91,7 @@ final class MapBuildCommand implements Callable<Integer> {
 
     private Path named() {
         String name = String.valueOf((out == null ? log : out).getFileName());
-        String base = name.replaceFirst("(?i)(\\.ya?ml|(\\.(clf|log|txt))?(\\.gz)?)$", "");
+        String base = name.replaceFirst("(?i)(\\.ya?ml|(\\.(clf|log|txt|majicrec))?(\\.gz)?)$", "");
         return (out == null ? log : out).resolveSibling(base + ".yaml");
     }
 

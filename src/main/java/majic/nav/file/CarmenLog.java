@@ -3,9 +3,11 @@ package majic.nav.file;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.DoubleConsumer;
+import majic.bot.Beam;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
 import majic.bot.RangeSensor;
@@ -38,6 +40,11 @@ public final class CarmenLog {
     private static final double MOST_OFFSET_MM = 1000;
 
     private static final int HALF_TURN = 180;
+
+    /** How far beams that are written as one scanner may be from its place, and from its angles. */
+    private static final double APART_MM = 1;
+
+    private static final double UNEVEN_DEG = 0.1;
 
     private CarmenLog() {}
 
@@ -197,14 +204,13 @@ public final class CarmenLog {
      *
      * @param scan of a sensor whose beams are equally far apart, as those of {@link RangeSensor#laser}
      * @return without an end of line
+     * @throws IllegalArgumentException if they are not, or do not begin at one place
      */
     public static String line(RangeScan scan) {
-        var beams = scan.sensor().beams();
+        List<Beam> beams = scan.sensor().beams();
         Pose mount = beams.get(0).mount();
         double first = Math.toRadians(mount.headingDeg());
-        double step = beams.size() < 2
-                ? 0
-                : Math.toRadians(Pose.normalised(beams.get(1).mount().headingDeg() - mount.headingDeg()));
+        double step = Math.toRadians(stepDeg(scan.sensor()));
         double reach = beams.get(0).reachMm() / MM;
         StringBuilder line = new StringBuilder(String.format(
                 Locale.ROOT,
@@ -228,6 +234,27 @@ public final class CarmenLog {
                         scan.timeS(),
                         scan.timeS()))
                 .toString();
+    }
+
+    private static double stepDeg(RangeSensor sensor) {
+        List<Beam> beams = sensor.beams();
+        Pose first = beams.get(0).mount();
+        Pose last = beams.get(beams.size() - 1).mount();
+        if (beams.size() == 1) {
+            return 0;
+        }
+        double about = Pose.normalised(beams.get(1).mount().headingDeg() - first.headingDeg());
+        double whole = about * (beams.size() - 1);
+        double exact = (whole + Pose.normalised(last.headingDeg() - first.headingDeg() - whole)) / (beams.size() - 1);
+        for (int index = 0; index < beams.size(); index++) {
+            Pose mount = beams.get(index).mount();
+            double wrong = Pose.normalised(mount.headingDeg() - first.headingDeg() - index * exact);
+            if (mount.distanceMm(first) > APART_MM || Math.abs(wrong) > UNEVEN_DEG) {
+                throw new IllegalArgumentException("the beams of the " + sensor.name()
+                        + " are not equally far apart at one place, as a CARMEN log needs them");
+            }
+        }
+        return exact;
     }
 
     private static String text(Pose pose) {
