@@ -39,7 +39,7 @@ final class EchoPoints {
     final float[] x;
     final float[] y;
 
-    /** Unit vector, or zero where a point has no neighbours. */
+    /** Unit vector from the surface to the side it was seen from, or zero where a point has no neighbours. */
     final float[] normalX;
 
     final float[] normalY;
@@ -149,8 +149,9 @@ final class EchoPoints {
             return;
         }
         double along = 0.5 * Math.atan2(2 * xy, xx - yy);
-        normalX[index] = (float) -Math.sin(along);
-        normalY[index] = (float) Math.cos(along);
+        double towards = x[index] * Math.sin(along) - y[index] * Math.cos(along) < 0 ? -1 : 1;
+        normalX[index] = (float) (-towards * Math.sin(along));
+        normalY[index] = (float) (towards * Math.cos(along));
     }
 
     private double apart(int one, int other) {

@@ -24,6 +24,12 @@ final class ScanMatcher {
      */
     private static final double ISOLATED = 0.1;
 
+    /**
+     * The cosine between the normals of the two sides of a wall, at least 120 degrees: at a corner, the normals of one
+     * side are up to 90 degrees apart.
+     */
+    private static final double OTHER_SIDE = -0.5;
+
     /** What an ideal match would still be wrong by, since surfaces are not lines and motion distorts a scan. */
     private static final Information FLOOR = Information.diagonal(10 * 10, 10 * 10, Math.pow(Math.toRadians(0.2), 2));
 
@@ -127,12 +133,19 @@ final class ScanMatcher {
                     add(1, 0, ex, dx, dy, ISOLATED);
                     add(0, 1, ey, dx, dy, ISOLATED);
                     respond(Math.hypot(ex, ey));
-                } else {
+                } else if (!isOtherSide(points, index, cos, sin, nx, ny)) {
                     double error = nx * ex + ny * ey;
                     add(nx, ny, error, dx, dy, 1);
                     respond(error);
                 }
             }
+        }
+
+        /** Whether an echo is of the other side of a wall, which may be nearer than the reach of the reference. */
+        private static boolean isOtherSide(EchoPoints points, int index, double cos, double sin, double nx, double ny) {
+            double ownX = cos * points.normalX[index] - sin * points.normalY[index];
+            double ownY = sin * points.normalX[index] + cos * points.normalY[index];
+            return ownX * nx + ownY * ny < OTHER_SIDE;
         }
 
         private void respond(double error) {

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.Optional;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.nav.mapping.ReferenceGrid.PlacedPoints;
 import org.junit.jupiter.api.Test;
 
@@ -65,7 +66,7 @@ class ScanMatcherTest {
         for (int index = 0; index < ranges.length; index++) {
             ranges[index] = (float) (1000 / Math.abs(Math.sin(Math.toRadians(index - 90))));
         }
-        EchoPoints corridor = EchoPoints.of(new majic.bot.RangeScan(Floor.LASER, 0, middle, ranges));
+        EchoPoints corridor = EchoPoints.of(new RangeScan(Floor.LASER, 0, middle, ranges));
         ReferenceGrid reference = new ReferenceGrid(List.of(new PlacedPoints(corridor, middle)), 3);
 
         ScanMatch match = ScanMatcher.refine(reference, corridor, middle, middle, Information.NONE)
@@ -73,6 +74,34 @@ class ScanMatcherTest {
 
         assertThat(match.covariance().xx())
                 .isGreaterThan(30 * match.covariance().yy());
+    }
+
+    /** The wall is 150 mm thick. */
+    @Test
+    void theTwoSidesOfAWallAreNotTakenForOneSurface() {
+        Pose below = new Pose(50_000, 0, 90);
+        Pose above = new Pose(50_000, 2150, -90);
+        ReferenceGrid reference = new ReferenceGrid(List.of(new PlacedPoints(wallAhead(below, 1000), below)), 3);
+
+        ScanMatch other = ScanMatcher.refine(reference, wallAhead(above, 1000), above, above, Information.NONE)
+                .orElseThrow();
+        ScanMatch same = ScanMatcher.refine(reference, wallAhead(below, 850), below, below, Information.NONE)
+                .orElseThrow();
+
+        assertThat(other.pose().distanceMm(above)).isLessThan(1);
+        assertThat(other.response()).isZero();
+        assertThat(same.pose().distanceMm(below)).isCloseTo(150, within(1.0));
+        assertThat(same.response()).isGreaterThan(0.9);
+    }
+
+    private static EchoPoints wallAhead(Pose at, double mm) {
+        float[] ranges = new float[Floor.LASER.beams().size()];
+        for (int index = 0; index < ranges.length; index++) {
+            int angle = index - 90;
+            ranges[index] =
+                    Math.abs(angle) > 40 ? Float.POSITIVE_INFINITY : (float) (mm / Math.cos(Math.toRadians(angle)));
+        }
+        return EchoPoints.of(new RangeScan(Floor.LASER, 0, at, ranges));
     }
 
     @Test
