@@ -284,6 +284,8 @@ public final class Figures {
     private void mapping() throws IOException {
         say("a map from a public log (at most 60 s of processor time)");
         new MappingFigures().mapping().forEach(line -> say("  %s", line));
+        say("a map of an office of the lab, built while the robot drives past another one");
+        programs.linesOfBuild(OfficeFigures.class, List.of()).forEach(line -> say("  %s", line));
     }
 
     private void localisation() throws IOException {
