@@ -80,7 +80,7 @@ public final class MapPicture {
     /** Draws the cells. */
     void paint(Graphics2D g, MapView view) {
         Color[] colors = {
-            new Color(0, true), Palette.mixed(0.1), Palette.mixed(0.75),
+            new Color(0, true), Palette.mixed(Palette.text(), Palette.paper(), 0.15), Palette.mixed(0.75),
         };
         byte[][] parts = new byte[4][KINDS];
         for (int kind = 0; kind < KINDS; kind++) {

@@ -2,6 +2,7 @@ package majic.gui.map;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import com.formdev.flatlaf.FlatDarkLaf;
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Color;
 import java.awt.event.MouseEvent;
@@ -24,6 +25,8 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 @Tag("jdk")
 class MapPaintTest {
@@ -129,6 +132,25 @@ class MapPaintTest {
         assertThat(pixel(image, 500, 2000)).isEqualTo(Palette.mixed(0.75).getRGB());
         assertThat(pixel(image, 500, 1000)).isEqualTo(pixel(without, 500, 1000));
         assertThat(differences(image, without)).isGreaterThan(1000);
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void whatIsFreeOnTheMapDiffersFromWhatIsUnknownInBothLooks(boolean dark) {
+        OccupancyGrid grid = OccupancyGrid.of(Pose.START, 1000, 2, 1, (column, row) -> column == 1 ? 0 : Double.NaN);
+        MapPicture free = new MapPicture(NavigationMap.of(grid));
+        try {
+            if (dark) {
+                FlatDarkLaf.setup();
+            }
+            BufferedImage image = paint(new MapScene(room(), Furnishing.NONE, List.of(), List.of(), free, false));
+
+            Color known = new Color(pixel(image, 1370, 430));
+            Color unknown = new Color(pixel(image, 370, 430));
+            assertThat(Math.abs(known.getGreen() - unknown.getGreen())).isGreaterThan(12);
+        } finally {
+            light();
+        }
     }
 
     @Test
