@@ -5,6 +5,7 @@ import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Dimension;
 import java.nio.file.Path;
 import java.util.Objects;
+import java.util.function.Supplier;
 import javax.swing.JComponent;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
@@ -13,7 +14,7 @@ import majic.bot.MajicBot;
 import majic.gui.WindowWait;
 import majic.program.WindowPicture;
 
-/** Makes a picture of one robot's panel for the documents, light or dark, of any size. */
+/** Makes a picture of one robot's panel, or of another component, for the documents, light or dark, of any size. */
 final class PanelPicture {
     private static final Path IMAGES = Path.of("docs", "images");
 
@@ -21,10 +22,15 @@ final class PanelPicture {
 
     /** Shows a robot's panel in a window of its own. */
     static JFrame open(MajicBot bot, Dimension size, boolean dark) throws Exception {
+        return open(() -> Objects.requireNonNull(bot.display()), size, dark);
+    }
+
+    /** Shows a component, which is made on the event thread, in a window of its own. */
+    static JFrame open(Supplier<JComponent> made, Dimension size, boolean dark) throws Exception {
         JFrame[] frame = new JFrame[1];
         SwingUtilities.invokeAndWait(() -> {
             look(dark);
-            JComponent panel = Objects.requireNonNull(bot.display());
+            JComponent panel = made.get();
             panel.setPreferredSize(size);
             frame[0] = new JFrame("panel");
             frame[0].setUndecorated(true);
