@@ -1,5 +1,6 @@
 package majic.script.run;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -11,10 +12,15 @@ import majic.bot.BotException;
 import majic.bot.MotionStopped;
 import majic.driver.Permit;
 import majic.log.Line;
+import majic.script.conditions.Comparisons;
+import majic.script.conditions.ConditionEvaluator;
 import majic.script.conditions.Selection;
+import majic.script.conditions.Truth;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
+import majic.script.syntax.Condition;
 import majic.script.syntax.ScriptException;
+import majic.script.syntax.Token;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
@@ -23,12 +29,18 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One script or behaviour while it runs. A script owns the robots it commands; those of a behaviour are sublet to it.
- * The first command that fails ends it. Used by the thread that runs it; {@link #end()} may be called on any.
+ * One script or behaviour while it runs: checks each command when its turn comes, evaluates conditions, repeats blocks.
+ * A script owns the robots it commands; those of a behaviour are sublet to it. The first command that fails ends it.
+ * Used by the thread that runs it; {@link #end()} may be called on any.
  */
-public final class ScriptExecution extends Execution {
+public final class ScriptExecution extends Execution implements Statement.Visitor<@Nullable Void> {
     private static final int MOST_FILES = 8;
     private static final String STOPPED = "stopped";
+
+    /**
+     * A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on.
+     */
+    private static final double SHORTEST_ROUND_S = 0.01;
 
     private final Owner owner;
     private final boolean claims;
@@ -115,7 +127,7 @@ public final class ScriptExecution extends Execution {
         try {
             claim(RobotsIn.of(script, selection()).commanded());
             checkAlive();
-            new Interpreter(this).run(script);
+            interpret(script);
             if (waits) {
                 finish();
                 how = String.format(Locale.ROOT, "done (%.1f s)", time().secondsSince(began));
@@ -135,6 +147,87 @@ public final class ScriptExecution extends Execution {
                 control.ended(how);
             }
         }
+    }
+
+    /** Runs statements one behind the other. */
+    private void interpret(List<Statement> statements) {
+        for (Statement statement : statements) {
+            checkAlive();
+            statement.accept(this);
+        }
+    }
+
+    @Override
+    public @Nullable Void repeat(Statement.Repeat repeat) {
+        for (int round = 0; repeat.times().isEmpty() || round < repeat.times().getAsInt(); round++) {
+            reach(repeat.at().line());
+            round(repeat.body());
+        }
+        return null;
+    }
+
+    @Override
+    public @Nullable Void whileLoop(Statement.While loop) {
+        reach(loop.at().line());
+        while (holds(loop.condition(), loop.at())) {
+            round(loop.body());
+            reach(loop.at().line());
+        }
+        return null;
+    }
+
+    @Override
+    public @Nullable Void choice(Statement.If choice) {
+        reach(choice.at().line());
+        interpret(holds(choice.condition(), choice.at()) ? choice.body() : choice.otherwise());
+        return null;
+    }
+
+    @Override
+    public @Nullable Void forRobots(Statement.ForRobots line) {
+        reach(line.at().line());
+        Command command = line.command();
+        List<Member> robots = selection().members(line.robots());
+        command.check(robots.stream()
+                .map(robot -> new Command.Check(session(), selection(), robot, false, true))
+                .toList());
+        command.perform(this, robots);
+        return null;
+    }
+
+    @Override
+    public @Nullable Void forSession(Statement.ForSession line) {
+        reach(line.at().line());
+        SessionCommand command = line.command();
+        command.check(new SessionCommand.Check(session(), selection(), false));
+        command.run(this);
+        return null;
+    }
+
+    @Override
+    public @Nullable Void argument(Statement.Argument argument) {
+        return null;
+    }
+
+    private void round(List<Statement> body) {
+        long motionsBefore = motions();
+        long began = time().nanos();
+        interpret(body);
+        if (motions() == motionsBefore && time().secondsSince(began) < SHORTEST_ROUND_S) {
+            pause(SHORTEST_ROUND_S);
+        }
+    }
+
+    private boolean holds(Condition condition, Token at) {
+        Collection<Member> asked = new ArrayList<>(ConditionEvaluator.allAsked(condition, selection(), null));
+        awaitReadable(asked);
+        Comparisons.check(condition, selection(), null);
+        Truth truth = condition.accept(new ConditionEvaluator(selection(), null));
+        if (truth.undecided() != null) {
+            throw new ExecutionEnded(
+                    Answer.Outcome.FAILED, at.text() + " " + condition + " is undecided: " + truth.undecided());
+        }
+        return truth.holds();
     }
 
     private String ending(Throwable why, String title, String file) {
@@ -172,7 +265,7 @@ public final class ScriptExecution extends Execution {
         }
         files++;
         try {
-            new Interpreter(this).run(script);
+            interpret(script);
         } catch (ScriptException e) {
             throw new ExecutionEnded(Answer.Outcome.FAILED, e.mistake().in(file));
         } finally {
@@ -278,7 +371,7 @@ public final class ScriptExecution extends Execution {
 
     /** Runs a behaviour, and waits for all its commands. */
     public void runAct(List<Statement> behaviour) {
-        new Interpreter(this).run(behaviour);
+        interpret(behaviour);
         finish();
     }
 
