@@ -16,11 +16,9 @@ import majic.team.Member;
 import majic.team.TeamListener;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** F12 while the event dispatch thread is kept by one event, as by a disk that does not answer. */
-@Tag("jdk")
 class BusyWindowStopTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

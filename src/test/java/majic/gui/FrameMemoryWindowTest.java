@@ -9,10 +9,8 @@ import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import majic.environment.Settings;
 import majic.gui.bots.RobotTabs;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-@Tag("jdk")
 class FrameMemoryWindowTest {
     private static final Rectangle NEW = new Rectangle(1, 2, 600, 400);
 

@@ -9,11 +9,9 @@ import java.util.stream.IntStream;
 import javax.swing.JTabbedPane;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Tests the window with as many robots as a team can have. */
-@Tag("jdk")
 class FullTeamWindowTest {
     private static final int ROBOTS = 20;
 

@@ -13,10 +13,8 @@ import javax.swing.UIManager;
 import majic.bot.ConnectFailed;
 import org.assertj.swing.edt.GuiActionRunner;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-@Tag("jdk")
 class LanguageWindowTest {
     private static final String KEY = "window.language";
 

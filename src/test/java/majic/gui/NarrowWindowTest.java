@@ -9,12 +9,10 @@ import javax.swing.JButton;
 import javax.swing.SwingUtilities;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@Tag("jdk")
 class NarrowWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

@@ -3,10 +3,8 @@ package majic.gui;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-@Tag("jdk")
 class ReconnectWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.openWith("robots.reconnect", "on");

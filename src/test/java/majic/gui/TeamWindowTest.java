@@ -10,10 +10,8 @@ import majic.bot.Pose;
 import majic.gui.map.TeamMap;
 import majic.team.Member;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-@Tag("jdk")
 class TeamWindowTest {
     @AutoClose
     private final TestWindow window = TestWindow.open();

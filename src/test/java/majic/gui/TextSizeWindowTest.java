@@ -6,10 +6,8 @@ import java.awt.Component;
 import majic.gui.kit.Icons;
 import majic.gui.kit.Pictogram;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-@Tag("jdk")
 class TextSizeWindowTest {
     @AfterEach
     void restore() {

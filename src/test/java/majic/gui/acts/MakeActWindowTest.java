@@ -10,12 +10,10 @@ import majic.act.file.ActFile;
 import majic.gui.TestWindow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that the window makes the same files as the act maker, and shows in words why it cannot. */
-@Tag("jdk")
 class MakeActWindowTest {
     @TempDir
     private Path folder;

@@ -9,12 +9,10 @@ import majic.act.file.ActFile;
 import majic.gui.TestWindow;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that nothing of an act's code is loaded before its contents are shown and the user has agreed. */
-@Tag("jdk")
 class TrustWindowTest {
     @TempDir
     private Path folder;

@@ -19,10 +19,8 @@ import majic.gui.TestWindow;
 import majic.gui.ToyType;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-@Tag("jdk")
 class SearchDialogWindowTest {
     private static final InetAddress HERE = InetAddress.getLoopbackAddress();
 

@@ -11,10 +11,8 @@ import majic.gui.TestWindow;
 import majic.gui.ToyType;
 import majic.gui.kit.ProgramServices.SerialPortChoice;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-@Tag("jdk")
 class SerialInputWindowTest {
     private static final String REASON = "native code can be loaded from no folder of this user";
 

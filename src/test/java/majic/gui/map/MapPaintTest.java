@@ -23,12 +23,10 @@ import majic.panel.DrawingColors;
 import majic.panel.map.Trail;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeAll;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-@Tag("jdk")
 class MapPaintTest {
     private static final int WIDTH = 600;
     private static final int HEIGHT = 400;

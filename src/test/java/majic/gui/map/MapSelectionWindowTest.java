@@ -11,11 +11,9 @@ import majic.bot.Pose;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
 /** Tests that robots are selected by a click on the map. Without a lab they are drawn one metre apart, downwards. */
-@Tag("jdk")
 class MapSelectionWindowTest {
     private static final int APART_MM = 1000;
 

@@ -11,10 +11,8 @@ import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import majic.gui.ToyLab;
 import org.junit.jupiter.api.AutoClose;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 
-@Tag("jdk")
 class RobotPlacingWindowTest {
     private static final int SHIFT = InputEvent.SHIFT_DOWN_MASK;
 

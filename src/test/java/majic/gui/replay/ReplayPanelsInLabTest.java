@@ -19,12 +19,10 @@ import majic.recorder.Recorder;
 import majic.recorder.Recording;
 import majic.recorder.RecordingFolder;
 import majic.team.Member;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** In a replay the panels of all four robots show what they showed when it was recorded. */
-@Tag("jdk")
 class ReplayPanelsInLabTest {
     @TempDir
     private Path folder;
