@@ -282,6 +282,7 @@ public final class MajicPioneer extends BotDriver {
         return new PioneerScene(
                 open.equipment().model(),
                 state,
+                open.laser().fresh(),
                 open.equipment().bumpers(),
                 connection(),
                 get("age").number(),

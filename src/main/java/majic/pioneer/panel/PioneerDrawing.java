@@ -1,7 +1,9 @@
 package majic.pioneer.panel;
 
 import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.panel.DrawingColors;
 import majic.panel.map.EchoContent;
 import majic.pioneer.state.Model;
@@ -14,6 +16,7 @@ import majic.pioneer.state.SonarScan;
  * {@link #record} is for the driver's threads, everything else for the event thread.
  */
 final class PioneerDrawing extends EchoContent<PioneerScene> {
+    private static final double POINT_PX = 2.5;
     private static final Reach REACH = new Reach(0.065, 2000, 4200, 900);
 
     PioneerDrawing() {
@@ -65,6 +68,23 @@ final class PioneerDrawing extends EchoContent<PioneerScene> {
         if (scene.isConnected() && scene.state().sonarOn()) {
             new ConesDrawing(scene.state(), colors, pxPerMm)
                     .paint(pen, scene.model().discs());
+        }
+        if (scene.isConnected()) {
+            scene.laser().ifPresent(scan -> paintLaser(pen, scan, scene.state().pose(), colors, pxPerMm));
+        }
+    }
+
+    /** Draws the echoes of a scan as points, from where the robot was when it measured them. */
+    private static void paintLaser(Graphics2D pen, RangeScan scan, Pose now, DrawingColors colors, double pxPerMm) {
+        Pose then = scan.odometry().seenFrom(now);
+        double side = POINT_PX / pxPerMm;
+        pen.setColor(colors.accent());
+        for (int index = 0; index < scan.size(); index++) {
+            float range = scan.rangeMm(index);
+            if (Float.isFinite(range)) {
+                Pose echo = then.plus(scan.sensor().beams().get(index).mount()).after(range, 0);
+                pen.fill(new Rectangle2D.Double(echo.xMm() - side / 2, echo.yMm() - side / 2, side, side));
+            }
         }
     }
 

@@ -161,6 +161,7 @@ public final class PioneerReplay implements ReplayDisplay {
         return new PioneerScene(
                 model,
                 state,
+                Optional.empty(),
                 new Bumpers((int) bumpers[0], (int) bumpers[1]),
                 bot.connection(),
                 bot.get("age").number(),

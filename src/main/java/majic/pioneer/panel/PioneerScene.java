@@ -1,7 +1,9 @@
 package majic.pioneer.panel;
 
+import java.util.Optional;
 import majic.bot.MajicBot;
 import majic.bot.Range;
+import majic.bot.RangeScan;
 import majic.pioneer.arcos.PacketCounts;
 import majic.pioneer.state.Bumpers;
 import majic.pioneer.state.Model;
@@ -12,6 +14,7 @@ import majic.pioneer.state.PioneerState;
  *
  * @param model its hull and its sonars
  * @param state the last state reported
+ * @param laser its last scan; empty if it has none, or nothing asks for scans at the moment
  * @param bumpers the segments that it has
  * @param connection state of the connection
  * @param silenceMs since the last report
@@ -23,6 +26,7 @@ import majic.pioneer.state.PioneerState;
 public record PioneerScene(
         Model model,
         PioneerState state,
+        Optional<RangeScan> laser,
         Bumpers bumpers,
         MajicBot.Connection connection,
         double silenceMs,
@@ -40,6 +44,7 @@ public record PioneerScene(
         return new PioneerScene(
                 model,
                 state,
+                Optional.empty(),
                 bumpers,
                 now == MajicBot.Connection.CONNECTED ? MajicBot.Connection.CONNECTING : now,
                 silenceMs,

@@ -14,6 +14,8 @@ import majic.bot.FakeBot;
 import majic.bot.MajicBot.Connection;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.panel.RefreshingPanel;
 import majic.panel.StatusLight;
 import majic.panel.StatusLightsPanel;
@@ -89,6 +91,19 @@ class PioneerDrawingTest {
     }
 
     @Test
+    void theEchoesOfALaserAreDrawnWhereTheRobotMeasuredThem() {
+        RangeSensor laser = RangeSensor.laser(Pose.START, 1, 0, 1, 8000, 10);
+        PioneerState state = tracker.track(sip().pose(500, 0, 0).sip(), SECOND);
+        drawing.show(scene(state, Connection.CONNECTED));
+        int[] without = painted();
+        RangeScan scan = new RangeScan(laser, 1, Pose.START, 1500);
+        drawing.show(scene(state, Optional.of(scan), Connection.CONNECTED));
+
+        assertThat(differs(without, painted(), 1500, 0)).isTrue();
+        assertThat(differing(without, painted())).isBetween(1L, 100L);
+    }
+
+    @Test
     void aLostRobotIsPaintedFadedAndWithoutCones() {
         drawing.show(scene(sip().sonar(3, 1500), Connection.CONNECTED));
         int[] connected = painted();
@@ -154,10 +169,14 @@ class PioneerDrawingTest {
     }
 
     private static PioneerScene scene(PioneerState state, Connection connection) {
+        return scene(state, Optional.empty(), connection);
+    }
+
+    private static PioneerScene scene(PioneerState state, Optional<RangeScan> laser, Connection connection) {
         Bumpers bumpers = new Bumpers(MODEL.frontBumpers(), MODEL.rearBumpers());
         Range limits = new Range(-1000, 1000);
         return new PioneerScene(
-                MODEL, state, bumpers, connection, 50, state.sipsPerSec(), PacketCounts.NONE, limits, limits);
+                MODEL, state, laser, bumpers, connection, 50, state.sipsPerSec(), PacketCounts.NONE, limits, limits);
     }
 
     private int[] painted() {

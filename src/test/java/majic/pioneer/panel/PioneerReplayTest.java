@@ -73,6 +73,7 @@ class PioneerReplayTest {
         return new PioneerScene(
                 model,
                 new StateTracker(model, Pose.START).track(new SipBytes().sip(), MS),
+                Optional.empty(),
                 new Bumpers(0, 0),
                 Connection.CONNECTED,
                 0,
