@@ -47,7 +47,16 @@ class ExamplesTest {
 
     @ParameterizedTest
     @ValueSource(
-            strings = {"WanderDog", "LineFollower", "MajicRace", "TenLines", "Wanderer", "RosWander", "PrintScans"})
+            strings = {
+                "WanderDog",
+                "LineFollower",
+                "MajicRace",
+                "TenLines",
+                "Wanderer",
+                "RosWander",
+                "PrintScans",
+                "BuildMap"
+            })
     void withoutAnAddressItPrintsItsUsage(String example) throws Exception {
         PrintStream errors = System.err;
         System.setErr(new PrintStream(said, true, StandardCharsets.UTF_8));

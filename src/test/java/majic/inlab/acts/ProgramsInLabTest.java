@@ -12,6 +12,7 @@ import java.util.List;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.inlab.LabRig;
+import majic.nav.CurrentMap;
 import org.junit.jupiter.api.Test;
 
 /** Runs the examples in MAJIC Script, and what the Java examples do with a connected robot, in the stepped lab. */
@@ -124,6 +125,16 @@ class ProgramsInLabTest {
                 .allMatch(line -> line.matches("laser at Pose\\[.*]: the nearest echo is at [0-9.]+ mm"));
     }
 
+    @Test
+    void aMapIsBuiltWithATurtleBotByJava() throws Exception {
+        try (LabRig rig = LabRig.exactWithRos("2")) {
+            CurrentMap map = (CurrentMap) call("BuildMap", "build", rig.add("ros"));
+
+            assertThat(map.mappedBy()).isEmpty();
+            assertThat(map.text()).matches("[0-9.]+ by [0-9.]+ m, cells of 50 mm, 0 places");
+        }
+    }
+
     /** Runs a script with the robots of the lab in place of those that it names. */
     private static List<String> run(LabRig rig, String script) throws Exception {
         return rig.run(Files.readString(Path.of("examples", script))
@@ -132,10 +143,13 @@ class ProgramsInLabTest {
                 .toArray(String[]::new));
     }
 
-    /** Calls a method of an example; the examples are in no package, so no test can name them. */
-    private static void call(String example, String method, MajicBot robot) throws Exception {
+    /**
+     * Calls a method of an example and returns what it returns; the examples are in no package, so no test can name
+     * them.
+     */
+    private static Object call(String example, String method, MajicBot robot) throws Exception {
         Method called = Class.forName(example).getDeclaredMethod(method, MajicBot.class);
         called.setAccessible(true);
-        called.invoke(null, robot);
+        return called.invoke(null, robot);
     }
 }
