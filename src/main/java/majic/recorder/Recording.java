@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -13,6 +14,7 @@ import java.util.TreeMap;
 import java.util.function.BiPredicate;
 import majic.bot.Parameter;
 import majic.bot.Pose;
+import majic.bot.RangeSensor;
 import majic.lab.LabAccess;
 import majic.recorder.RecordingFormat.Kind;
 
@@ -166,6 +168,7 @@ public final class Recording implements RecordedHistory {
         private final List<LabAccess.Lamp> lamps = new ArrayList<>();
         private final List<RobotTracks> robots = new ArrayList<>();
         private final Map<Integer, RobotTracks> present = new LinkedHashMap<>();
+        private final Map<String, RangeSensor> sensors = new HashMap<>();
         private final Map<String, Track> truths = new TreeMap<>();
         private final List<Mark> marks = new ArrayList<>();
         private final List<RecordedLine> lines = new ArrayList<>();
@@ -225,6 +228,23 @@ public final class Recording implements RecordedHistory {
             RobotTracks tracks = present.get(robot);
             if (tracks != null && all) {
                 tracks.addPicture(endS, jpeg);
+            }
+        }
+
+        @Override
+        public void sensor(int robot, String[] columns) {
+            if (all) {
+                RangeSensor sensor = ScanText.sensor(columns);
+                sensors.put(robot + " " + sensor.name(), sensor);
+            }
+        }
+
+        @Override
+        public void scan(int robot, String[] columns) {
+            RobotTracks tracks = present.get(robot);
+            RangeSensor sensor = sensors.get(robot + " " + columns[3]);
+            if (tracks != null && sensor != null) {
+                tracks.addScan(ScanText.scan(columns, sensor));
             }
         }
 

@@ -1,6 +1,8 @@
 package majic.recorder;
 
+import java.util.ArrayList;
 import java.util.Base64;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,6 +14,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.bot.Parameter;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.bot.Value;
 import majic.recorder.RecordingFormat.Kind;
 
@@ -28,6 +31,7 @@ public final class RobotTracks {
     private final Map<String, Track> reports = new HashMap<>();
     private final Track pictures = new Track();
     private final Track changes = new Track();
+    private final List<RangeScan> scans = new ArrayList<>();
     private double removedS = Double.POSITIVE_INFINITY;
 
     RobotTracks(RecordedRobot robot) {
@@ -50,6 +54,10 @@ public final class RobotTracks {
 
     void addPicture(double seconds, String jpeg) {
         pictures.add(seconds, jpeg);
+    }
+
+    void addScan(RangeScan scan) {
+        scans.add(scan);
     }
 
     void removed(double seconds) {
@@ -199,6 +207,15 @@ public final class RobotTracks {
     public double lastChangeS(double seconds) {
         int index = changes.indexAt(seconds);
         return index < 0 ? seconds : changes.seconds(index);
+    }
+
+    /**
+     * Returns what the laser scanners of the robot have measured.
+     *
+     * @return in the order of their times, which are those of the recording, seconds
+     */
+    public List<RangeScan> scans() {
+        return Collections.unmodifiableList(scans);
     }
 
     /**

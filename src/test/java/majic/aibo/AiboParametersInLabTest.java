@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
+import majic.bot.Pose;
 import majic.bot.Value;
 import majic.inlab.LabRig;
 import org.junit.jupiter.api.AutoClose;
@@ -68,6 +69,7 @@ class AiboParametersInLabTest {
 
     @Test
     void everyParameterCanBeReadFromADog() {
+        dog.place(Pose.START);
         assertThat(dog.parameters().stream().filter(Parameter::readable))
                 .filteredOn(parameter -> !parameter.name().equals("age"))
                 .filteredOn(parameter -> dog.get(parameter.name()) instanceof Value.Unknown)

@@ -95,10 +95,12 @@ class RecordedScansTest {
     }
 
     @Test
-    void aReplayIgnoresScans() throws IOException {
-        Path file = file(HEAD, ROBOT, SENSOR, scan(2, "0 0 0", "999 clear"));
-        assertThat(Recording.read(file).robots()).hasSize(1);
-        assertThat(Recording.read(file).endS()).isEqualTo(2);
+    void aReplayHasTheScansOfEachRobot() throws IOException {
+        Recording recording = Recording.read(file(HEAD, ROBOT, SENSOR, scan(2, "0 0 0", "999 clear")));
+        assertThat(recording.endS()).isEqualTo(2);
+        assertThat(recording.tracks().get(0).scans())
+                .singleElement()
+                .satisfies(scan -> assertThat(scan.rangeMm(0)).isEqualTo(999));
     }
 
     @Test

@@ -63,6 +63,11 @@ public final class MapPicture {
                 null);
     }
 
+    /** Returns the map that it shows. */
+    public NavigationMap map() {
+        return map;
+    }
+
     /** From cells to the floor. */
     private AffineTransform onFloor() {
         Pose origin = map.grid().origin();

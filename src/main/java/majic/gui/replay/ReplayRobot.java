@@ -125,11 +125,23 @@ final class ReplayRobot implements AutoCloseable {
                 robot().label(),
                 robot().bodyMm(),
                 place(atS),
-                Uncertainty.UNKNOWN,
+                uncertainty(atS),
                 truth,
                 trail,
                 bot.isConnected(),
                 !tracks.status("stop", atS).isEmpty());
+    }
+
+    private Uncertainty uncertainty(double atS) {
+        return tracks.parameters().stream()
+                .filter(parameter -> parameter.name().equals("placed"))
+                .map(parameter -> tracks.value(parameter, atS))
+                .filter(Value.Many.class::isInstance)
+                .map(value -> ((Value.Many) value).values())
+                .filter(parts -> parts.size() == 2)
+                .map(parts -> Uncertainty.of(parts.get(0).number(), parts.get(1).number()))
+                .findFirst()
+                .orElse(Uncertainty.UNKNOWN);
     }
 
     /** What the tab of the robot shows. */

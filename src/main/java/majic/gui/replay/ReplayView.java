@@ -38,6 +38,7 @@ final class ReplayView extends JPanel implements AutoCloseable {
     private final transient ReplayPlayer player;
     private final transient ReplayControls.PartTurner turner;
     private final TeamMap map = new TeamMap();
+    private final transient ReplayMap seen;
     private final transient Map<ReplayRobot, JLabel> status = new LinkedHashMap<>();
     private final transient Map<ReplayRobot, RobotTab> tabOf = new LinkedHashMap<>();
     private final RobotTabs tabs = new RobotTabs("replayRobots");
@@ -58,6 +59,7 @@ final class ReplayView extends JPanel implements AutoCloseable {
         this.part = part;
         this.recording = part.recording();
         this.turner = turner;
+        this.seen = new ReplayMap(recording.tracks());
         this.robots = recording.tracks().stream()
                 .map(tracks -> new ReplayRobot(services.type(tracks.robot()), tracks))
                 .toList();
@@ -171,7 +173,7 @@ final class ReplayView extends JPanel implements AutoCloseable {
                 others.entrySet().stream()
                         .map(other -> new MapScene.Bystander(other.getKey(), other.getValue()))
                         .toList(),
-                null,
+                seen.at(atS),
                 guessed);
     }
 
