@@ -43,7 +43,7 @@ final class MapMenu {
         add(
                 menu,
                 "map.start",
-                () -> selection.members().size() == 1 && !isBuilt(),
+                () -> selection.members().size() == 1,
                 () -> channel.submit(
                         "map start " + selection.first().map(Member::number).orElseThrow()));
         add(menu, "map.stop", this::isBuilt, () -> channel.submit("map stop"));
@@ -85,7 +85,7 @@ final class MapMenu {
     }
 
     private boolean isBuilt() {
-        return map().mappedBy().isPresent();
+        return !map().mappedBy().isEmpty();
     }
 
     private RecentFiles recentMaps() {

@@ -2,6 +2,7 @@ package majic.nav;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -15,6 +16,7 @@ import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.nav.file.MapFiles;
+import majic.nav.grid.LikelihoodField;
 import majic.nav.grid.NavigationMap;
 import majic.nav.grid.OccupancyGrid;
 import org.jspecify.annotations.Nullable;
@@ -29,9 +31,14 @@ public final class CurrentMap {
     private static final double MM_PER_M = 1000;
 
     private @Nullable NavigationMap map;
-    private @Nullable LiveMapping mapping;
+    private final Map<MajicBot, LiveMapping> mappings = new LinkedHashMap<>();
+
+    /** What each robot has drawn of the map that is built. */
+    private final Map<MajicBot, OccupancyGrid> parts = new LinkedHashMap<>();
+
     private boolean unsaved;
     private @Nullable Path file;
+    private @Nullable Distances distances;
     private final BiConsumer<MajicBot, String> news;
     private final Map<MajicBot, LiveLocalisation> localised = new ConcurrentHashMap<>();
 
@@ -93,11 +100,15 @@ public final class CurrentMap {
      * @param robot connected, one that is followed
      * @throws BotException if it has no range sensors, there is no map, or a robot builds it at the moment
      */
-    public synchronized void localize(MajicBot robot) {
+    public void localize(MajicBot robot) {
         if (robot.rangeSensors().isEmpty()) {
             throw new BotException("localize: " + robot.name()
                     + " has no range sensors; \"set pose\" places it, or dragging it on the map");
         }
+        search(robot);
+    }
+
+    private synchronized void search(MajicBot robot) {
         NavigationMap known = present("localize");
         refuseWhileMapping("localize");
         LiveLocalisation running = localised.get(robot);
@@ -121,9 +132,28 @@ public final class CurrentMap {
     }
 
     private void begin(MajicBot robot, NavigationMap known, boolean search) {
-        LiveLocalisation begun = new LiveLocalisation(robot, known.grid(), search, text -> news.accept(robot, text));
+        if (distances == null) {
+            distances = new Distances(known.grid());
+        }
+        LiveLocalisation begun = new LiveLocalisation(robot, distances::get, search, text -> news.accept(robot, text));
         localised.put(robot, begun);
         begun.begin();
+    }
+
+    /** The distances from the walls of a map, computed when they are needed, once for all robots. */
+    private static final class Distances {
+        private final OccupancyGrid grid;
+        private @Nullable LikelihoodField made;
+
+        Distances(OccupancyGrid grid) {
+            this.grid = grid;
+        }
+
+        synchronized LikelihoodField get() {
+            LikelihoodField field = made == null ? new LikelihoodField(grid) : made;
+            made = field;
+            return field;
+        }
     }
 
     private void endLocalisation(MajicBot robot) {
@@ -137,9 +167,10 @@ public final class CurrentMap {
     private void change(@Nullable NavigationMap now, boolean changed) {
         List.copyOf(localised.keySet()).forEach(this::endLocalisation);
         map = now;
+        distances = null;
         unsaved = changed;
         file = null;
-        stands = now != null && mapping == null;
+        stands = now != null && mappings.isEmpty();
     }
 
     /** Returns the map as it is now; empty if there is none. */
@@ -152,9 +183,9 @@ public final class CurrentMap {
         return Optional.ofNullable(unsaved ? null : file);
     }
 
-    /** Returns the robot that builds the map at the moment. */
-    public synchronized Optional<MajicBot> mappedBy() {
-        return Optional.ofNullable(mapping).map(LiveMapping::robot);
+    /** Returns the robots that build the map at the moment, in the order in which they began. */
+    public synchronized List<MajicBot> mappedBy() {
+        return List.copyOf(mappings.keySet());
     }
 
     /**
@@ -192,21 +223,26 @@ public final class CurrentMap {
     }
 
     private void refuseWhileMapping(String command) {
-        if (mapping != null) {
-            throw new BotException(
-                    command + ": " + mapping.robot().name() + " builds the map at the moment; \"map stop\" ends that");
+        if (!mappings.isEmpty()) {
+            throw new BotException(command + ": " + builders() + " the map at the moment; \"map stop\" ends that");
         }
     }
 
+    private String builders() {
+        return mappings.keySet().stream().map(MajicBot::name).collect(Collectors.joining(" and "))
+                + (mappings.size() == 1 ? " builds" : " build");
+    }
+
     /**
-     * Begins a new map that a robot builds while it drives, in the background. The robot's pose at the first scan is
-     * taken as right; later the robot is placed where the map has it. May block for half a second. It ends with
-     * {@link #stop}, and when the connection of a robot that is followed is lost or closed.
+     * Begins a new map that a robot builds while it drives, in the background, or lets a further robot build the one
+     * that is being built. The robot's pose at the first scan is taken as right; later the robot is placed where its
+     * own scans have it. May block for half a second. It ends with {@link #stop}, and when the connection of a robot
+     * that is followed is lost or closed.
      *
-     * @param robot connected, one that is followed
+     * @param robot connected, one that is followed; a further one has to be placed on the map
      * @param place where a robot that was not placed stands in the frame of the map; null for where its poses have it
-     * @throws BotException if it has no range sensors, a robot builds a map at the moment, or the one there is has not
-     *     been saved
+     * @throws BotException if it has no range sensors or builds the map already, if the place of a further robot is not
+     *     known, or the map there is has not been saved
      */
     public void start(MajicBot robot, @Nullable Pose place) {
         if (robot.rangeSensors().isEmpty()) {
@@ -215,15 +251,30 @@ public final class CurrentMap {
         }
         LiveMapping begun;
         synchronized (this) {
-            refuseToReplace("map start");
+            refuseToStart(robot, place);
             begun = mappingOf(robot);
-            mapping = begun;
-            change(null, false);
+            if (mappings.isEmpty()) {
+                parts.clear();
+                change(null, false);
+            }
+            mappings.put(robot, begun);
+            stands = false;
         }
         if (robot.placedAt().isEmpty()) {
             robot.place(place == null ? robot.state().pose() : place);
         }
         begun.begin();
+    }
+
+    private void refuseToStart(MajicBot robot, @Nullable Pose place) {
+        if (mappings.isEmpty()) {
+            refuseToReplace("map start");
+        } else if (mappings.containsKey(robot)) {
+            throw new BotException("map start: " + robot.name() + " builds the map already");
+        } else if (place == null && !robot.uncertainty().isKnown()) {
+            throw new BotException("map start: " + builders() + " the map, and the place of " + robot.name()
+                    + " on it is not known; \"set pose\" places it, or dragging it on the team map");
+        }
     }
 
     private LiveMapping mappingOf(MajicBot robot) {
@@ -242,8 +293,11 @@ public final class CurrentMap {
     }
 
     private synchronized void draw(MajicBot robot, OccupancyGrid grid) {
-        if (mappedBy().filter(robot::equals).isPresent()) {
-            map = map == null ? NavigationMap.of(grid) : map.with(grid);
+        if (mappings.containsKey(robot)) {
+            parts.put(robot, grid);
+            OccupancyGrid all =
+                    parts.values().stream().reduce(OccupancyGrid::joined).orElse(grid);
+            map = map == null ? NavigationMap.of(all) : map.with(all);
             unsaved = true;
         }
     }
@@ -253,21 +307,21 @@ public final class CurrentMap {
      * effect if no robot builds one.
      */
     public void stop() {
-        mappedBy().ifPresent(this::endIfMappedBy);
+        mappedBy().forEach(this::endIfMappedBy);
     }
 
     private void endIfMappedBy(MajicBot robot) {
         LiveMapping ending;
         synchronized (this) {
-            ending = mapping;
+            ending = mappings.get(robot);
         }
-        if (ending == null || ending.robot() != robot) {
+        if (ending == null) {
             return;
         }
         ending.end(LAST_S);
         synchronized (this) {
-            mapping = mapping == ending ? null : mapping;
-            stands = map != null && mapping == null;
+            mappings.remove(robot, ending);
+            stands = map != null && mappings.isEmpty();
         }
     }
 
@@ -347,11 +401,12 @@ public final class CurrentMap {
     /** Returns what is known of the map, in a line. */
     public synchronized String text() {
         String size = map == null ? "no map yet" : size(map);
-        if (mapping == null) {
+        if (mappings.isEmpty()) {
             return map == null ? "there is no map" : size;
         }
-        return size + "; " + mapping.robot().name() + " builds it: " + counted(mapping.scans(), "scan") + ", "
-                + counted(mapping.loops(), "loop");
+        int scans = mappings.values().stream().mapToInt(LiveMapping::scans).sum();
+        int loops = mappings.values().stream().mapToInt(LiveMapping::loops).sum();
+        return size + "; " + builders() + " it: " + counted(scans, "scan") + ", " + counted(loops, "loop");
     }
 
     private static String counted(int count, String what) {

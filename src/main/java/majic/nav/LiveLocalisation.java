@@ -2,11 +2,12 @@ package majic.nav;
 
 import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
 import majic.bot.Uncertainty;
-import majic.nav.grid.OccupancyGrid;
+import majic.nav.grid.LikelihoodField;
 import majic.nav.localisation.Localizer;
 import majic.nav.localisation.PoseEstimate;
 import org.jspecify.annotations.Nullable;
@@ -21,7 +22,7 @@ final class LiveLocalisation implements ScanThread.Work {
     private static final long SEED = 1;
 
     private final MajicBot robot;
-    private final OccupancyGrid map;
+    private final Supplier<LikelihoodField> map;
     private final Consumer<String> news;
     private final ScanThread thread;
     private volatile boolean search;
@@ -34,11 +35,11 @@ final class LiveLocalisation implements ScanThread.Work {
      * A localisation that {@link #begin} begins.
      *
      * @param robot with range sensors
-     * @param map in the frame of its poses
+     * @param map the distances from its walls, in the frame of the robot's poses; asked once, on a thread of its own
      * @param search whether to look everywhere; else from where it was placed
      * @param news receives half a sentence when the robot is lost or found
      */
-    LiveLocalisation(MajicBot robot, OccupancyGrid map, boolean search, Consumer<String> news) {
+    LiveLocalisation(MajicBot robot, Supplier<LikelihoodField> map, boolean search, Consumer<String> news) {
         this.robot = robot;
         this.map = map;
         this.search = search;
@@ -61,19 +62,24 @@ final class LiveLocalisation implements ScanThread.Work {
 
     @Override
     public void add(RangeScan scan, boolean laser) {
-        Localizer found = localizer == null ? new Localizer(map, SEED) : localizer;
+        Localizer found = localizer == null ? new Localizer(map.get(), SEED) : localizer;
         localizer = found;
         if (search) {
             search = false;
             lose();
             found.search();
-        } else if (!robot.placedAt().map(pose -> pose == placedHere).orElse(true)) {
+        } else if (isPlacedByOthers()) {
             believe(found, last == null ? scan.odometry() : last);
         }
         last = scan.odometry();
-        if (found.add(scan)) {
+        if (found.add(scan) && !isPlacedByOthers()) {
             take(found.estimate(scan.odometry()), scan.odometry());
         }
+    }
+
+    /** Returns whether a person has placed the robot since it was placed here. */
+    private boolean isPlacedByOthers() {
+        return robot.placedAt().map(pose -> pose != placedHere).orElse(false);
     }
 
     /** Takes over where a person has put the robot since the last scan. */

@@ -60,11 +60,6 @@ final class LiveMapping implements ScanThread.Work {
         thread.begin();
     }
 
-    /** The robot that is driven. */
-    MajicBot robot() {
-        return robot;
-    }
-
     /** The scans that are in the map so far. */
     int scans() {
         return scans;

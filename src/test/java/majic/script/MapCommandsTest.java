@@ -252,6 +252,32 @@ class MapCommandsTest {
     }
 
     @Test
+    void aFurtherRobotThatIsPlacedBuildsTheSameMap() throws InterruptedException {
+        FakeBot other = fixture.add(fixture.pioneer);
+        other.equip(Floor.LASER);
+        fixture.runPipe("map start 1");
+        drive(way.subList(0, 50));
+        assertThat(fixture.runPipe("map start 2")).last().asString().contains("the place of", "is not known");
+
+        Pose corner = way.get(130);
+        fixture.runPipe(
+                "2 set pose " + corner.xMm() + " " + corner.yMm() + " " + corner.headingDeg(), "2 wait", "map start 2");
+        drive(
+                other,
+                way.subList(130, 180),
+                way.subList(130, 180).stream()
+                        .map(pose -> pose.seenFrom(corner))
+                        .toList());
+        assertThat(fixture.runPipe("map")).last().asString().contains(" and ", " build it: ");
+        fixture.runPipe("map stop");
+
+        assertThat(map().grid().stateAt(4000, 0)).isEqualTo(State.FREE);
+        assertThat(map().grid().stateAt(22_000, 6000)).isEqualTo(State.FREE);
+        assertThat(isWall(23_000, 6000)).isTrue();
+        assertThat(map().grid().stateAt(11_000, 8000)).isEqualTo(State.UNKNOWN);
+    }
+
+    @Test
     void aSavedTeamHasTheMapThatIsInAFile() throws InterruptedException {
         Path file = folder.resolve("office.yaml");
         fixture.runPipe("map start 1");

@@ -162,6 +162,62 @@ public final class OccupancyGrid {
         return new OccupancyGrid(frame.plus(origin), cellMm, width, height, cells);
     }
 
+    /**
+     * Returns this grid with what another one knows as well: the evidence of both is added.
+     *
+     * @param other in the same frame, whatever its origin and the size of its cells
+     * @return a grid with the cells of this one that covers both; this one if that would have more than
+     *     {@value #MOST_CELLS} cells
+     */
+    public OccupancyGrid joined(OccupancyGrid other) {
+        double left = 0;
+        double low = 0;
+        double right = width;
+        double top = height;
+        for (int corner = 0; corner < 4; corner++) {
+            Pose at = other.corner(corner % 2 * other.width, corner / 2 * other.height)
+                    .seenFrom(origin);
+            left = Math.min(left, Math.floor(at.xMm() / cellMm));
+            low = Math.min(low, Math.floor(at.yMm() / cellMm));
+            right = Math.max(right, Math.ceil(at.xMm() / cellMm));
+            top = Math.max(top, Math.ceil(at.yMm() / cellMm));
+        }
+        if ((right - left) * (top - low) > MOST_CELLS) {
+            return this;
+        }
+        int columns = (int) (right - left);
+        int rows = (int) (top - low);
+        byte[] both = new byte[columns * rows];
+        for (int row = 0; row < rows; row++) {
+            for (int column = 0; column < columns; column++) {
+                int ownColumn = column + (int) left;
+                int ownRow = row + (int) low;
+                both[row * columns + column] = added(cell(ownColumn, ownRow), other.cellAt(centre(ownColumn, ownRow)));
+            }
+        }
+        return new OccupancyGrid(corner((int) left, (int) low), cellMm, columns, rows, both);
+    }
+
+    private Pose corner(int column, int row) {
+        return origin.plus(new Pose(column * cellMm, row * cellMm, 0));
+    }
+
+    private byte cell(int column, int row) {
+        return column < 0 || row < 0 || column >= width || row >= height ? UNKNOWN : cells[row * width + column];
+    }
+
+    private byte cellAt(Pose place) {
+        Pose seen = place.seenFrom(origin);
+        return cell((int) Math.floor(seen.xMm() / cellMm), (int) Math.floor(seen.yMm() / cellMm));
+    }
+
+    private static byte added(byte one, byte other) {
+        if (one == UNKNOWN || other == UNKNOWN) {
+            return one == UNKNOWN ? other : one;
+        }
+        return (byte) Math.max(-Byte.MAX_VALUE, Math.min(Byte.MAX_VALUE, one + other));
+    }
+
     /** Returns the place of the lower left corner, and the direction of the columns, in the frame of the map. */
     public Pose origin() {
         return origin;

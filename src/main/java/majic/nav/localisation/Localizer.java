@@ -125,7 +125,17 @@ public final class Localizer {
      * @param seed of the random numbers; the same seed and scans give the same estimates
      */
     public Localizer(OccupancyGrid map, long seed) {
-        this(new LikelihoodField(map), new Random(seed));
+        this(new LikelihoodField(map), seed);
+    }
+
+    /**
+     * Makes a localizer that looks everywhere.
+     *
+     * @param map the distances from its walls, which localizers of several robots may share
+     * @param seed of the random numbers; the same seed and scans give the same estimates
+     */
+    public Localizer(LikelihoodField map, long seed) {
+        this(map, new Random(seed));
     }
 
     private Localizer(LikelihoodField field, Random random) {

@@ -165,7 +165,7 @@ final class MapCommands {
         @Override
         public void run(Execution execution) {
             CurrentMap map = execution.session().map();
-            boolean built = map.mappedBy().isPresent();
+            boolean built = !map.mappedBy().isEmpty();
             map.stop();
             execution.answer("map stop: " + (built ? map.text() : "no robot builds a map"));
         }
