@@ -109,17 +109,21 @@ final class SiteListing {
             });
             connection.connect();
             RobotWait waiting = new RobotWait(environment.time(), arrived);
+            int before = arrivals.get();
             findDesks(connection, address, SiteTopics.ANY);
             desk().ifPresent(desk -> findDesks(connection, address.withSite(siteOfDesk()), desk));
-            awaitArrivals(waiting, () -> false);
+            awaitArrivals(waiting, before, () -> false);
             desks.values().stream().filter(Desk::isOnline).forEach(desk -> describe(connection, desk, waiting));
         }
         return found();
     }
 
-    /** Waits until everything has arrived, or nothing more does. */
-    private void awaitArrivals(RobotWait waiting, BooleanSupplier complete) {
-        int before = arrivals.get();
+    /**
+     * Waits until everything has arrived, or nothing more does.
+     *
+     * @param before the number of arrivals before the broker was asked
+     */
+    private void awaitArrivals(RobotWait waiting, int before, BooleanSupplier complete) {
         waiting.awaitConnecting(() -> complete.getAsBoolean() || arrivals.get() > before, FIRST_S);
         boolean more = !complete.getAsBoolean() && arrivals.get() > before;
         while (more) {
@@ -170,12 +174,14 @@ final class SiteListing {
         }
         SiteTopics topics = new SiteTopics(desk.site.site());
         BrokerConnection.Handler handler = message -> described(desk, topics, message);
+        int before = arrivals.get();
         connection.subscribe(topics.robots(desk.name, Part.DESCRIPTION), Quality.AT_LEAST_ONCE, handler);
-        awaitArrivals(waiting, () -> desk.missing().isEmpty());
+        awaitArrivals(waiting, before, () -> desk.missing().isEmpty());
+        int again = arrivals.get();
         for (int robot : desk.missing()) {
             connection.subscribe(topics.robot(desk.name, robot, Part.DESCRIPTION), Quality.AT_LEAST_ONCE, handler);
         }
-        waiting.awaitConnecting(() -> desk.missing().isEmpty(), NEXT_S);
+        awaitArrivals(waiting, again, () -> desk.missing().isEmpty());
     }
 
     /** A description of another session is one of an earlier run of the desk. */
