@@ -135,7 +135,8 @@ public final class CurrentMap {
         if (distances == null) {
             distances = new Distances(known.grid());
         }
-        LiveLocalisation begun = new LiveLocalisation(robot, distances::get, search, text -> news.accept(robot, text));
+        LiveLocalisation begun = new LiveLocalisation(
+                robot, distances::get, search, text -> news.accept(robot, text), () -> localised.remove(robot));
         localised.put(robot, begun);
         begun.begin();
     }

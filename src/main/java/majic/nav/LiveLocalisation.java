@@ -24,8 +24,10 @@ final class LiveLocalisation implements ScanThread.Work {
     private final MajicBot robot;
     private final Supplier<LikelihoodField> map;
     private final Consumer<String> news;
+    private final Runnable failed;
     private final ScanThread thread;
     private volatile boolean search;
+    private volatile boolean ended;
     private boolean searching;
     private @Nullable Localizer localizer;
     private @Nullable Pose last;
@@ -38,12 +40,15 @@ final class LiveLocalisation implements ScanThread.Work {
      * @param map the distances from its walls, in the frame of the robot's poses; asked once, on a thread of its own
      * @param search whether to look everywhere; else from where it was placed
      * @param news receives half a sentence when the robot is lost or found
+     * @param failed called if it ends by an error; the place is unknown then
      */
-    LiveLocalisation(MajicBot robot, Supplier<LikelihoodField> map, boolean search, Consumer<String> news) {
+    LiveLocalisation(
+            MajicBot robot, Supplier<LikelihoodField> map, boolean search, Consumer<String> news, Runnable failed) {
         this.robot = robot;
         this.map = map;
         this.search = search;
         this.news = news;
+        this.failed = failed;
         this.thread = new ScanThread(robot, "localisation", this);
     }
 
@@ -56,12 +61,17 @@ final class LiveLocalisation implements ScanThread.Work {
         search = true;
     }
 
+    /** Corrects the place no longer: scans that still wait are not used, since there may be another map. */
     void end() {
+        ended = true;
         thread.end();
     }
 
     @Override
     public void add(RangeScan scan, boolean laser) {
+        if (ended) {
+            return;
+        }
         Localizer found = localizer == null ? new Localizer(map.get(), SEED) : localizer;
         localizer = found;
         if (search) {
@@ -72,7 +82,7 @@ final class LiveLocalisation implements ScanThread.Work {
             believe(found, last == null ? scan.odometry() : last);
         }
         last = scan.odometry();
-        if (found.add(scan) && !isPlacedByOthers()) {
+        if (found.add(scan) && !ended && !isPlacedByOthers()) {
             take(found.estimate(scan.odometry()), scan.odometry());
         }
     }
@@ -131,5 +141,6 @@ final class LiveLocalisation implements ScanThread.Work {
     public void failed() {
         lose();
         news.accept("is no longer followed on the map because of an error in MAJIC; the log has it");
+        failed.run();
     }
 }

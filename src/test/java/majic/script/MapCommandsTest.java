@@ -158,6 +158,19 @@ class MapCommandsTest {
     }
 
     @Test
+    void aRobotIsNoLongerCorrectedOnAMapThatWasClosed() throws InterruptedException {
+        FakeBot other = onTheMap();
+        fixture.runPipe("2 set pose 0 0 0");
+        drive(other, way.subList(0, 20), way.subList(0, 20));
+        fixture.runPipe("map close");
+        Pose origin = other.odometryOrigin();
+        drive(other, way.subList(40, 60), way.subList(20, 40));
+
+        assertThat(other.odometryOrigin()).isEqualTo(origin);
+        assertThat(other.uncertainty().isKnown()).isTrue();
+    }
+
+    @Test
     void aRobotThatWasCarriedAwayIsFoundAgain() throws InterruptedException {
         FakeBot other = onTheMap();
         fixture.runPipe("2 set pose 0 0 0");
