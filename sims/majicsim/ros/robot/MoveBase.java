@@ -16,7 +16,7 @@ final class MoveBase {
     private static final int REJECTED = 5;
 
     private final RosNetwork network;
-    private final Navigator navigator;
+    private final GoalDriver navigator;
     private final NavigationFaults faults;
     private final Topic status;
     private final Topic feedback;
@@ -25,7 +25,7 @@ final class MoveBase {
     private long statusNanos;
     private int count;
 
-    MoveBase(RosNetwork network, String namespace, Navigator navigator, NavigationFaults faults) {
+    MoveBase(RosNetwork network, String namespace, GoalDriver navigator, NavigationFaults faults) {
         this.network = network;
         this.navigator = navigator;
         this.faults = faults;
@@ -97,7 +97,7 @@ final class MoveBase {
         }
     }
 
-    private void ended(ObjectNode id, Navigator.Outcome outcome) {
+    private void ended(ObjectNode id, GoalDriver.Outcome outcome) {
         goalId = null;
         switch (outcome) {
             case REACHED -> end(id, SUCCEEDED, "Goal reached.");

@@ -14,12 +14,12 @@ final class NavigateToPose implements ActionServer {
 
     private final RosNetwork network;
     private final String name;
-    private final Navigator navigator;
+    private final GoalDriver navigator;
     private final NavigationFaults faults;
     private @Nullable GoalListener client;
     private long feedbackNanos;
 
-    NavigateToPose(RosNetwork network, String namespace, Navigator navigator, NavigationFaults faults) {
+    NavigateToPose(RosNetwork network, String namespace, GoalDriver navigator, NavigationFaults faults) {
         this.network = network;
         this.navigator = navigator;
         this.faults = faults;
@@ -94,7 +94,7 @@ final class NavigateToPose implements ActionServer {
         reply.succeed(Messages.empty());
     }
 
-    private static int status(Navigator.Outcome outcome) {
+    private static int status(GoalDriver.Outcome outcome) {
         return switch (outcome) {
             case REACHED -> GoalListener.SUCCEEDED;
             case CANCELED -> GoalListener.CANCELED;

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 
 /** The navigation of a robot, in the form of its version of ROS. */
 final class Navigation {
-    private final Navigator navigator;
+    private final GoalDriver navigator;
     private final NavigationFaults faults = new NavigationFaults();
     private final @Nullable MoveBase moveBase;
     private final @Nullable NavigateToPose navigateToPose;
@@ -23,7 +23,7 @@ final class Navigation {
             Body body) {
         boolean isRos1 = options.version() == RosVersion.ROS1;
         commands.addPublisher(namespace + (isRos1 ? "/move_base" : "/controller_server"));
-        navigator = new Navigator(commands, options, odometry, body::blocked);
+        navigator = new GoalDriver(commands, options, odometry, body::blocked);
         moveBase = isRos1 ? new MoveBase(network, namespace, navigator, faults) : null;
         navigateToPose = isRos1 ? null : new NavigateToPose(network, namespace, navigator, faults);
     }

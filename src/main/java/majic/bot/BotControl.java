@@ -52,6 +52,15 @@ public interface BotControl {
     MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until);
 
     /**
+     * Drives as a course says, and returns when the robot is stationary again.
+     *
+     * @param course asked again and again what to do next
+     * @param until ends the motion early
+     * @return what the course gives as its amount
+     */
+    MotionReport follow(Course course, Guard until);
+
+    /**
      * Drives a curve from now on and returns at once. Unless it is called again within 600 ms, a stop is sent to the
      * robot.
      *
@@ -98,7 +107,19 @@ public interface BotControl {
      * @param arguments what it takes
      * @return its answer
      */
-    String run(String command, List<Value> arguments);
+    default String run(String command, List<Value> arguments) {
+        return run(command, arguments, Guard.NEVER);
+    }
+
+    /**
+     * Runs one of the commands that only this type of robot has.
+     *
+     * @param command its name, whatever the case
+     * @param arguments what it takes
+     * @param until ends it early if it is a motion that can end early; else without effect
+     * @return its answer
+     */
+    String run(String command, List<Value> arguments, Guard until);
 
     /**
      * Returns the parameters that can be read or set.

@@ -13,6 +13,9 @@ public record MotionReport(@Nullable Value amount, double seconds) {
     @Override
     public String toString() {
         String time = String.format(Locale.ROOT, "%.1f s", seconds);
-        return amount == null ? time : amount + ", " + time;
+        if (amount == null) {
+            return time;
+        }
+        return amount + (amount instanceof Value.Many ? "; " : ", ") + time;
     }
 }

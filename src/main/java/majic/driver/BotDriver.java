@@ -152,11 +152,11 @@ public abstract class BotDriver extends MovingRobot {
     }
 
     @Override
-    public final String run(String command, List<Value> arguments) {
-        return run(command, arguments, permit());
+    public final String run(String command, List<Value> arguments, Guard until) {
+        return run(command, arguments, until, permit());
     }
 
-    final String run(String command, List<Value> arguments, Permit permit) {
+    final String run(String command, List<Value> arguments, Guard until, Permit permit) {
         DriverCommand known = commands.find(name, command);
         List<Value> fitted = Arguments.forCommand(known.command(), arguments);
         if (!known.command().moves()) {
@@ -164,7 +164,7 @@ public abstract class BotDriver extends MovingRobot {
             return DriverCode.call(this, () -> known.action().run(fitted, gate().beside(permit)));
         }
         MotionReport report = gate().perform(
-                        Guard.NEVER, permit, motion -> Value.text(known.action().run(fitted, motion)));
+                        until, permit, motion -> Value.text(known.action().run(fitted, motion)));
         return String.valueOf(report.amount());
     }
 

@@ -8,6 +8,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import majic.bot.BotControl;
 import majic.bot.BotException;
+import majic.bot.Course;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
@@ -207,6 +208,81 @@ final class MotionGate {
             renewedS = motion.seconds();
             motion.pause(Math.min(DRIVE_RENEWAL_S, endS - motion.seconds()));
         }
+        halt(motion);
+    }
+
+    MotionReport follow(Course course, Guard until, Permit permit) {
+        Objects.requireNonNull(course, "course");
+        return perform(until, permit, motion -> new Following(course, motion).toTheEnd());
+    }
+
+    /** One motion by a course: the robot gets a speed when it is another one, and again before its drive would end. */
+    private final class Following {
+        private final Course course;
+        private final Motion motion;
+        private Course.Drive sent = Course.Drive.STAND;
+        private double sentS;
+        private double askedS;
+
+        Following(Course course, Motion motion) {
+            this.course = course;
+            this.motion = motion;
+        }
+
+        @Nullable
+        Value toTheEnd() {
+            motion.pause(0);
+            while (!motion.guardReached()) {
+                Course.Step step = course.next();
+                if (step instanceof Course.Arrived there) {
+                    stand();
+                    return there.amount();
+                }
+                take(step);
+            }
+            stand();
+            return course.amount();
+        }
+
+        private void take(Course.Step step) {
+            if (step instanceof Course.Turn turn) {
+                stand();
+                bot.turnBy(turn.degrees(), motion);
+                askedS = motion.seconds();
+            } else if (step instanceof Course.Drive drive) {
+                drive(drive);
+                motion.pause(Course.PERIOD_S);
+            }
+        }
+
+        private void drive(Course.Drive asked) {
+            double lastS = askedS;
+            askedS = motion.seconds();
+            refuseLateRenewal(askedS - lastS);
+            Course.Drive now = new Course.Drive(
+                    bot.profile().speed().clamp(asked.mmPerSec()),
+                    bot.profile().turn().clamp(asked.degPerSec()));
+            if (now.equals(Course.Drive.STAND)) {
+                stand();
+            } else if (!now.equals(sent) || askedS - sentS >= DRIVE_RENEWAL_S) {
+                motion.send(() -> {
+                    refuseLateRenewal(motion.seconds() - lastS);
+                    bot.driveAt(now.mmPerSec(), now.degPerSec());
+                });
+                sent = now;
+                sentS = askedS;
+            }
+        }
+
+        private void stand() {
+            if (!sent.equals(Course.Drive.STAND)) {
+                halt(motion);
+                sent = Course.Drive.STAND;
+            }
+        }
+    }
+
+    private void halt(Motion motion) {
         motion.send(bot::halt);
         try {
             bot.confirmHalt();

@@ -3,6 +3,7 @@ package majic.driver;
 import java.util.Objects;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
+import majic.bot.Course;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
@@ -66,6 +67,15 @@ abstract class MovingRobot extends MajicBot {
     final MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
         limits.checkDrive(mmPerSec, degPerSec, seconds);
         return gate.drive(mmPerSec, degPerSec, seconds, until, permit);
+    }
+
+    @Override
+    public final MotionReport follow(Course course, Guard until) {
+        return follow(course, until, permit());
+    }
+
+    final MotionReport follow(Course course, Guard until, Permit permit) {
+        return gate.follow(course, until, permit);
     }
 
     @Override

@@ -3,6 +3,7 @@ package majic.driver;
 import java.util.List;
 import majic.bot.BotCommand;
 import majic.bot.BotControl;
+import majic.bot.Course;
 import majic.bot.Guard;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
@@ -85,6 +86,11 @@ public final class PermittedControl implements BotControl {
     }
 
     @Override
+    public MotionReport follow(Course course, Guard until) {
+        return permitted().follow(course, until, permitForMotion());
+    }
+
+    @Override
     public void drive(double mmPerSec, double degPerSec) {
         permitted().drive(mmPerSec, degPerSec, permitForMotion());
     }
@@ -109,8 +115,8 @@ public final class PermittedControl implements BotControl {
     }
 
     @Override
-    public String run(String command, List<Value> arguments) {
-        return permitted().run(command, arguments, permitForMotion());
+    public String run(String command, List<Value> arguments, Guard until) {
+        return permitted().run(command, arguments, until, permitForMotion());
     }
 
     @Override

@@ -40,6 +40,7 @@ public final class CurrentMap {
     private @Nullable Path file;
     private @Nullable Distances distances;
     private final BiConsumer<MajicBot, String> news;
+    private final Navigator navigator = new Navigator(this::get);
     private final Map<MajicBot, LiveLocalisation> localised = new ConcurrentHashMap<>();
 
     /** Whether robots can be found on the map: there is one, and none builds it. */
@@ -81,6 +82,7 @@ public final class CurrentMap {
      */
     public void follow(MajicBot robot) {
         robot.addListener(watch);
+        navigator.add(robot);
     }
 
     /**
@@ -90,6 +92,7 @@ public final class CurrentMap {
      */
     public void unfollow(MajicBot robot) {
         robot.removeListener(watch);
+        navigator.remove(robot);
         endLocalisation(robot);
     }
 
@@ -172,6 +175,11 @@ public final class CurrentMap {
         unsaved = changed;
         file = null;
         stands = now != null && mappings.isEmpty();
+    }
+
+    /** Returns what sends robots to places on this map, around the robots that it follows. */
+    public Navigator navigator() {
+        return navigator;
     }
 
     /** Returns the map as it is now; empty if there is none. */
@@ -344,7 +352,7 @@ public final class CurrentMap {
      * @throws BotException if there is no map, or no such place
      */
     public synchronized void remove(String name) {
-        known(name);
+        place(name);
         map = present(PLACE).without(name);
         unsaved = true;
     }
@@ -357,15 +365,22 @@ public final class CurrentMap {
      * @throws BotException if there is no map, or no such place
      */
     public synchronized void rename(String name, String now) {
-        NavigationMap.Place place = known(name);
+        NavigationMap.Place place = place(name);
         map = present(PLACE).without(name).with(new NavigationMap.Place(now, place.pose(), place.withHeading()));
         unsaved = true;
     }
 
-    private NavigationMap.Place known(String name) {
-        NavigationMap here = present(PLACE);
+    /**
+     * Returns a place of the map.
+     *
+     * @param name whatever the case
+     * @return the place
+     * @throws BotException if there is no map, or no such place; the message names those that there are
+     */
+    public synchronized NavigationMap.Place place(String name) {
+        NavigationMap here = present(name);
         return here.place(name)
-                .orElseThrow(() -> new BotException(PLACE + " " + name + ": there is no such place; there "
+                .orElseThrow(() -> new BotException(name + ": there is no such place on the map; there "
                         + (here.places().isEmpty()
                                 ? "are none"
                                 : "are "

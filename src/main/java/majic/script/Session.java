@@ -19,6 +19,7 @@ import majic.log.SessionListener;
 import majic.log.SessionLog;
 import majic.log.SessionOutput;
 import majic.nav.CurrentMap;
+import majic.nav.grid.NavigationMap;
 import majic.script.commands.TeamScript;
 import majic.script.conditions.Selection;
 import majic.script.help.Completer;
@@ -272,7 +273,14 @@ public final class Session {
     }
 
     Completer completer() {
-        return new Completer(team, factory, new Selection(team)::present, offers);
+        return new Completer(team, factory, new Selection(team)::present, this::places, offers);
+    }
+
+    private List<String> places() {
+        return map.get().stream()
+                .flatMap(known -> known.places().stream())
+                .map(NavigationMap.Place::name)
+                .toList();
     }
 
     /** Turns the events of the team into lines of the session. */

@@ -36,6 +36,9 @@ public final class Help {
                     "drive",
                     "1 drive SPEED TURNRATE [for TIME | until CONDITION]: a curve, one second unless a time is given"),
             entry(
+                    "goto",
+                    "1 goto X Y [HEADING] [until CONDITION], 1 goto PLACE: drives to a place, around what is in the way"),
+            entry(
                     "stop",
                     "1 stop: ends the motion, empties the queue, ends act and script; \"stop\" alone is STOP for all"),
             entry("get", "1 get P[,P...]: reads parameters; \"get now P\" does not wait for its turn"),

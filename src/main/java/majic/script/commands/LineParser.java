@@ -180,8 +180,8 @@ public final class LineParser {
     }
 
     /**
-     * {@code command = move | turn | drive | stop | get | set | log | plot | name | act | wait | localize | help | own
-     * ;}
+     * {@code command = move | turn | drive | goto | stop | get | set | log | plot | name | act | wait | localize | help
+     * | own ;}
      */
     private Command command() {
         return arguments(at.consume(Kind.WORD, "a command"));
@@ -192,6 +192,7 @@ public final class LineParser {
             case "move" -> move(word);
             case "turn" -> turn(word);
             case "drive" -> drive(word);
+            case "goto" -> goTo(word);
             case "stop" -> new MotionCommands.Stop(word);
             case "get" -> get(word);
             case "set" -> set(word);
@@ -225,6 +226,23 @@ public final class LineParser {
         OptionalDouble seconds =
                 at.match("for") ? OptionalDouble.of(at.number(Quantity.TIME).number()) : OptionalDouble.empty();
         return new MotionCommands.Drive(word, speed, rate, seconds, seconds.isPresent() ? null : until());
+    }
+
+    /** {@code goto = "goto" ( NAME | DISTANCE DISTANCE [ ANGLE ] ) [ until ] ;} */
+    private Command goTo(Token word) {
+        at.fillIn();
+        if (at.check(Kind.WORD)) {
+            return new MotionCommands.GoTo(word, at.advance(), List.of(), until());
+        }
+        List<Literal> numbers = new ArrayList<>();
+        numbers.add(at.number(Quantity.DISTANCE));
+        separator();
+        numbers.add(at.number(Quantity.DISTANCE));
+        separator();
+        if (at.check(Kind.NUMBER) || at.check(Kind.VARIABLE)) {
+            numbers.add(at.number(Quantity.ANGLE));
+        }
+        return new MotionCommands.GoTo(word, null, List.copyOf(numbers), until());
     }
 
     /** {@code until = "until" condition ;} */

@@ -3,8 +3,12 @@ package majic.script.commands;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 import majic.bot.BotControl;
 import majic.bot.Guard;
+import majic.bot.Pose;
+import majic.nav.CurrentMap;
+import majic.nav.Destination;
 import majic.script.conditions.UntilGuard;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
@@ -125,6 +129,64 @@ final class MotionCommands {
         public Object move(BotControl robot, Guard guard) {
             double time = seconds.orElse(until == null ? DRIVE_S : LONGEST_DRIVE_S);
             return robot.drive(speed.number(), rate.number(), time, guard);
+        }
+    }
+
+    /** Drives to a place: one of the map by its name, or coordinates. */
+    record GoTo(
+            Token at,
+            @Nullable Token place,
+            List<Literal> coordinates,
+            @Nullable Condition until) implements Command {
+        @Override
+        public Scheduling scheduling() {
+            return Scheduling.AT_ONCE;
+        }
+
+        @Override
+        public List<CommandTrait> traits() {
+            return List.of(CommandTrait.COMMANDS_ROBOTS);
+        }
+
+        @Override
+        public String text() {
+            String where = place == null
+                    ? coordinates.stream().map(Literal::text).collect(Collectors.joining(" "))
+                    : place.text();
+            return "goto " + where + untilText(until);
+        }
+
+        @Override
+        public void check(Check check) {
+            check.until(until);
+        }
+
+        @Override
+        public void run(Execution execution, List<Member> robots) {
+            CurrentMap map = execution.session().map();
+            Destination destination = destination(map);
+            String text = text();
+            execution.submit(robots, member -> {
+                Guard guard = until == null ? Guard.NEVER : new UntilGuard(until, execution.selection(), member);
+                return new QueuedCommand(
+                        text,
+                        true,
+                        robot -> List.of(text + ": done ("
+                                + map.navigator().goTo(member.bot(), robot, destination, guard) + ")"));
+            });
+        }
+
+        private Destination destination(CurrentMap map) {
+            if (place != null) {
+                return new Destination(map.place(place.text()));
+            }
+            boolean withHeading = coordinates.size() > 2;
+            return new Destination(
+                    new Pose(
+                            coordinates.get(0).number(),
+                            coordinates.get(1).number(),
+                            withHeading ? coordinates.get(2).number() : 0),
+                    withHeading);
         }
     }
 

@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import majic.act.ActArgument;
 import majic.bot.BotType;
@@ -45,6 +46,7 @@ public final class Completer {
     private final Team team;
     private final BotFactory factory;
     private final Function<Robots, List<Member>> selection;
+    private final Supplier<List<String>> places;
     private final Acts acts;
 
     /** The behaviours that could be named on a line. All methods but the last read files. */
@@ -62,10 +64,21 @@ public final class Completer {
         boolean isFile(String name);
     }
 
-    public Completer(Team team, BotFactory factory, Function<Robots, List<Member>> selection, Acts acts) {
+    /**
+     * Completes lines for a team.
+     *
+     * @param places the names of the places of the map
+     */
+    public Completer(
+            Team team,
+            BotFactory factory,
+            Function<Robots, List<Member>> selection,
+            Supplier<List<String>> places,
+            Acts acts) {
         this.team = team;
         this.factory = factory;
         this.selection = selection;
+        this.places = places;
         this.acts = acts;
     }
 
@@ -239,6 +252,7 @@ public final class Completer {
                 values.isEmpty() ? joined(acts.completionsFor(members), List.of(OFF)) : behindAct(behind, last);
             case "move", "turn" -> afterMotion(behind, 1, members);
             case "drive" -> afterMotion(behind, 2, members);
+            case "goto" -> afterGoTo(behind, members);
             default -> argument(tokens.get(command), values.size(), members);
         };
     }
@@ -268,6 +282,19 @@ public final class Completer {
         return numbers == 2
                 ? List.of(new Completion("for", "TIME", "ends the motion after a time"), UNTIL)
                 : List.of(UNTIL);
+    }
+
+    /** A place of the map or numbers, then what may end the motion. */
+    private List<Completion> afterGoTo(List<Token> behind, List<Member> members) {
+        if (behind.isEmpty()) {
+            return places.get().stream()
+                    .map(name -> Completion.word(name, "a place of the map"))
+                    .toList();
+        }
+        boolean named = behind.get(0).kind() == Token.Kind.WORD;
+        return afterMotion(behind, named ? 0 : 2, members).stream()
+                .filter(offer -> !offer.text().equals("for"))
+                .toList();
     }
 
     private Conditions conditions(List<Member> own) {

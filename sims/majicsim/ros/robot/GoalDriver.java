@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
  * the robot is blocked. Like real navigation it publishes velocities on the topic that other nodes use too, and nothing
  * arbitrates.
  */
-final class Navigator {
+final class GoalDriver {
     private static final long PERIOD_NANOS = 48_000_000;
     private static final int MOST_BLOCKED = 60;
     private static final double NEAR_M = 0.02;
@@ -30,7 +30,7 @@ final class Navigator {
     private @Nullable Task task;
     private long dueNanos;
 
-    Navigator(Topic commands, RosOptions options, WheelOdometry odometry, BooleanSupplier isBlocked) {
+    GoalDriver(Topic commands, RosOptions options, WheelOdometry odometry, BooleanSupplier isBlocked) {
         this.commands = commands;
         this.isStamped = options.isStamped();
         this.odometry = odometry;

@@ -1,0 +1,199 @@
+package majic.figures;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Random;
+import java.util.TreeMap;
+import majic.bot.BotException;
+import majic.bot.BotListener;
+import majic.bot.BotState;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.inlab.LabRig;
+import majic.nav.Destination;
+import majic.nav.Navigator;
+import majic.nav.grid.NavigationMap;
+import majic.nav.path.FreeSpace;
+import majic.nav.path.ObstacleDistance;
+import majic.nav.path.PathPlanner;
+import majic.nav.path.Way;
+import majicsim.LabOptions;
+import majicsim.LabPorts;
+import majicsim.ros.options.RosOptions;
+import majicsim.world.Room;
+
+/**
+ * Sends one robot of the lab to many places of the office, with the usual noise, on the stepped clock: how many it
+ * reaches, contacts, the length of its ways against the shortest, the time against that at cruising speed, and how far
+ * it is from the goal by its true place.
+ */
+final class GoToFigures {
+    private static final Path WORLD = Path.of("sims", "worlds", "office.map");
+    private static final double NANOS = 1e9;
+    private static final double ROOM_MM = 80;
+
+    private final String kind;
+    private final int goals;
+    private final long seed;
+    private final Random random;
+    private final List<Double> lengths = new ArrayList<>();
+    private final List<Double> times = new ArrayList<>();
+    private final List<Double> errors = new ArrayList<>();
+    private final List<Double> turns = new ArrayList<>();
+    private final Map<String, Integer> failures = new TreeMap<>();
+    private int reached;
+
+    private GoToFigures(String kind, int goals, long seed) {
+        this.kind = kind;
+        this.goals = goals;
+        this.seed = seed;
+        this.random = new Random(seed);
+    }
+
+    private List<String> measure() throws IOException, InterruptedException {
+        LabOptions options = LabOptions.standard()
+                .withPorts(LabPorts.FREE)
+                .withRoom(Room.load(WORLD))
+                .withNoise(seed)
+                .withPioneer(kind.equals("laser") ? "p3dx-sh+laser" : "p3dx-sh");
+        if (kind.equals("ros")) {
+            options = options.withRos(RosOptions.parse("2"));
+        }
+        String name = Map.of("laser", "pioneer", "sonar", "pioneer").getOrDefault(kind, kind);
+        try (LabRig rig = LabRig.of(options)) {
+            rig.session().map().open(WORLD);
+            NavigationMap map = rig.session().map().get().orElseThrow();
+            Navigator navigator = new Navigator(rig.session().map()::get);
+            MajicBot robot = rig.add(name);
+            robot.set("maxMove", 100_000);
+            robot.place(rig.truePose(name));
+            navigator.add(robot);
+            FreeSpace space =
+                    new FreeSpace(new ObstacleDistance(map), robot.profile().bodyMm(), others(rig, name));
+            rig.lab().time().sleep(1);
+            Driven driven = new Driven(rig, name);
+            robot.addListener(driven);
+            long beganNanos = System.nanoTime();
+            for (int goal = 0; goal < goals; goal++) {
+                one(rig, name, robot, navigator, space, driven);
+            }
+            int bumps = rig.lab().bumps().getOrDefault(name, 0);
+            double minutes = (System.nanoTime() - beganNanos) / NANOS / 60;
+            return List.of(
+                    String.format(
+                            Locale.ROOT,
+                            "%s: %d of %d reached, %d contacts, %.1f min; failures %s",
+                            kind,
+                            reached,
+                            goals,
+                            bumps,
+                            minutes,
+                            failures),
+                    "length " + spread(lengths) + ", time " + spread(times) + ", error mm " + spread(errors) + ", deg "
+                            + spread(turns));
+        }
+    }
+
+    private static List<FreeSpace.Disc> others(LabRig rig, String name) {
+        return rig.lab().truePoses().entrySet().stream()
+                .filter(entry -> !entry.getKey().equals(name))
+                .map(entry -> new FreeSpace.Disc(
+                        entry.getValue().xMm(), entry.getValue().yMm(), 300))
+                .toList();
+    }
+
+    /** The way that the robot really drove. */
+    private static final class Driven implements BotListener {
+        private final LabRig rig;
+        private final String name;
+        private Pose last;
+        private double mm;
+
+        Driven(LabRig rig, String name) {
+            this.rig = rig;
+            this.name = name;
+            this.last = rig.truePose(name);
+        }
+
+        @Override
+        public synchronized void stateChanged(MajicBot bot, BotState state) {
+            Pose now = rig.truePose(name);
+            if (now.distanceMm(last) > 20) {
+                mm += now.distanceMm(last);
+                last = now;
+            }
+        }
+
+        synchronized double take() {
+            double taken = mm;
+            mm = 0;
+            return taken;
+        }
+    }
+
+    private void one(LabRig rig, String name, MajicBot robot, Navigator navigator, FreeSpace space, Driven driven)
+            throws InterruptedException {
+        Pose from = rig.truePose(name);
+        Pose to;
+        Way shortest;
+        do {
+            to = new Pose(
+                    random.nextDouble() * 19_400 - 9700,
+                    random.nextDouble() * 13_400 - 6700,
+                    random.nextInt(360) - 179);
+            shortest = space.mm(to.xMm(), to.yMm()) < ROOM_MM
+                    ? null
+                    : new PathPlanner(space).plan(from, to).orElse(null);
+        } while (shortest == null || shortest.lengthMm() < 1000);
+        driven.take();
+        double beganS = rig.lab().time().nanos() / NANOS;
+        try {
+            navigator.goTo(robot, new Destination(to, true));
+            reached++;
+            double tookS = rig.lab().time().nanos() / NANOS - beganS;
+            rig.lab().time().sleep(0.5);
+            Pose there = rig.truePose(name);
+            lengths.add(driven.take() / shortest.lengthMm());
+            times.add(tookS / (shortest.lengthMm() / robot.get("cruise").number()));
+            errors.add(there.distanceMm(to));
+            turns.add(Math.abs(Pose.normalised(there.headingDeg() - to.headingDeg())));
+        } catch (BotException e) {
+            failures.merge(String.valueOf(e.getMessage()).replaceAll("-?\\d+", "N"), 1, Integer::sum);
+            if (System.getProperty("verbose") != null) {
+                System.out.println("from " + from + " to " + to + ": " + e.getMessage() + " at " + rig.truePose(name)
+                        + " believed " + robot.state().pose() + " "
+                        + robot.uncertainty().sigmaMm());
+            }
+            rig.lab().time().sleep(1);
+            robot.place(rig.truePose(name));
+        }
+        if (!kind.equals("laser") && !kind.equals("sonar") && !kind.equals("ros")) {
+            robot.place(rig.truePose(name));
+        }
+    }
+
+    private static String spread(List<Double> values) {
+        if (values.isEmpty()) {
+            return "-";
+        }
+        double[] sorted = values.stream().mapToDouble(Double::doubleValue).toArray();
+        Arrays.sort(sorted);
+        return String.format(
+                Locale.ROOT,
+                "%.2f (95 %% %.2f, most %.2f)",
+                sorted[sorted.length / 2],
+                sorted[(int) (sorted.length * 0.95)],
+                sorted[sorted.length - 1]);
+    }
+
+    /** Measures a kind of robot: laser, sonar, ros, aibo or hemisson; the number of goals; the seed. */
+    public static void main(String[] arguments) {
+        Measurement.run(() ->
+                new GoToFigures(arguments[0], Integer.parseInt(arguments[1]), Long.parseLong(arguments[2])).measure());
+    }
+}

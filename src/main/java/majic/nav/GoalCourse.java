@@ -1,0 +1,524 @@
+package majic.nav;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import majic.bot.Course;
+import majic.bot.MajicBot;
+import majic.bot.MotionFailed;
+import majic.bot.Pose;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.nav.path.FreeSpace;
+import majic.nav.path.FreeSpace.Disc;
+import majic.nav.path.ObstacleDistance;
+import majic.nav.path.PathPlanner;
+import majic.nav.path.Way;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One robot on its way to a place: plans a way, follows it by driving towards a point ahead on it (pure pursuit;
+ * Coulter 1992), slows down in front of what is in the way and plans again. Made when the motion begins, and closed
+ * when it has ended.
+ */
+final class GoalCourse implements Course, AutoCloseable {
+    /** Longest age of a reading by which a robot drives, seconds. */
+    private static final double OLDEST_S = 1;
+
+    private static final double ARRIVED_MM = 12;
+    private static final double NEARLY_MM = 30;
+    private static final double ARRIVED_DEG = 2;
+    private static final int MOST_TURNS_AT_END = 3;
+
+    /** A robot turns on the spot if the way bends by more. */
+    private static final double ON_THE_SPOT_DEG = 50;
+
+    private static final double LEAST_TURN_DEG = 5;
+
+    /** How hard a robot is expected to brake, and how long until it does. */
+    private static final double BRAKING_MM_PER_S2 = 250;
+
+    private static final double REACTION_S = 0.25;
+    private static final double SLOW_MM_PER_S = 25;
+
+    /** How the speed falls at the end: as many mm/s for each mm. */
+    private static final double END_PER_S = 1.2;
+
+    /** The point ahead on the way, in time and at least. */
+    private static final double AHEAD_S = 0.9;
+
+    private static final double AHEAD_MM = 250;
+
+    /** The way is planned anew after this time, if it is blocked or left, and whatever happens. */
+    private static final double BLOCKED_PLAN_S = 0.5;
+
+    private static final double PLAN_S = 5;
+    private static final double LEFT_WAY_MM = 300;
+
+    /** How far along the way things that were seen make a new plan. */
+    private static final double LOOK_MM = 3000;
+
+    /** How far an arc is looked along. */
+    private static final double LOOK_ARC_MM = 1200;
+
+    /** Echoes as near to a wall of the map are of that wall; as near to another robot, of that robot. */
+    private static final double WALL_MM = 150;
+
+    private static final double ROBOT_MM = 200;
+
+    /** How long something may stand in the way, and how long other robots may be waited for. */
+    private static final double LONGEST_BLOCKED_S = 20;
+
+    private static final double LONGEST_TRAFFIC_S = 180;
+    private static final double PROGRESS_MM = 50;
+
+    /** Traffic: when another way is tried, and when room is made. */
+    private static final double OTHER_WAY_S = 3;
+
+    private static final double MAKE_ROOM_S = 1;
+    private static final double MAKE_ROOM_MM = 8000;
+
+    private final MajicBot robot;
+    private final Destination destination;
+    private final Navigator navigator;
+    private final SeenObstacles seen;
+    private final Traffic.Vehicle vehicle;
+    private final boolean hasRanges;
+    private final double bodyMm;
+    private ObstacleDistance map;
+    private @Nullable Way way;
+    private double plannedS = Double.NEGATIVE_INFINITY;
+    private double progressS;
+    private double leastLeftMm = Double.POSITIVE_INFINITY;
+    private double speed;
+    private int turnsAtEnd;
+    private String waits = "";
+    private @Nullable MajicBot before;
+    private boolean aroundTraffic;
+    private Traffic.@Nullable Vehicle roomFor;
+    private @Nullable Pose aside;
+    private double asideS;
+
+    GoalCourse(MajicBot robot, Destination destination, Navigator navigator) {
+        this.robot = robot;
+        this.destination = destination;
+        this.navigator = navigator;
+        this.bodyMm = robot.profile().bodyMm();
+        this.hasRanges = !robot.rangeSensors().isEmpty();
+        this.map = navigator.distances(robot, destination);
+        this.seen = new SeenObstacles(robot, this::isKnown);
+        this.vehicle = navigator.traffic().begin(robot);
+        this.progressS = now();
+        if (hasRanges) {
+            robot.addScanListener(seen);
+        }
+    }
+
+    @Override
+    public void close() {
+        robot.removeScanListener(seen);
+        navigator.traffic().end(vehicle);
+    }
+
+    private double now() {
+        return robot.time().nanos() / 1e9;
+    }
+
+    private boolean isKnown(double xMm, double yMm) {
+        return map.mm(xMm, yMm) < WALL_MM
+                || navigator.others(robot).stream().anyMatch(other -> {
+                    Pose there = other.state().pose();
+                    return Math.hypot(there.xMm() - xMm, there.yMm() - yMm)
+                            < other.profile().bodyMm() + ROBOT_MM;
+                });
+    }
+
+    @Override
+    public Value amount() {
+        Pose here = robot.state().pose();
+        return Value.many(List.of(
+                Value.of(here.xMm(), Unit.MM), Value.of(here.yMm(), Unit.MM), Value.of(here.headingDeg(), Unit.DEG)));
+    }
+
+    @Override
+    public Step next() {
+        Pose here = robot.state().pose();
+        refuseUncertain(here);
+        if (hasRanges && seen.ageS() > OLDEST_S) {
+            throw new MotionFailed("no reading of its range sensors for 1 s");
+        }
+        if (!hasRanges) {
+            seen.lookAhead(robot.state().pose().seenFrom(robot.odometryOrigin()));
+        }
+        double left = here.distanceMm(destination.pose());
+        if (left <= ARRIVED_MM || left <= NEARLY_MM && turnsAtEnd > 0) {
+            return arrived(here);
+        }
+        map = navigator.distances(robot, destination);
+        FreeSpace space = new FreeSpace(map, bodyMm, things(false));
+        plan(here, space);
+        return along(here, space, left);
+    }
+
+    private void refuseUncertain(Pose here) {
+        if (robot.time().secondsSince(robot.state().atNanos()) > OLDEST_S) {
+            throw new MotionFailed("no report of the robot for 1 s");
+        }
+        if (!navigator.hasMap()) {
+            return;
+        }
+        if (!robot.uncertainty().isKnown()) {
+            throw new MotionFailed("its place on the map is not known; \"set pose\" or \"localize\" places it");
+        }
+        double sigma = robot.uncertainty().sigmaMm();
+        double free = map.mm(here.xMm(), here.yMm());
+        if (sigma > Math.max(free, bodyMm)) {
+            throw new MotionFailed(String.format(
+                    Locale.ROOT,
+                    "its place is uncertain by %.0f mm, and the nearest obstacle of the map is %.0f mm away;"
+                            + " \"set pose\" places it",
+                    sigma,
+                    free));
+        }
+    }
+
+    private Step arrived(Pose here) {
+        double wrong = Pose.normalised(destination.pose().headingDeg() - here.headingDeg());
+        if (!destination.withHeading() || Math.abs(wrong) < ARRIVED_DEG || turnsAtEnd >= MOST_TURNS_AT_END) {
+            return speed > 0 ? stand() : new Arrived(amount());
+        }
+        if (speed > 0) {
+            return stand();
+        }
+        turnsAtEnd++;
+        return new Turn(wrong);
+    }
+
+    private Step stand() {
+        speed = 0;
+        return Drive.STAND;
+    }
+
+    /** What is not on the map: what was seen, and the other robots; those that give way only if asked for. */
+    private List<Disc> things(boolean withTraffic) {
+        List<Disc> things = new ArrayList<>();
+        Pose origin = robot.odometryOrigin();
+        for (SeenObstacles.Point point : seen.points()) {
+            Pose place = origin.plus(new Pose(point.xMm(), point.yMm(), 0));
+            if (!isKnown(place.xMm(), place.yMm())) {
+                things.add(new Disc(place.xMm(), place.yMm(), 0));
+            }
+        }
+        for (MajicBot other : navigator.others(robot)) {
+            Pose there = other.state().pose();
+            if (withTraffic || !navigator.traffic().isUnderWay(other)) {
+                things.add(new Disc(there.xMm(), there.yMm(), other.profile().bodyMm()));
+            }
+        }
+        return things;
+    }
+
+    private void plan(Pose here, FreeSpace space) {
+        Way old = way;
+        double age = now() - plannedS;
+        boolean due = old == null
+                || age > PLAN_S
+                || age > BLOCKED_PLAN_S && (isBlocked(old.from(here), space) || isLeft(old, here));
+        if (!due || aside != null && old != null && age <= PLAN_S) {
+            return;
+        }
+        plannedS = now();
+        Pose to = aside == null ? destination.pose() : aside;
+        FreeSpace planned = aroundTraffic ? space.with(things(true)) : space;
+        Optional<Way> found = new PathPlanner(planned).plan(here, to);
+        if (found.isEmpty() && aroundTraffic) {
+            aroundTraffic = false;
+            found = new PathPlanner(space).plan(here, to);
+        }
+        if (found.isPresent()) {
+            way = found.get();
+        } else if (aside != null) {
+            aside = null;
+            plannedS = Double.NEGATIVE_INFINITY;
+        } else {
+            way = null;
+            holdOrFail(here, space);
+        }
+    }
+
+    private static boolean isLeft(Way old, Pose here) {
+        return old.from(here).points().get(0).distanceMm(here) > LEFT_WAY_MM;
+    }
+
+    private static boolean isBlocked(Way rest, FreeSpace space) {
+        double end = Math.min(LOOK_MM, rest.lengthMm());
+        for (double mm = FreeSpace.MARGIN_MM; mm < end; mm += 2 * FreeSpace.MARGIN_MM) {
+            Pose at = rest.at(mm);
+            if (space.mm(at.xMm(), at.yMm()) < 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Says why there is no way: fails at once if the map shows none, or waits for what may go away. */
+    private void holdOrFail(Pose here, FreeSpace space) {
+        Pose to = destination.pose();
+        if (map.mm(to.xMm(), to.yMm()) < bodyMm) {
+            throw noWay(
+                    map.mm(to.xMm(), to.yMm()) == 0
+                            ? "it is inside a wall"
+                            : String.format(
+                                    Locale.ROOT,
+                                    "a wall or forbidden line is %.0f mm from it, and the robot has a radius of %.0f mm",
+                                    map.mm(to.xMm(), to.yMm()),
+                                    bodyMm));
+        }
+        if (!map.isKnown(to.xMm(), to.yMm())) {
+            throw noWay("nothing is known of that place; the map has to be larger");
+        }
+        if (new PathPlanner(space.with(List.of())).plan(here, to).isEmpty()) {
+            throw noWay("walls, or what is unknown, close every way that is as wide as the robot ("
+                    + Math.round(2 * (bodyMm + FreeSpace.MARGIN_MM)) + " mm)");
+        }
+        before = null;
+        for (MajicBot other : navigator.others(robot)) {
+            List<Disc> without = new ArrayList<>(space.things());
+            Pose there = other.state().pose();
+            without.removeIf(disc -> disc.xMm() == there.xMm() && disc.yMm() == there.yMm());
+            if (before == null
+                    && without.size() < space.things().size()
+                    && new PathPlanner(space.with(without)).plan(here, to).isPresent()) {
+                before = other;
+            }
+        }
+        waits = (before == null ? "something that its sensors see" : before.name()) + " stands in the way";
+    }
+
+    private MotionFailed noWay(String why) {
+        return new MotionFailed("no way to " + destination + ": " + why);
+    }
+
+    private Step along(Pose here, FreeSpace space, double left) {
+        Way planned = way;
+        if (planned == null) {
+            refuseLongWait(LONGEST_BLOCKED_S);
+            return stand();
+        }
+        Way rest = planned.from(here);
+        makeRoom(here, space, rest);
+        if (aside != null && here.distanceMm(aside) < ARRIVED_MM * 2) {
+            return standAside(here);
+        }
+        double restMm = rest.lengthMm() + rest.points().get(0).distanceMm(here);
+        if (restMm < leastLeftMm - PROGRESS_MM) {
+            leastLeftMm = restMm;
+            progressS = now();
+        }
+        return drive(here, space, rest, aside == null ? left : here.distanceMm(aside));
+    }
+
+    private Step drive(Pose here, FreeSpace space, Way rest, double left) {
+        double cruise = cruise();
+        double brakingMm = speed * REACTION_S + speed * speed / (2 * BRAKING_MM_PER_S2);
+        Traffic.Grant grant = navigator.traffic().reserve(vehicle, rest, brakingMm + cruise * 0.6 + 300);
+        double allowed = Math.min(cruise, END_PER_S * left + SLOW_MM_PER_S / 2);
+        if (grant.before() != null) {
+            allowed = Math.min(allowed, speedFor(grant.mm() - FreeSpace.MARGIN_MM));
+            waitFor(grant);
+        }
+        FreeSpace all = space.with(things(true));
+        double[] fractions = {1, 0.5, 0.25};
+        Arc best = null;
+        for (double fraction : fractions) {
+            Arc arc = new Arc(here, all, rest, Math.max(60, fraction * Math.max(AHEAD_MM, AHEAD_S * allowed)));
+            if (best == null || arc.freeMm > best.freeMm + 50) {
+                best = arc;
+            }
+            if (best.freeMm >= brakingMm + 200) {
+                break;
+            }
+        }
+        if (best == null) {
+            return stand();
+        }
+        if (Math.abs(best.bearing) > ON_THE_SPOT_DEG) {
+            return onTheSpot(best.bearing, left);
+        }
+        allowed = Math.min(allowed, speedFor(best.freeMm - FreeSpace.MARGIN_MM / 2));
+        if (allowed < SLOW_MM_PER_S && grant.before() == null) {
+            Pose near = rest.at(rest.points().get(0).distanceMm(here) + 150);
+            double bearing = bearing(here, near);
+            if (Math.abs(bearing) > LEAST_TURN_DEG) {
+                return onTheSpot(bearing, left);
+            }
+            if (waits.isEmpty()) {
+                waits = "something that its sensors see stands in the way";
+            }
+        }
+        if (allowed < SLOW_MM_PER_S) {
+            refuseLongWait(grant.before() == null ? LONGEST_BLOCKED_S : LONGEST_TRAFFIC_S);
+            return stand();
+        }
+        if (grant.before() == null) {
+            waits = "";
+        }
+        return roll(allowed, best);
+    }
+
+    private Step onTheSpot(double bearing, double left) {
+        if (speed > 0) {
+            return stand();
+        }
+        if (left <= NEARLY_MM) {
+            turnsAtEnd = Math.max(1, turnsAtEnd);
+            return Drive.STAND;
+        }
+        return new Turn(bearing);
+    }
+
+    /** Drives along an arc as fast as it and the robot allow. */
+    private Step roll(double allowed, Arc arc) {
+        double slowest = Math.min(robot.profile().slowestMmPerSec(), allowed);
+        double most = robot.profile().turn().max() * 0.8;
+        double bend = Math.abs(arc.degPerMm);
+        double fast = bend == 0 ? allowed : Math.min(allowed, Math.min(most, cruiseTurn()) / bend);
+        fast *= Math.max(0.3, Math.cos(Math.toRadians(arc.bearing)));
+        double faster = speed + BRAKING_MM_PER_S2 * PERIOD_S * 2;
+        speed = Math.max(slowest, Math.min(fast, Math.max(faster, SLOW_MM_PER_S)));
+        return new Drive(rounded(speed, 5), rounded(speed * arc.degPerMm, 0.5));
+    }
+
+    /** Small differences are not worth a command. */
+    private static double rounded(double value, double step) {
+        return Math.round(value / step) * step;
+    }
+
+    private double cruise() {
+        return robot.get("cruise").number();
+    }
+
+    private double cruiseTurn() {
+        return robot.get("cruiseTurn").number();
+    }
+
+    /** The speed from which the robot comes to rest within a distance. */
+    private static double speedFor(double mm) {
+        if (mm <= 0) {
+            return 0;
+        }
+        double delay = BRAKING_MM_PER_S2 * REACTION_S;
+        return Math.sqrt(delay * delay + 2 * BRAKING_MM_PER_S2 * mm) - delay;
+    }
+
+    private static double bearing(Pose here, Pose to) {
+        double direction = Math.toDegrees(Math.atan2(to.yMm() - here.yMm(), to.xMm() - here.xMm()));
+        return Pose.normalised(direction - here.headingDeg());
+    }
+
+    /** An arc that leads to a point of the way, and how far it is free; infinite if nothing is in the way. */
+    private static final class Arc {
+        final double bearing;
+        final double degPerMm;
+        final double freeMm;
+
+        Arc(Pose here, FreeSpace space, Way rest, double aheadMm) {
+            Pose target = rest.at(aheadMm);
+            double distance = Math.max(1, here.distanceMm(target));
+            bearing = GoalCourse.bearing(here, target);
+            double chord = 2 * Math.sin(Math.toRadians(Math.max(-90, Math.min(90, bearing)))) / distance;
+            degPerMm = Math.toDegrees(chord);
+            double look = Math.max(distance, Math.min(LOOK_ARC_MM, rest.lengthMm()));
+            double free = Math.abs(bearing) > ON_THE_SPOT_DEG ? 0 : space.freeMm(here, degPerMm, look);
+            freeMm = free >= look ? Double.POSITIVE_INFINITY : free;
+        }
+    }
+
+    private void refuseLongWait(double longestS) {
+        double waited = now() - progressS;
+        if (waited > longestS) {
+            throw new MotionFailed(
+                    (waits.isEmpty() ? "it makes no way" : waits) + " for " + Math.round(longestS) + " s");
+        }
+    }
+
+    private void waitFor(Traffic.Grant grant) {
+        before = grant.before();
+        waits = before == null ? "" : before.name() + " stands in the way";
+        if (grant.waitedS() > OTHER_WAY_S && !aroundTraffic && aside == null) {
+            aroundTraffic = true;
+            plannedS = Double.NEGATIVE_INFINITY;
+        }
+    }
+
+    /** Makes room for a robot that goes first, waits, and needs the place where this one is. */
+    private void makeRoom(Pose here, FreeSpace space, Way rest) {
+        if (aside != null) {
+            return;
+        }
+        Traffic traffic = navigator.traffic();
+        Traffic.Vehicle first =
+                traffic.toMakeRoomFor(vehicle, MAKE_ROOM_MM, MAKE_ROOM_S).orElse(null);
+        if (first == null) {
+            return;
+        }
+        FreeSpace now = space.with(things(true));
+        Optional<Way> found = new PathPlanner(now)
+                .planToNearest(here, MAKE_ROOM_MM, place -> !traffic.leadsThrough(first, robot, place, MAKE_ROOM_MM));
+        if (found.isEmpty()) {
+            found = new PathPlanner(space)
+                    .planToNearest(
+                            here, MAKE_ROOM_MM, place -> !traffic.leadsThrough(first, robot, place, MAKE_ROOM_MM));
+        }
+        found.ifPresent(there -> {
+            way = there;
+            aside = there.end();
+            asideS = now();
+            plannedS = now();
+            roomFor = first;
+            traffic.standIn(vehicle, first);
+        });
+    }
+
+    /** Waits until the other one has passed. */
+    private Step standAside(Pose here) {
+        Traffic traffic = navigator.traffic();
+        traffic.reserve(vehicle, new Way(List.of(here)), 0);
+        Traffic.Vehicle other = roomFor;
+        waits = "it makes room for "
+                + (other == null ? "another robot" : other.robot().name());
+        boolean passed = other == null
+                || !traffic.isUnderWay(other)
+                || !crosses(traffic, other, here)
+                || now() - asideS > LONGEST_BLOCKED_S;
+        if (passed) {
+            aside = null;
+            roomFor = null;
+            aroundTraffic = false;
+            traffic.takeBack(vehicle);
+            plannedS = Double.NEGATIVE_INFINITY;
+            way = null;
+        }
+        return stand();
+    }
+
+    /** Whether the rest of another one's way still leads along the way that this robot would take. */
+    private boolean crosses(Traffic traffic, Traffic.Vehicle other, Pose here) {
+        Optional<Way> own = new PathPlanner(new FreeSpace(map, bodyMm, things(false))).plan(here, destination.pose());
+        if (own.isEmpty()) {
+            return false;
+        }
+        for (double mm = 0; mm < Math.min(MAKE_ROOM_MM / 4, own.get().lengthMm()); mm += 100) {
+            if (traffic.leadsThrough(other, robot, own.get().at(mm), MAKE_ROOM_MM)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** Returns why the robot stands, as a part of a sentence; empty while it drives. */
+    String waits() {
+        return waits;
+    }
+}

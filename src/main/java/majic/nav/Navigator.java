@@ -1,0 +1,203 @@
+package majic.nav;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Supplier;
+import majic.bot.BotControl;
+import majic.bot.BotException;
+import majic.bot.Guard;
+import majic.bot.MajicBot;
+import majic.bot.MotionReport;
+import majic.bot.Pose;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.nav.grid.NavigationMap;
+import majic.nav.grid.OccupancyGrid;
+import majic.nav.path.FreeSpace;
+import majic.nav.path.ObstacleDistance;
+import majic.nav.path.Way;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Sends robots to places: around the walls of a map if there is one, around what their sensors see, and around the
+ * other robots that it knows. Thread-safe.
+ *
+ * <p>A robot of which {@link #add} was never called can be sent as well; the others do not know of it while it stands.
+ */
+public final class Navigator {
+    /** The word of the command by which a robot goes to a place by its own navigation, if it has one. */
+    private static final String OWN = "goto";
+
+    /** Without a map, what lies as far beside the way counts as room to drive around something, mm. */
+    private static final double BESIDE_MM = 5000;
+
+    private static final double FARTHEST_WITHOUT_MAP_MM = 100_000;
+    private static final double CELL_WITHOUT_MAP_MM = 100;
+
+    /** A map that grows is looked at as often, seconds. */
+    private static final double MAP_S = 2;
+
+    private final Supplier<Optional<NavigationMap>> map;
+    private final Set<MajicBot> robots = ConcurrentHashMap.newKeySet();
+    private final Traffic traffic = new Traffic();
+    private @Nullable NavigationMap measured;
+    private @Nullable ObstacleDistance distances;
+    private long measuredNanos;
+
+    /** Sends robots in the open, where there is no map. */
+    public Navigator() {
+        this(Optional::empty);
+    }
+
+    /**
+     * Sends robots on a map.
+     *
+     * @param map asked again and again; empty while there is none
+     */
+    public Navigator(Supplier<Optional<NavigationMap>> map) {
+        this.map = map;
+    }
+
+    /**
+     * Takes note of a robot, so that others drive around it where it stands. Only one that was placed counts.
+     *
+     * @param robot any
+     */
+    public void add(MajicBot robot) {
+        robots.add(robot);
+    }
+
+    /**
+     * Forgets a robot.
+     *
+     * @param robot one that was added
+     */
+    public void remove(MajicBot robot) {
+        robots.remove(robot);
+    }
+
+    /**
+     * Drives to a place and returns when the robot is stationary again.
+     *
+     * @param robot connected; if there is a map, placed on it
+     * @param destination in the frame of the robot's poses
+     * @return the place that it has reached
+     * @throws majic.bot.MotionFailed if there is no way, something stands in the way for too long, or the robot does
+     *     not know well enough where it is; it stands
+     * @throws BotException as for any motion
+     */
+    public MotionReport goTo(MajicBot robot, Destination destination) {
+        return goTo(robot, robot, destination, Guard.NEVER);
+    }
+
+    /**
+     * Drives to a place under a permit.
+     *
+     * @param robot as in {@link #goTo(MajicBot, Destination)}
+     * @param control commands that robot
+     * @param destination in the frame of the robot's poses
+     * @param until ends the motion early
+     * @return the place that it has reached
+     */
+    public MotionReport goTo(MajicBot robot, BotControl control, Destination destination, Guard until) {
+        if (hasOwnNavigation(robot)) {
+            return byItself(robot, control, destination, until);
+        }
+        try (GoalCourse course = new GoalCourse(robot, destination, this)) {
+            return control.follow(course, until);
+        }
+    }
+
+    /**
+     * Returns whether a robot goes to places by a navigation of its own.
+     *
+     * @param robot any
+     * @return true if it has the command {@code goto}
+     */
+    public static boolean hasOwnNavigation(MajicBot robot) {
+        return robot.commands().stream().anyMatch(command -> command.name().equalsIgnoreCase(OWN));
+    }
+
+    private static MotionReport byItself(MajicBot robot, BotControl control, Destination destination, Guard until) {
+        Pose pose = destination.pose();
+        Value x = Value.of(pose.xMm(), Unit.MM);
+        Value y = Value.of(pose.yMm(), Unit.MM);
+        List<Value> values =
+                destination.withHeading() ? List.of(x, y, Value.of(pose.headingDeg(), Unit.DEG)) : List.of(x, y);
+        long begunNanos = robot.time().nanos();
+        String answer = control.run(OWN, values, until);
+        return new MotionReport(Value.text(answer), robot.time().secondsSince(begunNanos));
+    }
+
+    /**
+     * Returns the way that a robot still has.
+     *
+     * @param robot any
+     * @return empty if it does not drive to a place by this navigator
+     */
+    public Optional<Way> way(MajicBot robot) {
+        return traffic.way(robot);
+    }
+
+    /**
+     * Returns the places that a robot has reserved for itself, the one where it is first.
+     *
+     * @param robot any
+     * @return none if it does not drive to a place by this navigator
+     */
+    public List<Pose> reserved(MajicBot robot) {
+        return traffic.reserved(robot);
+    }
+
+    Traffic traffic() {
+        return traffic;
+    }
+
+    boolean hasMap() {
+        return map.get().isPresent();
+    }
+
+    /** Returns the other robots whose places are known. */
+    List<MajicBot> others(MajicBot robot) {
+        return robots.stream()
+                .filter(other -> other != robot
+                        && other.isConnected()
+                        && other.uncertainty().isKnown())
+                .toList();
+    }
+
+    /** Returns the distances from the obstacles of the map, or of an empty plain around a way. */
+    ObstacleDistance distances(MajicBot robot, Destination destination) {
+        Optional<NavigationMap> now = map.get();
+        return now.isPresent() ? distances(now.get(), robot) : plain(robot, destination);
+    }
+
+    private synchronized ObstacleDistance distances(NavigationMap now, MajicBot robot) {
+        ObstacleDistance before = distances;
+        if (before != null && (measured == now || robot.time().secondsSince(measuredNanos) < MAP_S)) {
+            return before;
+        }
+        ObstacleDistance made = new ObstacleDistance(now);
+        measured = now;
+        measuredNanos = robot.time().nanos();
+        distances = made;
+        return made;
+    }
+
+    private static ObstacleDistance plain(MajicBot robot, Destination destination) {
+        Pose from = robot.state().pose();
+        Pose to = destination.pose();
+        if (from.distanceMm(to) > FARTHEST_WITHOUT_MAP_MM) {
+            throw new BotException("goto " + destination + ": farther than 100 m, and there is no map");
+        }
+        double beside = BESIDE_MM + FreeSpace.MARGIN_MM + robot.profile().bodyMm();
+        double left = Math.min(from.xMm(), to.xMm()) - beside;
+        double low = Math.min(from.yMm(), to.yMm()) - beside;
+        int width = (int) ((Math.abs(from.xMm() - to.xMm()) + 2 * beside) / CELL_WITHOUT_MAP_MM);
+        int height = (int) ((Math.abs(from.yMm() - to.yMm()) + 2 * beside) / CELL_WITHOUT_MAP_MM);
+        return new ObstacleDistance(NavigationMap.of(
+                OccupancyGrid.of(new Pose(left, low, 0), CELL_WITHOUT_MAP_MM, width, height, (column, row) -> 0.02)));
+    }
+}

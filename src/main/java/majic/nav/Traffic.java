@@ -1,0 +1,178 @@
+package majic.nav;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.nav.path.FreeSpace;
+import majic.nav.path.Way;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The robots of one frame, and what each of them has reserved: where it stands, and the piece of its way on which it
+ * may drive. A robot drives only on what it has reserved, and nobody reserves what another one has, so that no two of
+ * them meet. Thread-safe.
+ */
+final class Traffic {
+    private static final double STEP_MM = 100;
+
+    private final Map<MajicBot, Vehicle> vehicles = new LinkedHashMap<>();
+    private long begun;
+
+    /** One robot under way. All but the robot is guarded by the traffic. */
+    static final class Vehicle {
+        private final MajicBot robot;
+
+        /** Who began earlier goes first. One that stands aside counts as the one for which it does. */
+        private final long order;
+
+        private long rank;
+        private Way rest;
+        private List<Pose> reserved;
+        private @Nullable Vehicle before;
+        private long blockedNanos;
+
+        private Vehicle(MajicBot robot, long order) {
+            this.robot = robot;
+            this.order = order;
+            this.rank = order;
+            Pose here = robot.state().pose();
+            this.rest = new Way(List.of(here));
+            this.reserved = List.of(here);
+        }
+
+        MajicBot robot() {
+            return robot;
+        }
+    }
+
+    /** What a robot got. */
+    record Grant(double mm, @Nullable MajicBot before, double waitedS) {}
+
+    /** A robot begins to drive by itself. */
+    synchronized Vehicle begin(MajicBot robot) {
+        begun++;
+        Vehicle vehicle = new Vehicle(robot, begun);
+        vehicles.put(robot, vehicle);
+        return vehicle;
+    }
+
+    /** A robot stands, and keeps no way. */
+    synchronized void end(Vehicle vehicle) {
+        vehicles.remove(vehicle.robot, vehicle);
+    }
+
+    synchronized boolean isUnderWay(MajicBot robot) {
+        return vehicles.containsKey(robot);
+    }
+
+    /** Returns the way that a robot still has; empty if it does not drive by itself. */
+    synchronized Optional<Way> way(MajicBot robot) {
+        return Optional.ofNullable(vehicles.get(robot)).map(vehicle -> vehicle.rest);
+    }
+
+    /** Returns the places that a robot has reserved; none if it does not drive by itself. */
+    synchronized List<Pose> reserved(MajicBot robot) {
+        Vehicle vehicle = vehicles.get(robot);
+        return vehicle == null ? List.of() : vehicle.reserved;
+    }
+
+    /**
+     * Reserves as much of a way as is free, instead of what was reserved before.
+     *
+     * @param rest from where the robot is
+     * @param mostMm how much of it
+     */
+    synchronized Grant reserve(Vehicle vehicle, Way rest, double mostMm) {
+        vehicle.rest = rest;
+        List<Pose> free = new ArrayList<>();
+        free.add(vehicle.robot.state().pose());
+        double end = Math.min(mostMm, rest.lengthMm());
+        double granted = end;
+        Vehicle other = null;
+        for (double mm = 0; mm <= end; mm += STEP_MM) {
+            Pose next = rest.at(mm);
+            other = holder(vehicle, next, free.get(0));
+            if (other != null) {
+                granted = Math.max(0, mm - STEP_MM);
+                break;
+            }
+            free.add(next);
+        }
+        vehicle.reserved = free;
+        if (other == null || granted > STEP_MM) {
+            vehicle.before = null;
+        } else if (vehicle.before == null) {
+            vehicle.blockedNanos = vehicle.robot.time().nanos();
+            vehicle.before = other;
+        } else {
+            vehicle.before = other;
+        }
+        return new Grant(granted, other == null ? null : other.robot, waitedS(vehicle));
+    }
+
+    private static double waitedS(Vehicle vehicle) {
+        return vehicle.before == null ? 0 : vehicle.robot.time().secondsSince(vehicle.blockedNanos);
+    }
+
+    /** The other one that has reserved a place, unless the robot gets farther from it by going there. */
+    private @Nullable Vehicle holder(Vehicle vehicle, Pose place, Pose here) {
+        for (Vehicle other : vehicles.values()) {
+            double apart = apartMm(vehicle.robot, other.robot);
+            if (other != vehicle
+                    && other.reserved.stream()
+                            .anyMatch(taken -> taken.distanceMm(place) < apart
+                                    && taken.distanceMm(place) < taken.distanceMm(here) + 1)) {
+                return other;
+            }
+        }
+        return null;
+    }
+
+    static double apartMm(MajicBot robot, MajicBot other) {
+        return robot.profile().bodyMm() + other.profile().bodyMm() + 2 * FreeSpace.MARGIN_MM;
+    }
+
+    /**
+     * Returns the robot for which another one has to make room: one that goes first, waits, and has a way that leads
+     * through where the other one is.
+     *
+     * @param lookMm how far along its way to look
+     * @param waitS how long it has to have waited
+     */
+    synchronized Optional<Vehicle> toMakeRoomFor(Vehicle vehicle, double lookMm, double waitS) {
+        return vehicles.values().stream()
+                .filter(other -> other != vehicle && other.rank < vehicle.order && waitedS(other) >= waitS)
+                .filter(other ->
+                        leadsThrough(other, vehicle.robot, vehicle.robot.state().pose(), lookMm))
+                .findFirst();
+    }
+
+    /** Whether the way of one that is under way leads through a place, for a robot there. */
+    synchronized boolean leadsThrough(Vehicle vehicle, MajicBot robot, Pose place, double lookMm) {
+        double apart = apartMm(vehicle.robot, robot);
+        double end = Math.min(lookMm, vehicle.rest.lengthMm());
+        for (double mm = 0; mm <= end + STEP_MM; mm += STEP_MM) {
+            if (vehicle.rest.at(mm).distanceMm(place) < apart) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    synchronized boolean isUnderWay(Vehicle vehicle) {
+        return vehicles.get(vehicle.robot) == vehicle;
+    }
+
+    /** Lets a robot that makes room go before all others that have to, until {@link #takeBack}. */
+    synchronized void standIn(Vehicle vehicle, Vehicle one) {
+        vehicle.rank = Math.min(vehicle.rank, one.rank);
+    }
+
+    synchronized void takeBack(Vehicle vehicle) {
+        vehicle.rank = vehicle.order;
+    }
+}

@@ -1,0 +1,340 @@
+package majic.nav.path;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import majic.bot.Pose;
+import majic.nav.grid.OccupancyGrid;
+import majic.nav.grid.OccupancyGrid.State;
+
+/**
+ * The shortest way across a space: A* over the cells of the map (Hart, Nilsson, Raphael 1968), then the straight lines
+ * that cost no more. A way close to an obstacle costs up to twice its length, so that it keeps away where there is
+ * room. What is unknown is not crossed. Used by one thread.
+ */
+public final class PathPlanner {
+    /** Ways keep as far from obstacles where there is room, mm. */
+    private static final double COMFORT_MM = 250;
+
+    /** Nodes are about as far apart, mm; a whole number of cells. */
+    private static final double NODE_MM = 100;
+
+    private static final int[] RIGHT = {1, 1, 0, -1, -1, -1, 0, 1};
+    private static final int[] UP = {0, 1, 1, 1, 0, -1, -1, -1};
+
+    private final FreeSpace space;
+    private final OccupancyGrid grid;
+    private final BitSet blocked = new BitSet();
+    private int cells;
+    private int columns;
+    private int rows;
+
+    /**
+     * A planner for one space.
+     *
+     * @param space where the robot fits
+     */
+    public PathPlanner(FreeSpace space) {
+        this.space = space;
+        this.grid = space.map().grid();
+    }
+
+    /**
+     * Plans the shortest way to one of several places.
+     *
+     * @param from where the robot is
+     * @param mostMm the longest way
+     * @param isGood whether the robot may end at a place
+     * @return to the nearest such place; empty if there is none
+     */
+    public Optional<Way> planToNearest(Pose from, double mostMm, Predicate<Pose> isGood) {
+        setNodes((int) Math.max(1, Math.round(NODE_MM / grid.cellMm())));
+        int start = node(from);
+        if (start < 0) {
+            return Optional.empty();
+        }
+        Search search = new Search(start, from);
+        int end = search.run(node -> 0, (node, cost) -> cost > 0 && isGood.test(place(node)), mostMm);
+        return end < 0 ? Optional.empty() : Optional.of(straightened(search.corners(end, place(end))));
+    }
+
+    /**
+     * Plans a way.
+     *
+     * @param from where the robot is, also closer to an obstacle than elsewhere, or where nothing is known
+     * @param to where it should be
+     * @return from the one to the other; empty if there is none
+     */
+    public Optional<Way> plan(Pose from, Pose to) {
+        int coarse = (int) Math.max(1, Math.round(NODE_MM / grid.cellMm()));
+        Optional<Way> found = plan(from, to, coarse);
+        return found.isPresent() || coarse == 1 ? found : plan(from, to, 1);
+    }
+
+    private Optional<Way> plan(Pose from, Pose to, int cellsOfNode) {
+        setNodes(cellsOfNode);
+        int start = node(from);
+        int goal = node(to);
+        if (start < 0 || goal < 0) {
+            return Optional.empty();
+        }
+        Search search = new Search(start, from);
+        search.goal = goal;
+        int end = search.run(node -> estimate(node, goal), (node, cost) -> node == goal, Double.POSITIVE_INFINITY);
+        return end < 0 ? Optional.empty() : Optional.of(straightened(search.corners(end, to)));
+    }
+
+    private void setNodes(int cellsOfNode) {
+        cells = cellsOfNode;
+        columns = (grid.width() + cells - 1) / cells;
+        rows = (grid.height() + cells - 1) / cells;
+        stamp();
+    }
+
+    private int node(Pose place) {
+        Pose seen = place.seenFrom(grid.origin());
+        int column = (int) Math.floor(seen.xMm() / grid.cellMm() / cells);
+        int row = (int) Math.floor(seen.yMm() / grid.cellMm() / cells);
+        return column < 0 || row < 0 || column >= columns || row >= rows ? -1 : row * columns + column;
+    }
+
+    private int middle(int index, int most) {
+        return Math.min(index * cells + cells / 2, most - 1);
+    }
+
+    private Pose place(int node) {
+        return grid.centre(middle(node % columns, grid.width()), middle(node / columns, grid.height()));
+    }
+
+    /** Blocks the nodes that are too close to something that is not on the map. */
+    private void stamp() {
+        blocked.clear();
+        double nodeMm = cells * grid.cellMm();
+        for (FreeSpace.Disc thing : space.things()) {
+            double reach = thing.radiusMm() + space.bodyMm() + FreeSpace.MARGIN_MM;
+            Pose seen = new Pose(thing.xMm(), thing.yMm(), 0).seenFrom(grid.origin());
+            int low = (int) Math.max(0, Math.floor((seen.yMm() - reach) / nodeMm));
+            int high = (int) Math.min(rows - 1, Math.floor((seen.yMm() + reach) / nodeMm));
+            int left = (int) Math.max(0, Math.floor((seen.xMm() - reach) / nodeMm));
+            int right = (int) Math.min(columns - 1, Math.floor((seen.xMm() + reach) / nodeMm));
+            for (int row = low; row <= high; row++) {
+                for (int column = left; column <= right; column++) {
+                    Pose there = place(row * columns + column);
+                    if (Math.hypot(there.xMm() - thing.xMm(), there.yMm() - thing.yMm()) < reach) {
+                        blocked.set(row * columns + column);
+                    }
+                }
+            }
+        }
+    }
+
+    /**
+     * Nodes in the order of their estimated whole way, in a ring of stacks for ranges of it. An edge makes the estimate
+     * longer by at most five times the distance of two nodes, so that the ring never overtakes itself.
+     */
+    private static final class Frontier {
+        private static final int STACKS = 128;
+        private static final int STACKS_OF_NODE = 16;
+
+        private final int[][] stacks = new int[STACKS][64];
+        private final int[] sizes = new int[STACKS];
+        private final double rangeMm;
+        private int count;
+        private int current;
+
+        Frontier(double nodeMm) {
+            rangeMm = nodeMm / STACKS_OF_NODE;
+        }
+
+        void add(int node, float estimate) {
+            int stack = (int) (estimate / rangeMm) % STACKS;
+            if (sizes[stack] == stacks[stack].length) {
+                stacks[stack] = Arrays.copyOf(stacks[stack], 2 * sizes[stack]);
+            }
+            stacks[stack][sizes[stack]++] = node;
+            count++;
+        }
+
+        void beginAt(float estimate) {
+            current = (int) (estimate / rangeMm) % STACKS;
+        }
+
+        /** Returns the next node; -1 if there is none. */
+        int next() {
+            if (count == 0) {
+                return -1;
+            }
+            while (sizes[current] == 0) {
+                current = (current + 1) % STACKS;
+            }
+            count--;
+            return stacks[current][--sizes[current]];
+        }
+    }
+
+    /** What a search estimates from a node to its end. */
+    private interface Estimate {
+        float mm(int node);
+    }
+
+    /** What a search looks for. */
+    private interface Sought {
+        boolean isAt(int node, float costMm);
+    }
+
+    /** One search from a node: what the way to each node costs, and from where it came. */
+    private final class Search {
+        private final int start;
+        private final Pose from;
+        private final float[] cost = new float[columns * rows];
+        private final byte[] came = new byte[columns * rows];
+        private final BitSet done = new BitSet(columns * rows);
+        private final Frontier frontier = new Frontier(cells * grid.cellMm());
+
+        /** Robots that stand too close to something may leave it, but not come closer. */
+        private final double leastMm;
+
+        /** Whether the robot fits there has been looked at by itself. */
+        private int goal = -1;
+
+        Search(int start, Pose from) {
+            this.start = start;
+            this.from = from;
+            this.leastMm = Math.min(0, space.mm(from.xMm(), from.yMm())) - cells * grid.cellMm();
+            Arrays.fill(cost, Float.POSITIVE_INFINITY);
+        }
+
+        /** Returns the node that was looked for; -1 if there is none. */
+        int run(Estimate estimate, Sought sought, double mostMm) {
+            cost[start] = 0;
+            frontier.beginAt(estimate.mm(start));
+            frontier.add(start, estimate.mm(start));
+            for (int node = frontier.next(); node >= 0; node = frontier.next()) {
+                if (sought.isAt(node, cost[node])) {
+                    return node;
+                }
+                if (!done.get(node) && cost[node] <= mostMm) {
+                    done.set(node);
+                    expand(node, estimate);
+                }
+            }
+            return -1;
+        }
+
+        private void expand(int node, Estimate estimate) {
+            for (int direction = 0; direction < RIGHT.length; direction++) {
+                int column = node % columns + RIGHT[direction];
+                int row = node / columns + UP[direction];
+                int next = row * columns + column;
+                if (column < 0 || row < 0 || column >= columns || row >= rows || done.get(next)) {
+                    continue;
+                }
+                double price = price(next, column, row);
+                if (price == Double.POSITIVE_INFINITY && (next == goal || isAround(next))) {
+                    price = 2;
+                }
+                float total = cost[node] + (float) (lengthMm(direction) * price);
+                if (total < cost[next]) {
+                    cost[next] = total;
+                    came[next] = (byte) direction;
+                    frontier.add(next, total + estimate.mm(next));
+                }
+            }
+        }
+
+        private boolean isAround(int node) {
+            Pose there = place(node);
+            return from.distanceMm(there) <= space.bodyMm() + 2 * FreeSpace.MARGIN_MM
+                    && space.mm(there.xMm(), there.yMm()) >= leastMm;
+        }
+
+        List<Pose> corners(int end, Pose to) {
+            List<Pose> corners = new ArrayList<>();
+            corners.add(to);
+            for (int node = end; node != start; ) {
+                int direction = came[node];
+                node -= UP[direction] * columns + RIGHT[direction];
+                corners.add(node == start ? from : place(node));
+            }
+            if (end == start) {
+                corners.add(from);
+            }
+            Collections.reverse(corners);
+            return corners;
+        }
+    }
+
+    private double lengthMm(int direction) {
+        return cells * grid.cellMm() * (direction % 2 == 0 ? 1 : Math.sqrt(2));
+    }
+
+    private float estimate(int node, int goal) {
+        int right = Math.abs(node % columns - goal % columns);
+        int up = Math.abs(node / columns - goal / columns);
+        double steps = Math.max(right, up) + (Math.sqrt(2) - 1) * Math.min(right, up);
+        return (float) (steps * cells * grid.cellMm());
+    }
+
+    /** What a millimetre costs at a node: 1 where there is room, infinite where the robot does not fit. */
+    private double price(int node, int column, int row) {
+        int x = middle(column, grid.width());
+        int y = middle(row, grid.height());
+        if (blocked.get(node) || grid.state(x, y) == State.UNKNOWN) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return price(space.map().mmOfCell(x, y) - grid.cellMm() / 2 - space.bodyMm());
+    }
+
+    private static double price(double roomMm) {
+        if (roomMm < FreeSpace.MARGIN_MM) {
+            return Double.POSITIVE_INFINITY;
+        }
+        return roomMm >= COMFORT_MM ? 1 : 1 + (COMFORT_MM - roomMm) / COMFORT_MM;
+    }
+
+    /** Leaves out corners where the straight line costs no more. */
+    private Way straightened(List<Pose> corners) {
+        double[] cost = new double[corners.size()];
+        for (int index = 1; index < cost.length; index++) {
+            cost[index] = cost[index - 1] + costOfLine(corners.get(index - 1), corners.get(index));
+        }
+        List<Pose> kept = new ArrayList<>();
+        kept.add(corners.get(0));
+        int at = 0;
+        while (at < corners.size() - 1) {
+            int next = at + 1;
+            for (int step = 2; at + step < corners.size(); step += 1 + step / 4) {
+                int far = at + step;
+                if (costOfLine(corners.get(at), corners.get(far)) <= cost[far] - cost[at] + 1) {
+                    next = far;
+                }
+            }
+            int end = corners.size() - 1;
+            if (next != end && costOfLine(corners.get(at), corners.get(end)) <= cost[end] - cost[at] + 1) {
+                next = end;
+            }
+            kept.add(corners.get(next));
+            at = next;
+        }
+        return Way.through(kept);
+    }
+
+    /** What a straight piece costs; a part of it where the robot does not fit costs a hundredfold. */
+    private double costOfLine(Pose from, Pose to) {
+        double length = from.distanceMm(to);
+        int steps = (int) Math.ceil(length / grid.cellMm());
+        double sum = 0;
+        for (int step = 1; step <= steps; step++) {
+            double share = (double) step / steps;
+            double x = from.xMm() + share * (to.xMm() - from.xMm());
+            double y = from.yMm() + share * (to.yMm() - from.yMm());
+            double price = space.map().isKnown(x, y) ? price(space.mm(x, y)) : Double.POSITIVE_INFINITY;
+            sum += price == Double.POSITIVE_INFINITY ? 100 : price;
+        }
+        return steps == 0 ? 0 : sum * length / steps;
+    }
+}

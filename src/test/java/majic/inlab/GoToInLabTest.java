@@ -1,0 +1,136 @@
+package majic.inlab;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import majic.bot.MajicBot;
+import majic.bot.Pose;
+import majic.bot.Uncertainty;
+import majicsim.LabOptions;
+import majicsim.world.Room;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+
+/** A Pioneer with a laser that is sent to places of the office. */
+class GoToInLabTest {
+    private static final Path OFFICE = Path.of("sims", "worlds", "office.map");
+
+    @AutoClose
+    private final LabRig rig = LabRig.of(office());
+
+    private final MajicBot robot = rig.add("pioneer");
+
+    GoToInLabTest() throws InterruptedException {
+        rig.run("map open " + OFFICE);
+        robot.place(rig.truePose("pioneer"));
+    }
+
+    private static LabOptions office() {
+        try {
+            return LabOptions.exactOnFreePorts()
+                    .withPioneer("p3dx-sh+laser")
+                    .withPioneers(2)
+                    .withRoom(Room.load(OFFICE));
+        } catch (IOException e) {
+            throw new IllegalStateException(e);
+        }
+    }
+
+    private int contacts() {
+        return rig.lab().bumps().values().stream().mapToInt(Integer::intValue).sum();
+    }
+
+    @Test
+    void itDrivesAroundTheCornersToTheHeading() throws InterruptedException {
+        String answer = rig.run("1 goto -3000 3600 90", "1 wait").get(1);
+
+        assertThat(answer).matches(".*goto -3000 3600 90: done \\(-?\\d+ mm, -?\\d+ mm, -?[\\d.]+ deg; [\\d.]+ s\\)");
+        Pose there = rig.truePose("pioneer");
+        assertThat(there.distanceMm(new Pose(-3000, 3600, 0))).isLessThan(50);
+        assertThat(there.headingDeg()).isBetween(85.0, 95.0);
+        assertThat(contacts()).isZero();
+    }
+
+    @Test
+    void itDrivesToAPlaceOfTheMap() throws InterruptedException {
+        rig.run("map place door -9000 0");
+
+        assertThat(rig.run("1 goto door")).last().asString().contains("goto door: done (");
+        assertThat(rig.truePose("pioneer").distanceMm(new Pose(-9000, 0, 0))).isLessThan(50);
+    }
+
+    @Test
+    void anUnknownPlaceIsRefusedWithThoseThatThereAre() throws InterruptedException {
+        rig.run("map place door -9000 0");
+
+        assertThat(rig.run("1 goto desk"))
+                .last()
+                .asString()
+                .contains("desk: there is no such place on the map; there are door");
+    }
+
+    @Test
+    void aPlaceInsideAWallIsRefusedAndTheRobotStands() throws InterruptedException {
+        Pose before = rig.truePose("pioneer");
+
+        assertThat(rig.run("1 goto -8000 0"))
+                .last()
+                .asString()
+                .contains("goto -8000 0: failed: no way to -8000 0: it is inside a wall");
+        assertThat(rig.truePose("pioneer").distanceMm(before)).isZero();
+    }
+
+    @Test
+    void itDrivesAroundARobotThatOnlyItsLaserSees() throws InterruptedException {
+        rig.run("lab place pioneer2 -6500 -6000 0");
+        Pose other = rig.truePose("pioneer2");
+
+        assertThat(rig.run("1 goto -4000 -6000")).last().asString().contains("done");
+        assertThat(contacts()).isZero();
+        assertThat(rig.truePose("pioneer2")).isEqualTo(other);
+    }
+
+    @Test
+    void aStopEndsIt() throws InterruptedException {
+        rig.say("1 goto 5000 -6000");
+        rig.lab().time().sleep(5);
+        rig.run("1 stop");
+
+        rig.lab().time().sleep(2);
+        Pose stood = rig.truePose("pioneer");
+        rig.lab().time().sleep(2);
+        assertThat(rig.truePose("pioneer").distanceMm(stood)).isZero();
+        assertThat(stood.xMm()).isBetween(-9150.0, -6000.0);
+        assertThat(rig.session().map().navigator().way(robot)).isEmpty();
+    }
+
+    @Test
+    void aConditionEndsIt() throws InterruptedException {
+        assertThat(rig.run("1 goto 5000 -6000 until x > -7000"))
+                .last()
+                .asString()
+                .contains("done (");
+        assertThat(rig.truePose("pioneer").xMm()).isBetween(-7100.0, -6600.0);
+    }
+
+    @Test
+    void withoutItsPlaceItIsRefused() throws InterruptedException {
+        robot.place(robot.state().pose(), Uncertainty.UNKNOWN);
+
+        assertThat(rig.run("1 goto 5000 -6000"))
+                .last()
+                .asString()
+                .contains("failed: its place on the map is not known");
+    }
+
+    @Test
+    void withoutAMapItDrivesByItsOdometryAroundWhatItSees() throws InterruptedException {
+        rig.run("map close");
+
+        assertThat(rig.run("1 goto -6300 -5800")).last().asString().contains("done (");
+        assertThat(rig.truePose("pioneer").distanceMm(new Pose(-6300, -5800, 0)))
+                .isLessThan(60);
+        assertThat(contacts()).isZero();
+    }
+}
