@@ -139,7 +139,7 @@ public final class CurrentMap {
             distances = new Distances(known.grid());
         }
         LiveLocalisation begun = new LiveLocalisation(
-                robot, distances::get, search, text -> news.accept(robot, text), () -> localised.remove(robot));
+                robot, navigator, distances::get, search, text -> news.accept(robot, text), () -> localised.remove(robot));
         localised.put(robot, begun);
         begun.begin();
     }
@@ -288,7 +288,7 @@ public final class CurrentMap {
 
     private LiveMapping mappingOf(MajicBot robot) {
         try {
-            return new LiveMapping(robot, grid -> draw(robot, grid), () -> failed(robot));
+            return new LiveMapping(robot, navigator, grid -> draw(robot, grid), () -> failed(robot));
         } catch (NoClassDefFoundError e) {
             throw new BotException(
                     "map start: the library EJML is missing; org.ejml:ejml-dsparse on the class path would be right",

@@ -62,16 +62,16 @@ final class GoalCourse implements Course, AutoCloseable {
     /** How far an arc is looked along. */
     private static final double LOOK_ARC_MM = 1200;
 
-    /** Echoes as near to a wall of the map are of that wall; as near to another robot, of that robot. */
+    /** Echoes as near to a wall of the map are of that wall. */
     private static final double WALL_MM = 150;
-
-    private static final double ROBOT_MM = 200;
 
     /** How long something may stand in the way, and how long other robots may be waited for. */
     private static final double LONGEST_BLOCKED_S = 20;
 
     private static final double LONGEST_TRAFFIC_S = 180;
     private static final double PROGRESS_MM = 50;
+    private static final double LONGEST_WHOLE_S = 300;
+    private static final double TIMES_USUAL = 10;
 
     /** Traffic: when another way is tried, and when room is made. */
     private static final double OTHER_WAY_S = 3;
@@ -90,6 +90,8 @@ final class GoalCourse implements Course, AutoCloseable {
     private @Nullable Way way;
     private double plannedS = Double.NEGATIVE_INFINITY;
     private double progressS;
+    private final double begunS;
+    private double longestWholeS = Double.POSITIVE_INFINITY;
     private double leastLeftMm = Double.POSITIVE_INFINITY;
     private double speed;
     private int turnsAtEnd;
@@ -110,6 +112,7 @@ final class GoalCourse implements Course, AutoCloseable {
         this.seen = new SeenObstacles(robot, this::isKnown);
         this.vehicle = navigator.traffic().begin(robot);
         this.progressS = now();
+        this.begunS = progressS;
         if (hasRanges) {
             robot.addScanListener(seen);
         }
@@ -127,11 +130,8 @@ final class GoalCourse implements Course, AutoCloseable {
 
     private boolean isKnown(double xMm, double yMm) {
         return map.mm(xMm, yMm) < WALL_MM
-                || navigator.others(robot).stream().anyMatch(other -> {
-                    Pose there = other.state().pose();
-                    return Math.hypot(there.xMm() - xMm, there.yMm() - yMm)
-                            < other.profile().bodyMm() + ROBOT_MM;
-                });
+                || navigator.discs(robot).stream()
+                        .anyMatch(other -> other.distanceMm(xMm, yMm) < Navigator.HULL_MM);
     }
 
     @Override
@@ -238,6 +238,10 @@ final class GoalCourse implements Course, AutoCloseable {
         }
         if (found.isPresent()) {
             way = found.get();
+            leastLeftMm = way.lengthMm() > leastLeftMm + LEFT_WAY_MM ? way.lengthMm() : leastLeftMm;
+            if (longestWholeS == Double.POSITIVE_INFINITY) {
+                longestWholeS = LONGEST_WHOLE_S + TIMES_USUAL * way.lengthMm() / cruise();
+            }
         } else if (aside != null) {
             aside = null;
             plannedS = Double.NEGATIVE_INFINITY;
@@ -304,6 +308,7 @@ final class GoalCourse implements Course, AutoCloseable {
         Way planned = way;
         if (planned == null) {
             refuseLongWait(LONGEST_BLOCKED_S);
+            navigator.traffic().reserve(vehicle, new Way(List.of(here)), 0);
             return stand();
         }
         Way rest = planned.from(here);
@@ -316,6 +321,7 @@ final class GoalCourse implements Course, AutoCloseable {
             leastLeftMm = restMm;
             progressS = now();
         }
+        refuseLongWait(before == null && aside == null ? LONGEST_BLOCKED_S : LONGEST_TRAFFIC_S);
         return drive(here, space, rest, aside == null ? left : here.distanceMm(aside));
     }
 
@@ -358,11 +364,11 @@ final class GoalCourse implements Course, AutoCloseable {
             }
         }
         if (allowed < SLOW_MM_PER_S) {
-            refuseLongWait(grant.before() == null ? LONGEST_BLOCKED_S : LONGEST_TRAFFIC_S);
             return stand();
         }
         if (grant.before() == null) {
             waits = "";
+            before = null;
         }
         return roll(allowed, best);
     }
@@ -435,11 +441,14 @@ final class GoalCourse implements Course, AutoCloseable {
         }
     }
 
+    /** Fails after a time without progress, and after many times the time that the way should take. */
     private void refuseLongWait(double longestS) {
-        double waited = now() - progressS;
-        if (waited > longestS) {
-            throw new MotionFailed(
-                    (waits.isEmpty() ? "it makes no way" : waits) + " for " + Math.round(longestS) + " s");
+        String why = waits.isEmpty() ? "it makes no way" : waits;
+        if (now() - progressS > longestS) {
+            throw new MotionFailed(why + " for " + Math.round(longestS) + " s");
+        }
+        if (now() - begunS > longestWholeS) {
+            throw new MotionFailed("it has not arrived after " + Math.round(longestWholeS) + " s; at last, " + why);
         }
     }
 

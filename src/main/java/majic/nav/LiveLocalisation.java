@@ -37,19 +37,25 @@ final class LiveLocalisation implements ScanThread.Work {
      * A localisation that {@link #begin} begins.
      *
      * @param robot with range sensors
+     * @param navigator knows the other robots, which are not on the map
      * @param map the distances from its walls, in the frame of the robot's poses; asked once, on a thread of its own
      * @param search whether to look everywhere; else from where it was placed
      * @param news receives half a sentence when the robot is lost or found
      * @param failed called if it ends by an error; the place is unknown then
      */
     LiveLocalisation(
-            MajicBot robot, Supplier<LikelihoodField> map, boolean search, Consumer<String> news, Runnable failed) {
+            MajicBot robot,
+            Navigator navigator,
+            Supplier<LikelihoodField> map,
+            boolean search,
+            Consumer<String> news,
+            Runnable failed) {
         this.robot = robot;
         this.map = map;
         this.search = search;
         this.news = news;
         this.failed = failed;
-        this.thread = new ScanThread(robot, "localisation", this);
+        this.thread = new ScanThread(robot, "localisation", navigator, this);
     }
 
     void begin() {

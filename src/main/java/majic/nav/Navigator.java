@@ -11,6 +11,7 @@ import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.MotionReport;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.nav.grid.NavigationMap;
@@ -32,6 +33,9 @@ public final class Navigator {
 
     /** Without a map, what lies as far beside the way counts as room to drive around something, mm. */
     private static final double BESIDE_MM = 5000;
+
+    /** An echo as near to the hull of another robot is of that robot. */
+    static final double HULL_MM = 200;
 
     private static final double FARTHEST_WITHOUT_MAP_MM = 100_000;
     private static final double CELL_WITHOUT_MAP_MM = 100;
@@ -165,6 +169,46 @@ public final class Navigator {
                 .filter(other -> other != robot
                         && other.isConnected()
                         && other.uncertainty().isKnown())
+                .toList();
+    }
+
+    /**
+     * Returns what a robot has measured without what it has seen of the other robots: they are not on the map, and one
+     * that drives ahead makes the walls of a corridor look as if they moved.
+     */
+    RangeScan withoutOthers(MajicBot robot, RangeScan scan) {
+        Pose here = robot.odometryOrigin().plus(scan.odometry());
+        List<FreeSpace.Disc> others = discs(robot).stream()
+                .map(disc -> {
+                    Pose seen = new Pose(disc.xMm(), disc.yMm(), 0).seenFrom(here);
+                    return new FreeSpace.Disc(seen.xMm(), seen.yMm(), disc.radiusMm() + HULL_MM);
+                })
+                .toList();
+        if (others.isEmpty()) {
+            return scan;
+        }
+        float[] ranges = new float[scan.size()];
+        for (int beam = 0; beam < ranges.length; beam++) {
+            float range = scan.rangeMm(beam);
+            ranges[beam] = range;
+            if (Float.isFinite(range)) {
+                Pose echo = scan.sensor().beams().get(beam).mount().after(range, 0);
+                if (others.stream().anyMatch(other -> other.distanceMm(echo.xMm(), echo.yMm()) < 0)) {
+                    ranges[beam] = Float.NaN;
+                }
+            }
+        }
+        return new RangeScan(scan.sensor(), scan.timeS(), scan.odometry(), ranges);
+    }
+
+    /** Returns where the other robots are whose places are known. */
+    List<FreeSpace.Disc> discs(MajicBot robot) {
+        return others(robot).stream()
+                .map(other -> {
+                    Pose there = other.state().pose();
+                    return new FreeSpace.Disc(
+                            there.xMm(), there.yMm(), other.profile().bodyMm());
+                })
                 .toList();
     }
 

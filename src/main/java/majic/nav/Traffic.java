@@ -93,14 +93,14 @@ final class Traffic {
         double end = Math.min(mostMm, rest.lengthMm());
         double granted = end;
         Vehicle other = null;
-        for (double mm = 0; mm <= end; mm += STEP_MM) {
+        for (double mm = Math.min(STEP_MM, end); mm <= end && other == null; mm += STEP_MM) {
             Pose next = rest.at(mm);
             other = holder(vehicle, next, free.get(0));
-            if (other != null) {
+            if (other == null) {
+                free.add(next);
+            } else {
                 granted = Math.max(0, mm - STEP_MM);
-                break;
             }
-            free.add(next);
         }
         vehicle.reserved = free;
         if (other == null || granted > STEP_MM) {

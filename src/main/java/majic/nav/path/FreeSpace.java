@@ -23,7 +23,14 @@ public record FreeSpace(ObstacleDistance map, double bodyMm, List<Disc> things) 
      * @param radiusMm 0 or more
      */
     public record Disc(double xMm, double yMm, double radiusMm) {
-        double distanceMm(double x, double y) {
+        /**
+         * Returns the distance of a place from it.
+         *
+         * @param x of the place, in the frame of the map
+         * @param y of the place
+         * @return mm; negative inside
+         */
+        public double distanceMm(double x, double y) {
             return Math.hypot(x - xMm, y - yMm) - radiusMm;
         }
     }
