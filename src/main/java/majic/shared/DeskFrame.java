@@ -19,6 +19,9 @@ final class DeskFrame {
     /** Where this class has placed the robot last; null before. */
     private volatile @Nullable Pose adopted;
 
+    /** Of the odometry of the robot at its desk, as reported last; null before. */
+    private volatile @Nullable Pose origin;
+
     DeskFrame(MajicBot bot) {
         this.bot = bot;
     }
@@ -30,9 +33,11 @@ final class DeskFrame {
         }
     }
 
-    /** Takes the frame over from a state if the robot was not placed before. */
+    /** Takes the frame over from a state if the robot was not placed before, or its desk has placed it anew. */
     void reported(Movement reported) {
-        if (reported.placed() && bot.placedAt().isEmpty()) {
+        boolean anew = !reported.origin().equals(origin) && isAdopted();
+        origin = reported.origin();
+        if (reported.placed() && (bot.placedAt().isEmpty() || anew)) {
             adopt(reported.pose());
         }
     }

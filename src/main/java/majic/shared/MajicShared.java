@@ -334,7 +334,7 @@ public final class MajicShared extends BotDriver {
             maxMove(most.doubleValue());
         }
         publish(new BotState(
-                motion.pose(),
+                motion.pose().seenFrom(motion.origin()),
                 motion.mmPerSec(),
                 motion.degPerSec(),
                 motion.moving(),

@@ -84,7 +84,7 @@ class AbsenceTest {
         RobotState state = new RobotState(
                 5,
                 new RobotState.Link(link, lostReason),
-                new RobotState.Movement(Pose.START, false, 0, 0, false, 0),
+                new RobotState.Movement(Pose.START, Pose.START, false, 0, 0, false, 0),
                 false,
                 0,
                 null,

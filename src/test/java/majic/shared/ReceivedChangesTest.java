@@ -89,7 +89,7 @@ class ReceivedChangesTest {
         return new RobotState(
                 clockMs,
                 new RobotState.Link(Connection.CONNECTED, ""),
-                new RobotState.Movement(Pose.START, true, 0, 0, false, 0),
+                new RobotState.Movement(Pose.START, Pose.START, true, 0, 0, false, 0),
                 false,
                 stops,
                 null,

@@ -65,6 +65,20 @@ class SharedRobotInLabTest {
     }
 
     @Test
+    void placingTheRobotAtItsDeskMovesItHereAndChangesNoOdometry() throws InterruptedException {
+        anna.run("1 move 200");
+        desks.pioneer.place(new Pose(3000, -2000, 90));
+        desks.pass(1);
+        desks.pioneer.place(new Pose(1000, 500, 180));
+        desks.pass(1);
+
+        Pose here = anna.bot.state().pose();
+        assertThat(here.distanceMm(new Pose(1000, 500, 180))).isLessThan(1);
+        assertThat(Math.abs(here.headingDeg())).isCloseTo(180, within(0.1));
+        assertThat(here.seenFrom(anna.bot.odometryOrigin()).xMm()).isCloseTo(200, within(10.0));
+    }
+
+    @Test
     void settingsAreThoseOfTheDesk() throws InterruptedException {
         anna.run("1 set cruise 150", "1 set maxMove 400");
 

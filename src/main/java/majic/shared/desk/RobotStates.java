@@ -8,6 +8,7 @@ import majic.bot.BotException;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
+import majic.bot.Pose;
 import majic.bot.Value;
 import majic.shared.message.Description;
 import majic.shared.message.RobotState;
@@ -65,10 +66,17 @@ final class RobotStates {
                 values(bot));
     }
 
+    /** The pose and the origin are of the same moment, though the robot may be placed meanwhile. */
     private static RobotState.Movement movement(MajicBot bot) {
-        BotState state = bot.state();
+        Pose origin;
+        BotState state;
+        do {
+            origin = bot.odometryOrigin();
+            state = bot.state();
+        } while (!origin.equals(bot.odometryOrigin()));
         return new RobotState.Movement(
                 state.pose(),
+                origin,
                 bot.placedAt().isPresent(),
                 state.speedMmPerSec(),
                 state.turnRateDegPerSec(),

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.regex.Pattern;
+import majic.bot.Pose;
 import majic.text.VisibleText;
 import org.jspecify.annotations.Nullable;
 
@@ -30,6 +31,9 @@ final class JsonObject {
 
     /** How much of a wrong field is repeated. */
     private static final int LONGEST_SHOWN = 60;
+
+    /** Farther than a robot gets, mm. */
+    private static final double FAR_MM = 1e9;
 
     /** A surrogate without its other half, which no message can contain in UTF-8. */
     private static final Pattern HALF_CHARACTER = Pattern.compile("\\p{Cs}");
@@ -95,6 +99,10 @@ final class JsonObject {
         } catch (JsonProcessingException e) {
             throw new IllegalArgumentException("cannot be written as JSON: " + e.getOriginalMessage(), e);
         }
+    }
+
+    static void put(ObjectNode json, String field, Pose pose) {
+        json.putObject(field).put("x", pose.xMm()).put("y", pose.yMm()).put("heading", pose.headingDeg());
     }
 
     boolean has(String field) {
@@ -166,6 +174,15 @@ final class JsonObject {
             throw wrong(field, "it is true or false");
         }
         return node.booleanValue();
+    }
+
+    Pose pose(String field) {
+        JsonObject numbers = object(field);
+        Pose pose = new Pose(numbers.number("x"), numbers.number("y"), numbers.number("heading"));
+        if (pose.distanceMm(Pose.START) > FAR_MM) {
+            throw wrong(field, "it is less than 1000 km from its origin");
+        }
+        return pose;
     }
 
     JsonObject object(String field) {

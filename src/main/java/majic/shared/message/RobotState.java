@@ -69,31 +69,29 @@ public record RobotState(
      * Where a robot is and how it moves.
      *
      * @param pose relative to where it was placed or connected
+     * @param origin of its odometry, in the frame of the pose
      * @param placed whether it was placed, so that other robots may share the frame
      * @param mmPerSec ahead positive
      * @param degPerSec counterclockwise positive
      * @param moving whether it moves or has been commanded to
      * @param ageMs since the robot reported this
      */
-    public record Movement(Pose pose, boolean placed, double mmPerSec, double degPerSec, boolean moving, long ageMs) {
+    public record Movement(
+            Pose pose, Pose origin, boolean placed, double mmPerSec, double degPerSec, boolean moving, long ageMs) {
         /** Rounds to hundredths of a unit, as messages do. */
         public Movement {
-            pose = new Pose(rounded(pose.xMm()), rounded(pose.yMm()), rounded(pose.headingDeg()));
+            pose = rounded(pose);
+            origin = rounded(origin);
             mmPerSec = rounded(mmPerSec);
             degPerSec = rounded(degPerSec);
         }
 
-        private static double rounded(double number) {
-            double rounded = Math.rint(number * 100) / 100;
-            return rounded == 0 ? 0 : rounded;
-        }
-
         Course course() {
-            return new Course(pose, mmPerSec, degPerSec);
+            return new Course(pose, origin, mmPerSec, degPerSec);
         }
 
         Movement on(Course other, long otherAgeMs) {
-            return new Movement(other.pose, placed, other.mmPerSec, other.degPerSec, moving, otherAgeMs);
+            return new Movement(other.pose, other.origin, placed, other.mmPerSec, other.degPerSec, moving, otherAgeMs);
         }
     }
 
@@ -101,20 +99,24 @@ public record RobotState(
      * The part of a {@link Movement} that a robot reports all the time.
      *
      * @param pose relative to where it was placed or connected
+     * @param origin of its odometry, in the frame of the pose
      * @param mmPerSec ahead positive
      * @param degPerSec counterclockwise positive
      */
-    public record Course(Pose pose, double mmPerSec, double degPerSec) {
+    public record Course(Pose pose, Pose origin, double mmPerSec, double degPerSec) {
         static Course read(JsonObject json) {
-            JsonObject pose = json.object("pose");
             return new Course(
-                    new Pose(pose.number("x"), pose.number("y"), pose.number("heading")),
+                    json.pose("pose"),
+                    json.has("origin") ? json.pose("origin") : Pose.START,
                     json.number("speed", 0),
                     json.number("turn", 0));
         }
 
         void write(ObjectNode json) {
-            json.putObject("pose").put("x", pose.xMm()).put("y", pose.yMm()).put("heading", pose.headingDeg());
+            JsonObject.put(json, "pose", pose);
+            if (!origin.equals(Pose.START)) {
+                JsonObject.put(json, "origin", origin);
+            }
             json.put("speed", mmPerSec).put("turn", degPerSec);
         }
     }
@@ -214,6 +216,16 @@ public record RobotState(
                 json.fields("values"));
     }
 
+    /** Rounds to hundredths of a unit. */
+    static Pose rounded(Pose pose) {
+        return new Pose(rounded(pose.xMm()), rounded(pose.yMm()), rounded(pose.headingDeg()));
+    }
+
+    private static double rounded(double number) {
+        double rounded = Math.rint(number * 100) / 100;
+        return rounded == 0 ? 0 : rounded;
+    }
+
     private static Connection connection(String word) {
         for (Connection connection : Connection.values()) {
             if (connection.name().equalsIgnoreCase(word)) {
@@ -227,6 +239,7 @@ public record RobotState(
         Course course = Course.read(json);
         return new Movement(
                 course.pose,
+                course.origin,
                 json.flag("placed", false),
                 course.mmPerSec,
                 course.degPerSec,

@@ -90,7 +90,7 @@ class SchemasTest {
                 connected
                         ? new RobotState.Link(Connection.CONNECTED, "")
                         : new RobotState.Link(Connection.LOST, "cable pulled"),
-                new RobotState.Movement(new Pose(1, 2, 3), true, 4, 5, true, 6),
+                new RobotState.Movement(new Pose(1, 2, 3), new Pose(10, 20, 30), true, 4, 5, true, 6),
                 true,
                 3,
                 connected ? new RobotState.Holder("desk1", "Anna", "0123456789abcdef", "WanderDog") : null,
@@ -106,7 +106,7 @@ class SchemasTest {
         StateChange moved = new StateChange(
                 6,
                 0,
-                new RobotState.Course(new Pose(1, 2, 3), 100, -5),
+                new RobotState.Course(new Pose(1, 2, 3), new Pose(10, 20, 30), 100, -5),
                 Map.of("bumped", ValueJson.of(Value.yesNo(true))));
         return List.of(moved.toJson(), new StateChange(7, 0, null, Map.of()).toJson());
     }

@@ -131,7 +131,7 @@ class SharedMessagesTest {
         RobotState state = new RobotState(
                 5,
                 new RobotState.Link(Connection.LOST, "cable pulled"),
-                new RobotState.Movement(new Pose(1, 2, 3), true, 4, 5, true, 6),
+                new RobotState.Movement(new Pose(1, 2, 3), new Pose(10, 20, 30), true, 4, 5, true, 6),
                 true,
                 3,
                 new RobotState.Holder("desk1", "Anna", "0123456789abcdef", "WanderDog"),

@@ -19,7 +19,7 @@ class StateChangeTest {
         return new RobotState(
                 clock,
                 new RobotState.Link(Connection.CONNECTED, ""),
-                new RobotState.Movement(new Pose(xMm, 2, 3), true, xMm / 10, 5, true, 6),
+                new RobotState.Movement(new Pose(xMm, 2, 3), Pose.START, true, xMm / 10, 5, true, 6),
                 false,
                 stops,
                 null,
