@@ -292,6 +292,17 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public abstract void removeScanListener(ScanListener listener);
 
     /**
+     * Returns how this robot is looked for on the map of another program, which alone keeps its place right: this
+     * program must not correct it, since the frames of their maps may differ.
+     *
+     * @return empty if this program keeps its place; otherwise has the other program look for it everywhere on its map,
+     *     blocks until that has answered, and throws a {@link BotException} if it refuses
+     */
+    public Optional<Runnable> remoteLocalization() {
+        return Optional.empty();
+    }
+
+    /**
      * Adds a listener. The first one also receives the notices from before there was a listener.
      *
      * @param listener called on the robot's listener thread, or on a thread that commands the robot

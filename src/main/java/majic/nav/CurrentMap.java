@@ -98,7 +98,7 @@ public final class CurrentMap {
 
     /**
      * Looks for a robot everywhere on the map. Until it is found its place is unknown; for that it has to drive some
-     * metres.
+     * metres. A robot of another program is looked for there, on the map of that program; may block for some seconds.
      *
      * @param robot connected, one that is followed
      * @throws BotException if it has no range sensors, there is no map, or a robot builds it at the moment
@@ -108,7 +108,20 @@ public final class CurrentMap {
             throw new BotException("localize: " + robot.name()
                     + " has no range sensors; \"set pose\" places it, or dragging it on the map");
         }
-        search(robot);
+        Optional<Runnable> elsewhere = robot.remoteLocalization();
+        if (elsewhere.isEmpty()) {
+            search(robot);
+        } else {
+            refuseWhileMappedBy(robot);
+            elsewhere.get().run();
+        }
+    }
+
+    /** The place of a robot that builds the map is that of the map. */
+    private synchronized void refuseWhileMappedBy(MajicBot robot) {
+        if (mappings.containsKey(robot)) {
+            refuseWhileMapping("localize");
+        }
     }
 
     private synchronized void search(MajicBot robot) {
@@ -130,6 +143,7 @@ public final class CurrentMap {
 
     private static boolean canBeTracked(MajicBot robot) {
         return robot.isConnected()
+                && robot.remoteLocalization().isEmpty()
                 && robot.uncertainty().isKnown()
                 && !robot.rangeSensors().isEmpty();
     }

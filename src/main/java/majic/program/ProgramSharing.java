@@ -2,7 +2,9 @@ package majic.program;
 
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Consumer;
 import majic.bot.BotException;
+import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.gui.kit.RobotSharing;
@@ -27,6 +29,7 @@ public final class ProgramSharing implements RobotSharing {
     private static final String PERSON = "sharing.person";
 
     private final Team team;
+    private final Consumer<MajicBot> localizer;
     private final BotEnvironment environment;
     private @Nullable DeskSharing sharing;
     private @Nullable Place place;
@@ -34,8 +37,14 @@ public final class ProgramSharing implements RobotSharing {
     private volatile @Nullable String chosenDesk;
     private volatile @Nullable String chosenPerson;
 
-    ProgramSharing(Team team, Settings settings) {
+    /**
+     * Shares nothing yet.
+     *
+     * @param localizer looks for a robot everywhere on the map of the team
+     */
+    ProgramSharing(Team team, Settings settings, Consumer<MajicBot> localizer) {
         this.team = team;
+        this.localizer = localizer;
         this.environment = new BotEnvironment(TimeSource.system(), settings);
     }
 
@@ -100,7 +109,8 @@ public final class ProgramSharing implements RobotSharing {
                     team,
                     options,
                     (clientId, will) -> BrokerConnection.open(
-                            address, ConnectOptions.of(clientId, environment).withWill(will)));
+                            address, ConnectOptions.of(clientId, environment).withWill(will)),
+                    localizer);
             started.start();
             become(started, wanted);
         } finally {

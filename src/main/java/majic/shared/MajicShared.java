@@ -19,6 +19,7 @@ import majic.bot.BotState;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
@@ -300,6 +301,25 @@ public final class MajicShared extends BotDriver {
         return there.path(0).isNumber() && there.path(1).isNumber()
                 ? Uncertainty.of(there.get(0).asDouble(), there.get(1).asDouble())
                 : Uncertainty.UNKNOWN;
+    }
+
+    /** Its desk keeps its place right. */
+    @Override
+    public Optional<Runnable> remoteLocalization() {
+        return Optional.of(this::localize);
+    }
+
+    private void localize() {
+        try {
+            motions.ask(new RequestedAction.Localize());
+        } catch (MotionFailed e) {
+            throw new BotException("at " + address.desk() + ": " + e.getMessage(), e);
+        }
+        RobotFeed open = feed;
+        RobotFeed.Received last = open == null ? null : open.state();
+        if (last != null) {
+            frame.adopt(last.state().motion().pose());
+        }
     }
 
     private RobotCommands toDesk() {

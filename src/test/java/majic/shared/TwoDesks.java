@@ -33,19 +33,28 @@ import majic.team.Team;
  * that use it, each with a team and a session of its own.
  */
 final class TwoDesks implements AutoCloseable {
-    final LabRig desk2 = LabRig.exact();
-    final MajicBot pioneer = desk2.add("pioneer");
-    final BotEnvironment environment = new BotEnvironment(desk2.team().time(), Settings.inMemory());
-    final FakeBroker broker = new FakeBroker(environment.time());
+    final LabRig desk2;
+    final MajicBot pioneer;
+    final BotEnvironment environment;
+    final FakeBroker broker;
     final List<FakeConnection> ofDesk2 = new ArrayList<>();
     final DeskSharing sharing;
     private final List<Desk> users = new ArrayList<>();
 
     TwoDesks() {
+        this(LabRig.exact());
+    }
+
+    TwoDesks(LabRig lab) {
+        desk2 = lab;
+        pioneer = lab.add("pioneer");
+        environment = new BotEnvironment(lab.team().time(), Settings.inMemory());
+        broker = new FakeBroker(environment.time());
         sharing = new DeskSharing(
                 desk2.team(),
                 new DeskOptions("lab", "desk2", "Bert", "MAJIC", Set.of(), false),
-                (id, will) -> opened(ofDesk2, ConnectOptions.of(id, environment).withWill(will)));
+                (id, will) -> opened(ofDesk2, ConnectOptions.of(id, environment).withWill(will)),
+                desk2.session().map()::localize);
         sharing.start();
     }
 

@@ -88,7 +88,7 @@ final class MapCommands {
     record Localize(Token at) implements Command {
         @Override
         public Scheduling scheduling() {
-            return Scheduling.AT_ONCE;
+            return Scheduling.BESIDE;
         }
 
         @Override

@@ -132,6 +132,8 @@ final class RequestRunner {
             done(incoming);
         } else if (action instanceof RequestedAction.Free) {
             free(incoming);
+        } else if (action instanceof RequestedAction.Localize) {
+            localize(incoming);
         } else {
             picture(incoming);
         }
@@ -154,6 +156,13 @@ final class RequestRunner {
             throw new BotException(bot.name() + " has no camera of which pictures can be taken");
         }
         beside(incoming, control -> incoming.answer(bot.takePicture()));
+    }
+
+    private void localize(IncomingRequest incoming) {
+        beside(incoming, control -> {
+            desk.localizer().accept(robot.bot());
+            incoming.answer(RequestReply.done(""));
+        });
     }
 
     /** Runs something that moves nothing beside the queue; it leaves no line in the session. */

@@ -177,6 +177,14 @@ public sealed interface RequestedAction {
         }
     }
 
+    /** Looks for the robot everywhere on the map of its desk. */
+    record Localize() implements RequestedAction {
+        @Override
+        public String toString() {
+            return "localize";
+        }
+    }
+
     private static String behind(String until) {
         return until.isEmpty() ? "" : " until " + until;
     }
@@ -227,7 +235,9 @@ public sealed interface RequestedAction {
             case "hold" -> new Hold();
             case "free" -> new Free();
             case "picture" -> new Picture();
-            default -> throw from.wrong("do", "it is one of move, turn, drive, get, set, run, hold, free, picture");
+            case "localize" -> new Localize();
+            default ->
+                throw from.wrong("do", "it is one of move, turn, drive, get, set, run, hold, free, picture, localize");
         };
     }
 }

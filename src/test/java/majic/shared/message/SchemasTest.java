@@ -121,7 +121,8 @@ class SchemasTest {
                         new RequestedAction.Run("wag", List.of(Value.yesNo(true))),
                         new RequestedAction.Hold(),
                         new RequestedAction.Free(),
-                        new RequestedAction.Picture())
+                        new RequestedAction.Picture(),
+                        new RequestedAction.Localize())
                 .map(action -> new Request(ANNA, 17, OptionalLong.of(4711), action).toJson())
                 .toList();
     }

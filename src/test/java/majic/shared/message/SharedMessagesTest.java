@@ -55,7 +55,8 @@ class SharedMessagesTest {
                 new RequestedAction.Run("wag", List.of(Value.of(2, Unit.NONE), Value.yesNo(true))),
                 new RequestedAction.Hold(),
                 new RequestedAction.Free(),
-                new RequestedAction.Picture());
+                new RequestedAction.Picture(),
+                new RequestedAction.Localize());
 
         for (RequestedAction action : actions) {
             Request request = new Request(ANNA, 17, OptionalLong.of(4711), action);
