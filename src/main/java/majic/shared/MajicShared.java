@@ -23,6 +23,7 @@ import majic.bot.MotionFailed;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.RangeSensor;
 import majic.bot.Uncertainty;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -38,6 +39,7 @@ import majic.shared.message.RequestReply;
 import majic.shared.message.RequestedAction;
 import majic.shared.message.RobotMessage;
 import majic.shared.message.RobotState;
+import majic.shared.message.ScanMessage;
 import majic.shared.panel.SharedPanel;
 import majic.shared.panel.SharedReplay;
 import majic.shared.panel.SharedScene;
@@ -66,6 +68,9 @@ public final class MajicShared extends BotDriver {
 
     /** Without a state for longer than this the connection is lost, after 3 s at most. */
     private static final double SILENCE_S = 3 - TICK_S;
+
+    /** An older scan is not used as a new one. */
+    private static final double OLDEST_SCAN_S = 1;
 
     private static final long NO_STOPS_KNOWN = -1;
 
@@ -303,6 +308,12 @@ public final class MajicShared extends BotDriver {
                 : Uncertainty.UNKNOWN;
     }
 
+    @Override
+    public List<RangeSensor> rangeSensors() {
+        Description known = description;
+        return known == null ? List.of() : known.sensors();
+    }
+
     /** Its desk keeps its place right. */
     @Override
     public Optional<Runnable> remoteLocalization() {
@@ -376,7 +387,10 @@ public final class MajicShared extends BotDriver {
         }
     }
 
-    /** Runs a few times a second: notices silence, keeps the hold, measures the delay, takes over a new description. */
+    /**
+     * Runs a few times a second: notices silence, keeps the hold, measures the delay, takes over a new description,
+     * asks for scans.
+     */
     private void tick() {
         RobotFeed open = feed;
         if (open == null || !isConnected()) {
@@ -392,6 +406,9 @@ public final class MajicShared extends BotDriver {
         Description newest = open.description();
         if (newest != null && !newest.equals(description)) {
             readopt(newest);
+        }
+        if (hasScanListeners() && !rangeSensors().isEmpty()) {
+            toDesk().keepScans();
         }
         String warning = delay.tick();
         if (warning != null) {
@@ -503,6 +520,17 @@ public final class MajicShared extends BotDriver {
             RobotState.Link link = received.state().link();
             if (isConnected() && link.connection() != Connection.CONNECTED) {
                 loseBecause(address.desk() + " has lost its connection to the robot" + link.because());
+            }
+        }
+
+        @Override
+        public void scanned(ScanMessage scan, long nanos, double sinceS) {
+            double ageS = sinceS + delay.oneWayNanos() / 1e9;
+            if (isConnected() && ageS <= OLDEST_SCAN_S) {
+                rangeSensors().stream()
+                        .filter(sensor -> sensor.name().equals(scan.sensor()))
+                        .findFirst()
+                        .ifPresent(sensor -> publishScan(scan.scan(sensor, nanos / 1e9 - ageS)));
             }
         }
 

@@ -27,11 +27,15 @@ final class RobotCommands {
     private static final long HEARTBEAT_MS = 700;
     private static final int REQUEST_EXPIRY_S = 2;
 
+    /** The desk sends scans for 4 s after each request. */
+    private static final double SCANS_S = 1;
+
     private final PooledBroker broker;
     private final SharedAddress address;
     private final SiteTopics topics;
     private final RobotFeed feed;
     private final RobotWait waiting;
+    private volatile long scansAskedNanos;
 
     /**
      * Publishes to one robot.
@@ -45,15 +49,27 @@ final class RobotCommands {
         this.topics = new SiteTopics(address.broker().site());
         this.feed = feed;
         this.waiting = waiting;
+        this.scansAskedNanos = waiting.time().nanos() - Math.round(SCANS_S * 1e9);
     }
 
     /** Publishes a request, whose answers are collected until {@link #forget}. */
     PendingReply request(RequestedAction action) {
-        long number = broker.nextNumber();
-        Request request = new Request(broker.sender(), number, OptionalLong.of(feed.deskClockIn(REQUEST_MS)), action);
+        Request request = next(action);
         BrokerMessage message = BrokerMessage.json(topic(Part.REQUEST), request.toJson(), Quality.AT_LEAST_ONCE)
                 .expiringAfter(REQUEST_EXPIRY_S);
-        return ask(message, String.valueOf(number));
+        return ask(message, String.valueOf(request.number()));
+    }
+
+    private Request next(RequestedAction action) {
+        return new Request(broker.sender(), broker.nextNumber(), OptionalLong.of(feed.deskClockIn(REQUEST_MS)), action);
+    }
+
+    /** Asks for scans if that was not done within the last second; expects no answer. */
+    void keepScans() {
+        if (waiting.time().secondsSince(scansAskedNanos) >= SCANS_S) {
+            scansAskedNanos = waiting.time().nanos();
+            publish(Part.REQUEST, next(new RequestedAction.Scans()).toJson(), problem -> {});
+        }
     }
 
     /** Expects no further answer to a request. */

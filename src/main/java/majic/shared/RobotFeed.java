@@ -14,6 +14,7 @@ import majic.shared.message.Description;
 import majic.shared.message.Presence;
 import majic.shared.message.RobotMessage;
 import majic.shared.message.RobotState;
+import majic.shared.message.ScanMessage;
 import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
 import majic.shared.message.StateChange;
@@ -50,6 +51,14 @@ final class RobotFeed {
 
         /** A state, or a change of it, arrived that was published after the subscription. */
         void reported(Received received);
+
+        /**
+         * A scan arrived.
+         *
+         * @param nanos when, on the clock of the driver
+         * @param ageS how long before it was measured, but for the time that the fastest message is on its way
+         */
+        void scanned(ScanMessage scan, long nanos, double ageS);
 
         /** A message for users arrived. */
         void message(RobotMessage message);
@@ -97,6 +106,11 @@ final class RobotFeed {
         subscribe(topic(Part.STATE), Quality.AT_MOST_ONCE, this::receiveState);
         subscribe(topic(Part.CHANGES), Quality.AT_MOST_ONCE, this::receiveChange);
         subscribe(topic(Part.MESSAGES), Quality.AT_LEAST_ONCE, this::receiveMessage);
+        try {
+            subscribe(topic(Part.SCANS), Quality.AT_MOST_ONCE, this::receiveScan);
+        } catch (BotException e) {
+            LOG.log(Level.WARNING, "there are no scans of " + address.title(), e);
+        }
     }
 
     private void subscribe(String filter, Quality quality, Consumer<BrokerMessage> receive) {
@@ -181,6 +195,15 @@ final class RobotFeed {
         Received now = new Received(newest, nanos, transit.lateNanos(newest.clock(), nanos));
         state = now;
         listener.reported(now);
+    }
+
+    private void receiveScan(BrokerMessage message) {
+        if (state != null && !message.retained()) {
+            ScanMessage scan = ScanMessage.parse(message.payload());
+            long nanos = time.nanos();
+            double lateS = transit.lateNanos(scan.clock(), nanos) / 1e9;
+            listener.scanned(scan, nanos, lateS + Math.max(0, scan.ageMs()) / 1e3);
+        }
     }
 
     private void receiveMessage(BrokerMessage message) {

@@ -22,6 +22,7 @@ import majic.shared.message.Description;
 import majic.shared.message.Presence;
 import majic.shared.message.RobotMessage;
 import majic.shared.message.RobotState;
+import majic.shared.message.ScanMessage;
 import majic.shared.message.Sender;
 import majic.shared.message.SiteTopics;
 import majic.shared.message.SiteTopics.Part;
@@ -73,6 +74,7 @@ class AbsenceTest {
                 "a MobileRobots Pioneer",
                 new BotProfile(250, Range.ANY, Range.ANY, 100, 45, 300, false),
                 false,
+                List.of(),
                 List.of(),
                 List.of(),
                 List.of());
@@ -162,6 +164,9 @@ class AbsenceTest {
 
         @Override
         public void reported(RobotFeed.Received received) {}
+
+        @Override
+        public void scanned(ScanMessage scan, long nanos, double ageS) {}
 
         @Override
         public void message(RobotMessage message) {}

@@ -23,6 +23,7 @@ import majic.shared.broker.Quality;
 import majic.shared.message.Description;
 import majic.shared.message.RobotMessage;
 import majic.shared.message.RobotState;
+import majic.shared.message.ScanMessage;
 import majic.shared.message.Sender;
 import majic.shared.message.StateChange;
 import majic.shared.message.ValueJson;
@@ -77,6 +78,9 @@ class ReceivedChangesTest {
         public void reported(RobotFeed.Received received) {
             reported.add(received.state());
         }
+
+        @Override
+        public void scanned(ScanMessage scan, long nanos, double ageS) {}
 
         @Override
         public void message(RobotMessage message) {}

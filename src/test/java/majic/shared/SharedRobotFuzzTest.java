@@ -14,6 +14,7 @@ import majic.bot.BotException;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
+import majic.bot.RangeScan;
 import majic.drivertest.TestClock;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
@@ -37,10 +38,10 @@ class SharedRobotFuzzTest {
     private static final String DESK = "desk2";
     private static final double PERIOD_S = 0.5;
 
-    /** A description, a state and a message for users, one in each line. */
+    /** A description, a state, a scan and a message for users, one in each line. */
     @FuzzTest
     void anyRobotIsConnectedOrRefusedInOneSentence(byte[] lines) {
-        String[] published = (new String(lines, UTF_8) + "\n\n").split("\n", 3);
+        String[] published = (new String(lines, UTF_8) + "\n\n\n").split("\n", 4);
         try (TestClock clock = new TestClock();
                 FakeBroker broker = new FakeBroker(clock.time())) {
             SharedType type = new SharedType((address, options) -> broker.open(options));
@@ -51,7 +52,8 @@ class SharedRobotFuzzTest {
             CompletableFuture<Void> reports = clock.aside(() -> {
                 do {
                     broker.publish(message(Part.STATE, published[1]));
-                    broker.publish(message(Part.MESSAGES, published[2]));
+                    broker.publish(message(Part.SCANS, published[2]));
+                    broker.publish(message(Part.MESSAGES, published[3]));
                 } while (!await(ended, () -> !reporting.get()));
             });
             BotEnvironment environment = new BotEnvironment(clock.time(), Settings.inMemory());
@@ -66,6 +68,8 @@ class SharedRobotFuzzTest {
 
     private static void use(MajicBot bot) {
         List<String> notices = new CopyOnWriteArrayList<>();
+        List<RangeScan> scans = new CopyOnWriteArrayList<>();
+        bot.addScanListener(scans::add);
         bot.addListener(new BotListener() {
             @Override
             public void notice(MajicBot from, String message) {
@@ -86,6 +90,7 @@ class SharedRobotFuzzTest {
         assertThat(bot.introduction()).isNotNull();
         await(bot.time().signal(), () -> false);
         assertThat(notices).doesNotContainNull();
+        assertThat(scans).extracting(RangeScan::sensor).isSubsetOf(bot.rangeSensors());
     }
 
     private static void read(MajicBot bot, Parameter parameter) {

@@ -61,6 +61,7 @@ class SiteListingTest {
                 false,
                 List.of(),
                 List.of(),
+                List.of(),
                 List.of());
         return BrokerMessage.json(TOPICS.robot(desk, robot, Part.DESCRIPTION), pioneer.toJson(), Quality.AT_LEAST_ONCE)
                 .retain();

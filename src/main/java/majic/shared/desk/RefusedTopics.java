@@ -57,6 +57,7 @@ final class RefusedTopics implements BrokerConnection.Watcher {
             case DESCRIPTION -> "other desks do not see robot " + number;
             case STATE -> "other desks receive no readings of robot " + number + " and cannot use it";
             case CHANGES -> "other desks receive the readings of robot " + number + " only once a second";
+            case SCANS -> "other desks receive no scans of robot " + number;
             case MESSAGES -> "other desks receive no messages of robot " + number;
             case REQUEST, SPEED, STOP, HOLD -> "robot " + number + " does not receive it";
         };

@@ -132,6 +132,8 @@ final class RequestRunner {
             done(incoming);
         } else if (action instanceof RequestedAction.Free) {
             free(incoming);
+        } else if (action instanceof RequestedAction.Scans) {
+            scans(incoming);
         } else if (action instanceof RequestedAction.Localize) {
             localize(incoming);
         } else {
@@ -156,6 +158,11 @@ final class RequestRunner {
             throw new BotException(bot.name() + " has no camera of which pictures can be taken");
         }
         beside(incoming, control -> incoming.answer(bot.takePicture()));
+    }
+
+    private void scans(IncomingRequest incoming) {
+        robot.scans().ask();
+        incoming.answer(RequestReply.done(""));
     }
 
     private void localize(IncomingRequest incoming) {

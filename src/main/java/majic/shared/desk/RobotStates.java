@@ -1,7 +1,9 @@
 package majic.shared.desk;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import majic.bot.BotException;
@@ -9,6 +11,7 @@ import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
 import majic.bot.Pose;
+import majic.bot.RangeSensor;
 import majic.bot.Value;
 import majic.shared.message.Description;
 import majic.shared.message.RobotState;
@@ -35,7 +38,14 @@ final class RobotStates {
                 bot.hasCamera(),
                 bot.calibration(),
                 bot.parameters(),
-                bot.commands());
+                bot.commands(),
+                sensors(bot));
+    }
+
+    private static List<RangeSensor> sensors(MajicBot bot) {
+        List<RangeSensor> known = new ArrayList<>();
+        WaitPolicy.without(() -> known.addAll(bot.rangeSensors()));
+        return known;
     }
 
     /**

@@ -45,6 +45,7 @@ final class SharedRobot implements StoppableRobot {
     private final AtomicReference<@Nullable RobotHold> hold = new AtomicReference<>();
     private final ReclaimPause pause;
     private final RobotPublisher publisher;
+    private final RobotScans scans;
     private final StopRequests stops;
     private final RobotInbox inbox;
     private final RequestRunner requests;
@@ -62,6 +63,7 @@ final class SharedRobot implements StoppableRobot {
         this.member = member;
         this.pause = new ReclaimPause(desk.connection().time());
         this.publisher = new RobotPublisher(desk, member, this::hold);
+        this.scans = new RobotScans(desk, member);
         this.stops = new StopRequests(desk, member, publisher::publishState);
         this.inbox = new RobotInbox(desk.worker());
         this.requests = new RequestRunner(desk, this, seen);
@@ -87,6 +89,10 @@ final class SharedRobot implements StoppableRobot {
         return publisher;
     }
 
+    RobotScans scans() {
+        return scans;
+    }
+
     /** The hold of another desk; null without one. */
     @Nullable
     RobotHold hold() {
@@ -110,7 +116,7 @@ final class SharedRobot implements StoppableRobot {
                         held -> requests.receivedFrom(held, message),
                         () -> requests.received(message));
             case SPEED -> forward(speedLimit, message, held -> speedFrom(held, message), () -> speed(message));
-            case DESCRIPTION, STATE, CHANGES, MESSAGES -> {}
+            case DESCRIPTION, STATE, CHANGES, SCANS, MESSAGES -> {}
         }
     }
 
@@ -331,6 +337,7 @@ final class SharedRobot implements StoppableRobot {
     /** Accepts no claim from now on. */
     void remove() {
         removed = true;
+        scans.end();
         RobotHold now = hold();
         if (now != null) {
             now.end();
@@ -342,6 +349,7 @@ final class SharedRobot implements StoppableRobot {
         requests.acceptQueued();
         freeUnused();
         publisher.tick();
+        scans.tick();
         reportLeftOut();
     }
 

@@ -6,6 +6,7 @@ import java.util.List;
 import majic.bot.BotCommand;
 import majic.bot.BotProfile;
 import majic.bot.Parameter;
+import majic.bot.RangeSensor;
 
 /**
  * What a shared robot is and can do. Immutable.
@@ -19,6 +20,7 @@ import majic.bot.Parameter;
  * @param calibration names of the parameters that are saved with a team
  * @param parameters all that can be read or set
  * @param commands those that only this type of robot has
+ * @param sensors those that measure distances along beams
  */
 public record Description(
         String session,
@@ -29,7 +31,8 @@ public record Description(
         boolean camera,
         List<String> calibration,
         List<Parameter> parameters,
-        List<BotCommand> commands) {
+        List<BotCommand> commands,
+        List<RangeSensor> sensors) {
     /** A longer description is not used. */
     public static final int MOST_BYTES = 256 * 1024;
 
@@ -41,6 +44,7 @@ public record Description(
         calibration = List.copyOf(calibration);
         parameters = List.copyOf(parameters);
         commands = List.copyOf(commands);
+        sensors = List.copyOf(sensors);
     }
 
     /**
@@ -68,6 +72,8 @@ public record Description(
         json.set("parameters", DescriptionJson.of(parameters));
         ArrayNode all = json.putArray("commands");
         commands.forEach(command -> all.add(DescriptionJson.of(command)));
+        ArrayNode ranging = json.putArray("sensors");
+        sensors.forEach(sensor -> ranging.add(DescriptionJson.of(sensor)));
         return JsonObject.bytes(json);
     }
 
@@ -90,6 +96,7 @@ public record Description(
                 json.flag("camera", false),
                 json.texts("calibration"),
                 DescriptionJson.parameters(json, "parameters"),
-                json.objects("commands").stream().map(DescriptionJson::command).toList());
+                json.objects("commands").stream().map(DescriptionJson::command).toList(),
+                json.objects("sensors").stream().map(DescriptionJson::sensor).toList());
     }
 }

@@ -1,17 +1,25 @@
 package majic.shared.message;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import majic.bot.Beam;
 import majic.bot.BotCommand;
 import majic.bot.BotProfile;
 import majic.bot.Parameter;
+import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.RangeSensor;
 import majic.bot.Unit;
 
 /** The JSON of the parts of a description. */
 final class DescriptionJson {
+    private static final String BEAMS = "beams";
+    private static final int BEAM_NUMBERS = 7;
+
     private DescriptionJson() {}
 
     static ObjectNode of(BotProfile profile) {
@@ -141,5 +149,58 @@ final class DescriptionJson {
                 json.flag("moves", true),
                 json.text("help", ""),
                 json.flag("raw", false));
+    }
+
+    /** A beam is written as far as it differs from the one before, so that a laser scanner is a list of angles. */
+    static ObjectNode of(RangeSensor sensor) {
+        ObjectNode json = JsonObject.create().put("name", sensor.name());
+        ArrayNode beams = json.putArray(BEAMS);
+        double[] before = new double[0];
+        for (Beam beam : sensor.beams()) {
+            double[] numbers = numbers(beam);
+            int last = numbers.length;
+            while (last > 0 && before.length > 0 && numbers[last - 1] == before[last - 1]) {
+                last--;
+            }
+            ArrayNode written = beams.addArray();
+            Arrays.stream(numbers, 0, last).forEach(written::add);
+            before = numbers;
+        }
+        return json;
+    }
+
+    private static double[] numbers(Beam beam) {
+        Pose mount = beam.mount();
+        return new double[] {
+            Math.rint(mount.headingDeg() * 1e4) / 1e4,
+            mount.xMm(),
+            mount.yMm(),
+            beam.openingDeg(),
+            beam.leastMm(),
+            beam.reachMm(),
+            beam.noiseMm()
+        };
+    }
+
+    static RangeSensor sensor(JsonObject json) {
+        double[] numbers = new double[BEAM_NUMBERS];
+        Arrays.fill(numbers, Double.NaN);
+        try {
+            return new RangeSensor(json.text("name"), json.list(BEAMS, item -> beam(item, numbers)));
+        } catch (IllegalArgumentException e) {
+            throw json.wrong(BEAMS, "each beam is its heading, x, y, opening, least and greatest distance and noise");
+        }
+    }
+
+    /** Reads a beam into the numbers of the one before. */
+    private static Beam beam(JsonNode item, double... numbers) {
+        if (!item.isArray() || item.size() > numbers.length) {
+            throw new IllegalArgumentException("no beam");
+        }
+        for (int at = 0; at < item.size(); at++) {
+            JsonNode number = item.get(at);
+            numbers[at] = number.isNumber() ? number.doubleValue() : Double.NaN;
+        }
+        return new Beam(new Pose(numbers[1], numbers[2], numbers[0]), numbers[3], numbers[4], numbers[5], numbers[6]);
     }
 }

@@ -177,6 +177,14 @@ public sealed interface RequestedAction {
         }
     }
 
+    /** Sends what the range sensors measure for some seconds. */
+    record Scans() implements RequestedAction {
+        @Override
+        public String toString() {
+            return "scans";
+        }
+    }
+
     /** Looks for the robot everywhere on the map of its desk. */
     record Localize() implements RequestedAction {
         @Override
@@ -235,9 +243,11 @@ public sealed interface RequestedAction {
             case "hold" -> new Hold();
             case "free" -> new Free();
             case "picture" -> new Picture();
+            case "scans" -> new Scans();
             case "localize" -> new Localize();
             default ->
-                throw from.wrong("do", "it is one of move, turn, drive, get, set, run, hold, free, picture, localize");
+                throw from.wrong(
+                        "do", "it is one of move, turn, drive, get, set, run, hold, free, picture, scans, localize");
         };
     }
 }

@@ -109,8 +109,8 @@ class AccessListTest {
                     end.complete(null);
                 }
             });
-            for (String part :
-                    List.of("request", "speed", "hold", "stop", "description", "state", "changes", "messages")) {
+            for (String part : List.of(
+                    "request", "speed", "hold", "stop", "description", "state", "changes", "scans", "messages")) {
                 desk.publish(BrokerMessage.json(TOPICS + "desks/desk2/robots/9/" + part, "{}", Quality.AT_LEAST_ONCE));
             }
             end.get(WaitLimit.SECONDS, TimeUnit.SECONDS);
@@ -121,6 +121,7 @@ class AccessListTest {
                         "desks/desk2/robots/9/description",
                         "desks/desk2/robots/9/state",
                         "desks/desk2/robots/9/changes",
+                        "desks/desk2/robots/9/scans",
                         "desks/desk2/robots/9/messages");
     }
 

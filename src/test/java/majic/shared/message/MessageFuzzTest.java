@@ -56,6 +56,11 @@ class MessageFuzzTest {
     }
 
     @FuzzTest
+    void aScanIsWrittenAsItWasReadOrRefusedInOneSentence(byte[] payload) {
+        assertReadOrRefused("scan", payload, ScanMessage::parse, ScanMessage::toJson);
+    }
+
+    @FuzzTest
     void aStopOfTheTeamIsWrittenAsItWasReadOrRefusedInOneSentence(byte[] payload) {
         assertReadOrRefused("stop of the team", payload, LatchMessage::parse, LatchMessage::toJson);
     }

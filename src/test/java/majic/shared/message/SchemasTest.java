@@ -26,6 +26,7 @@ import majic.bot.MotionReport;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.RangeSensor;
 import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.Test;
@@ -49,6 +50,7 @@ class SchemasTest {
         all.put("description", List.of(description().toJson()));
         all.put("state", List.of(state(true).toJson(), state(false).toJson()));
         all.put("changes", changes());
+        all.put("scans", List.of(new ScanMessage(5, 20, "laser", Pose.START, List.of(300, -1, -2)).toJson()));
         all.put("message", List.of(new RobotMessage(RobotMessage.Kind.ALARM, "connection lost").toJson()));
         all.put("request", requests());
         all.put("reply", replies());
@@ -81,7 +83,8 @@ class SchemasTest {
                 true,
                 List.of("posture"),
                 List.of(pan, Parameter.choice("posture", List.of("stand", "sit"), "how it stands")),
-                List.of(new BotCommand("wag", List.of(pan), List.of(pan), true, "wags", false)));
+                List.of(new BotCommand("wag", List.of(pan), List.of(pan), true, "wags", false)),
+                List.of(RangeSensor.laser(Pose.START, 3, -1, 1, 8000, 10)));
     }
 
     private static RobotState state(boolean connected) {
@@ -122,6 +125,7 @@ class SchemasTest {
                         new RequestedAction.Hold(),
                         new RequestedAction.Free(),
                         new RequestedAction.Picture(),
+                        new RequestedAction.Scans(),
                         new RequestedAction.Localize())
                 .map(action -> new Request(ANNA, 17, OptionalLong.of(4711), action).toJson())
                 .toList();

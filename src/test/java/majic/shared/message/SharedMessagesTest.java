@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalLong;
 import java.util.Set;
+import majic.bot.Beam;
 import majic.bot.BotCommand;
 import majic.bot.BotProfile;
 import majic.bot.MajicBot.Connection;
@@ -17,6 +18,8 @@ import majic.bot.MotionReport;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.bot.Unit;
 import majic.bot.Value;
 import majic.shared.message.RequestReply.Outcome;
@@ -30,6 +33,17 @@ class SharedMessagesTest {
     private static final Sender ANNA = new Sender("desk1", "Anna", "s-1");
     private static final BotProfile PROFILE =
             new BotProfile(250, new Range(-1500, 1500), new Range(-300, 300), 20, 10, 300, 60, 400, false);
+
+    private static final RangeSensor LASER = RangeSensor.laser(new Pose(20, 0, 0), 361, -90, 0.5, 32_000, 10);
+    private static final RangeSensor SONAR = new RangeSensor(
+            "sonar",
+            List.of(
+                    new Beam(new Pose(100, 50, 30), 30, 150, 5000, 20),
+                    new Beam(new Pose(100, -50, -30), 30, 150, 5000, 20)));
+
+    private static final String DESCRIPTION_WITHOUT_END = "{\"version\":1,\"session\":\"s\",\"type\":\"cart\","
+            + "\"profile\":{\"bodyMm\":1,\"speed\":{},\"turn\":{},\"cruiseMmPerSec\":1,\"cruiseTurnDegPerSec\":1,"
+            + "\"nearMm\":1}";
 
     private static byte[] bytes(String text) {
         return text.getBytes(StandardCharsets.UTF_8);
@@ -56,6 +70,7 @@ class SharedMessagesTest {
                 new RequestedAction.Hold(),
                 new RequestedAction.Free(),
                 new RequestedAction.Picture(),
+                new RequestedAction.Scans(),
                 new RequestedAction.Localize());
 
         for (RequestedAction action : actions) {
@@ -72,6 +87,12 @@ class SharedMessagesTest {
         StopMessage stop = new StopMessage(ANNA, 18, "x");
         LatchMessage latch = LatchMessage.stop("id-1", ANNA, Instant.parse("2026-01-05T12:00:07Z"));
         LatchMessage release = LatchMessage.release(Set.of("id-1", "id-2"), ANNA);
+        ScanMessage scan = new ScanMessage(
+                5,
+                20,
+                "laser",
+                new Pose(1.25, -2, 90),
+                List.of(300, ScanMessage.NO_ECHO, ScanMessage.NOTHING_MEASURED));
         RobotMessage line = new RobotMessage(RobotMessage.Kind.ALARM, "connection lost");
 
         assertThat(Presence.parse(presence.toJson())).isEqualTo(presence);
@@ -80,6 +101,7 @@ class SharedMessagesTest {
         assertThat(StopMessage.parse(stop.toJson())).isEqualTo(stop);
         assertThat(LatchMessage.parse(latch.toJson())).isEqualTo(latch);
         assertThat(LatchMessage.parse(release.toJson())).isEqualTo(release);
+        assertThat(ScanMessage.parse(scan.toJson())).isEqualTo(scan);
         assertThat(RobotMessage.parse(line.toJson())).isEqualTo(line);
     }
 
@@ -110,9 +132,61 @@ class SharedMessagesTest {
                 true,
                 List.of("posture"),
                 List.of(pan, posture, Parameter.list("sonar", Unit.MM, "all")),
-                List.of(new BotCommand("wag", List.of(pan), List.of(posture), true, "wags", false)));
+                List.of(new BotCommand("wag", List.of(pan), List.of(posture), true, "wags", false)),
+                List.of(LASER, SONAR));
 
         assertThat(Description.parse(description.toJson())).isEqualTo(description);
+    }
+
+    @Test
+    void theBeamsOfALaserScannerAreDescribedByTheirAngles() {
+        Description described = Description.parse(bytes(DESCRIPTION_WITHOUT_END
+                + ",\"sensors\":[{\"name\":\"laser\",\"beams\":[[-1,20,0,1,0,8000,10],[0],[1]]}]}"));
+
+        assertThat(described.sensors()).containsExactly(RangeSensor.laser(new Pose(20, 0, 0), 3, -1, 1, 8000, 10));
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "[]",
+                "[[0]]",
+                "[[0,20,0,1,0,8000,10],[1,\"\"]]",
+                "[[0,20,0,1,9000,8000,10]]",
+                "[[0,20,0,1,0,8000,10,5]]",
+                "[[0,20,0,1,0,8000,10],7]",
+                "7"
+            })
+    void aSensorWithImpossibleBeamsIsRefused(String beams) {
+        String description = DESCRIPTION_WITHOUT_END + ",\"sensors\":[{\"name\":\"laser\",\"beams\":" + beams + "}]}";
+
+        assertThatThrownBy(() -> Description.parse(bytes(description)))
+                .isInstanceOf(UnusableMessageException.class)
+                .hasMessageStartingWith("description: sensors: \"beams\" is ");
+    }
+
+    @Test
+    void aScanIsThatOfTheSensorThatTheRobotDescribes() {
+        RangeScan measured = new RangeScan(SONAR, 7, new Pose(100, 200, 45), 1234.4f, Float.POSITIVE_INFINITY);
+
+        RangeScan read =
+                ScanMessage.parse(ScanMessage.of(5, 20, measured).toJson()).scan(SONAR, 9);
+
+        assertThat(read.timeS()).isEqualTo(9);
+        assertThat(read.odometry()).isEqualTo(measured.odometry());
+        assertThat(read.rangeMm(0)).isEqualTo(1234);
+        assertThat(read.rangeMm(1)).isInfinite();
+        assertThatThrownBy(() -> ScanMessage.of(5, 20, measured).scan(LASER, 9))
+                .hasMessage("scan: it has 2 distances; the sensor has 361 beams");
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"[1.5]", "[-3]", "[\"1\"]", "[null]", "[9999999999]", "{}"})
+    void aScanWithImpossibleDistancesIsRefused(String ranges) {
+        assertThatThrownBy(() -> ScanMessage.parse(bytes("{\"clock\":1,\"sensor\":\"laser\","
+                        + "\"odometry\":{\"x\":0,\"y\":0,\"heading\":0},\"ranges\":" + ranges + "}")))
+                .isInstanceOf(UnusableMessageException.class)
+                .hasMessageStartingWith("scan: \"ranges\" is ");
     }
 
     @Test
@@ -146,9 +220,8 @@ class SharedMessagesTest {
         assertThat(HoldMessage.parse(bytes("{\"session\":\"s\",\"validUntil\":1,\"mood\":[1]}"))
                         .validUntil())
                 .isEqualTo(1);
-        Description newer = Description.parse(bytes("{\"version\":1,\"session\":\"s\",\"type\":\"cart\","
-                + "\"profile\":{\"bodyMm\":1,\"speed\":{},\"turn\":{},\"cruiseMmPerSec\":1,\"cruiseTurnDegPerSec\":1,"
-                + "\"nearMm\":1},\"parameters\":[{\"name\":\"smell\",\"kind\":\"odour\",\"unit\":\"sniff\"}]}"));
+        Description newer = Description.parse(bytes(DESCRIPTION_WITHOUT_END
+                + ",\"parameters\":[{\"name\":\"smell\",\"kind\":\"odour\",\"unit\":\"sniff\"}]}"));
 
         assertThat(newer.parameters()).containsExactly(Parameter.text("smell", ""));
         assertThat(newer.profile().speed()).isEqualTo(Range.ANY);
