@@ -26,7 +26,17 @@ public final class PathPlanner {
     private static final int[] RIGHT = {1, 1, 0, -1, -1, -1, 0, 1};
     private static final int[] UP = {0, 1, 1, 1, 0, -1, -1, -1};
 
+    /** The same among other robots, so that two of them pass each other in a corridor, each on its right. */
+    private static final double COMFORT_IN_TRAFFIC_MM = 150;
+
+    /** What driving on the left costs more, as a share, where walls are as near. */
+    private static final double ON_THE_LEFT = 0.4;
+
+    private static final double LANE_MM = 1500;
+
     private final FreeSpace space;
+    private final boolean traffic;
+    private final double comfortMm;
     private final OccupancyGrid grid;
     private final BitSet blocked = new BitSet();
     private int cells;
@@ -34,12 +44,24 @@ public final class PathPlanner {
     private int rows;
 
     /**
-     * A planner for one space.
+     * A planner for one robot alone.
      *
      * @param space where the robot fits
      */
     public PathPlanner(FreeSpace space) {
+        this(space, false);
+    }
+
+    /**
+     * A planner for one space.
+     *
+     * @param space where the robot fits
+     * @param traffic whether other robots are under way, so that it keeps to the right
+     */
+    public PathPlanner(FreeSpace space, boolean traffic) {
         this.space = space;
+        this.traffic = traffic;
+        this.comfortMm = traffic ? COMFORT_IN_TRAFFIC_MM : COMFORT_MM;
         this.grid = space.map().grid();
     }
 
@@ -233,7 +255,7 @@ public final class PathPlanner {
                 if (column < 0 || row < 0 || column >= columns || row >= rows || done.get(next)) {
                     continue;
                 }
-                double price = price(next, column, row);
+                double price = price(next, column, row, direction);
                 if (price == Double.POSITIVE_INFINITY && (next == goal || isAround(next))) {
                     price = 2;
                 }
@@ -280,20 +302,37 @@ public final class PathPlanner {
     }
 
     /** What a millimetre costs at a node: 1 where there is room, infinite where the robot does not fit. */
-    private double price(int node, int column, int row) {
+    private double price(int node, int column, int row, int direction) {
         int x = middle(column, grid.width());
         int y = middle(row, grid.height());
         if (blocked.get(node) || grid.state(x, y) == State.UNKNOWN) {
             return Double.POSITIVE_INFINITY;
         }
-        return price(space.map().mmOfCell(x, y) - grid.cellMm() / 2 - space.bodyMm());
+        return price(space.map().mmOfCell(x, y) - grid.cellMm() / 2 - space.bodyMm())
+                + onTheLeft(x, y, RIGHT[direction], UP[direction]);
     }
 
-    private static double price(double roomMm) {
+    private double price(double roomMm) {
         if (roomMm < FreeSpace.MARGIN_MM) {
             return Double.POSITIVE_INFINITY;
         }
-        return roomMm >= COMFORT_MM ? 1 : 1 + (COMFORT_MM - roomMm) / COMFORT_MM;
+        return roomMm >= comfortMm ? 1 : 1 + (comfortMm - roomMm) / comfortMm;
+    }
+
+    /** What a cell costs more in traffic if the nearest wall is on the left of a robot that drives in a direction. */
+    private double onTheLeft(int x, int y, double right, double up) {
+        if (!traffic || x == 0 || y == 0 || x == grid.width() - 1 || y == grid.height() - 1) {
+            return 0;
+        }
+        ObstacleDistance map = space.map();
+        if (map.mmOfCell(x, y) > LANE_MM) {
+            return 0;
+        }
+        double awayX = map.mmOfCell(x + 1, y) - map.mmOfCell(x - 1, y);
+        double awayY = map.mmOfCell(x, y + 1) - map.mmOfCell(x, y - 1);
+        double length = Math.hypot(awayX, awayY) * Math.hypot(right, up);
+        double leftward = length == 0 ? 0 : (right * awayY - up * awayX) / length;
+        return leftward < -0.5 ? ON_THE_LEFT : 0;
     }
 
     /** Leaves out corners where the straight line costs no more. */
@@ -323,17 +362,30 @@ public final class PathPlanner {
         return Way.through(kept);
     }
 
+    private double onTheLeft(double xMm, double yMm, Pose direction) {
+        if (!traffic) {
+            return 0;
+        }
+        Pose seen = new Pose(xMm, yMm, 0).seenFrom(grid.origin());
+        int x = (int) Math.floor(seen.xMm() / grid.cellMm());
+        int y = (int) Math.floor(seen.yMm() / grid.cellMm());
+        boolean inside = x >= 0 && y >= 0 && x < grid.width() && y < grid.height();
+        return inside ? onTheLeft(x, y, direction.xMm(), direction.yMm()) : 0;
+    }
+
     /** What a straight piece costs; a part of it where the robot does not fit costs a hundredfold. */
     private double costOfLine(Pose from, Pose to) {
         double length = from.distanceMm(to);
         int steps = (int) Math.ceil(length / grid.cellMm());
         double sum = 0;
+        Pose direction = new Pose(to.xMm() - from.xMm(), to.yMm() - from.yMm(), 0)
+                .seenFrom(new Pose(0, 0, grid.origin().headingDeg()));
         for (int step = 1; step <= steps; step++) {
             double share = (double) step / steps;
             double x = from.xMm() + share * (to.xMm() - from.xMm());
             double y = from.yMm() + share * (to.yMm() - from.yMm());
             double price = space.map().isKnown(x, y) ? price(space.mm(x, y)) : Double.POSITIVE_INFINITY;
-            sum += price == Double.POSITIVE_INFINITY ? 100 : price;
+            sum += price == Double.POSITIVE_INFINITY ? 100 : price + onTheLeft(x, y, direction);
         }
         return steps == 0 ? 0 : sum * length / steps;
     }
