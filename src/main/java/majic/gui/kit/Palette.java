@@ -31,6 +31,11 @@ public final class Palette {
         return DrawingColors.current().shape();
     }
 
+    /** Returns the colour of lines that no robot crosses. */
+    public static Color forbidden() {
+        return FlatLaf.isLafDark() ? new Color(0xE08BF0) : new Color(0x9C27B0);
+    }
+
     public static Color error() {
         return DrawingColors.current().alarm();
     }

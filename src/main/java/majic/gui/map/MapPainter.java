@@ -25,7 +25,7 @@ import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 import majic.text.Texts;
 
-/** Draws a scene: map, tape, walls, lamps, robots, labels and legend, in that order. */
+/** Draws a scene: map with forbidden lines, tape, walls, lamps, robots, labels and legend, in that order. */
 public final class MapPainter {
     private static final Texts TEXTS = Texts.of(MapPainter.class);
     /** Height in pixels of the space for scale and legend below the room. */
@@ -65,6 +65,7 @@ public final class MapPainter {
         MapPicture map = scene.map();
         if (map != null) {
             map.paint(g, view);
+            map.forbidden().forEach(this::paintForbidden);
         }
         scene.furnishing().tapes().forEach(this::paintTape);
         scene.walls().forEach(this::paintWall);
@@ -125,6 +126,12 @@ public final class MapPainter {
         g.setStroke(WALL);
         g.setColor(Palette.mixed(0.65));
         g.draw(line(wall.x1(), wall.y1(), wall.x2(), wall.y2()));
+    }
+
+    private void paintForbidden(NavigationMap.ForbiddenLine forbidden) {
+        g.setStroke(THIN);
+        g.setColor(Palette.forbidden());
+        g.draw(line(forbidden.fromXmm(), forbidden.fromYmm(), forbidden.toXmm(), forbidden.toYmm()));
     }
 
     private void paintTape(Tape tape) {

@@ -105,6 +105,11 @@ public final class MapPicture {
         return map.places();
     }
 
+    /** Returns the lines that no robot crosses. */
+    List<NavigationMap.ForbiddenLine> forbidden() {
+        return map.forbidden();
+    }
+
     /** Returns whether it shows this very map. */
     boolean shows(NavigationMap other) {
         return map == other;

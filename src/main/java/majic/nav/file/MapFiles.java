@@ -37,12 +37,12 @@ public final class MapFiles {
 
     /**
      * Writes a map for map_server: a YAML file and beside it a picture of the same name, each replaced as a whole.
-     * Cells are written as free, occupied or unknown; places stand under a key of their own, which map_server passes
-     * over. Forbidden lines and home are not written.
+     * Cells are written as free, occupied or unknown; places and forbidden lines stand under keys of their own, which
+     * map_server passes over. Home is not written.
      *
      * @param yaml its name ends with {@code .yaml} or {@code .yml}
      * @param map what is written
-     * @throws IOException if a file cannot be written
+     * @throws IOException if a file cannot be written, or the map has more than 99,990 places and forbidden lines
      */
     public static void write(Path yaml, NavigationMap map) throws IOException {
         MapServerFile.write(yaml, map);

@@ -26,24 +26,34 @@ import majic.nav.grid.OccupancyGrid;
  * The maps of ROS's map_server: a YAML file with {@code image}, {@code resolution} (m a cell), {@code origin} (m, m,
  * rad: the lower left corner), {@code negate}, {@code occupied_thresh}, {@code free_thresh} and {@code mode} (trinary
  * or scale), and a picture beside it, PGM (P5 or P2) or PNG. A pixel p is occupied with (255 - p) / 255, or p / 255 if
- * negated. The first row of the picture is the top of the map.
+ * negated. The first row of the picture is the top of the map. Places and forbidden lines stand under keys of their
+ * own, which other readers pass over.
  *
- * <p>The YAML file has at most 1000 lines, the picture as many pixels as a grid can have cells.
+ * <p>The YAML file has at most {@value #MOST_LINES} lines, the picture as many pixels as a grid can have cells.
  */
 final class MapServerFile {
-    private static final int MOST_LINES = 1000;
+    private static final int MOST_LINES = 100_000;
     private static final double FULL = 255;
     private static final double FAR_M = 1e6;
     private static final double MM = 1000;
+    private static final int LONGEST_LIST = 200;
     private static final int UNKNOWN_PIXEL = 205;
     private static final int FREE_PIXEL = 254;
+
+    /** Lines of the YAML file that are neither places nor forbidden lines. */
+    private static final int OTHER_LINES = 10;
+
     private static final String PLACES = "places";
     private static final Pattern PLACE =
             Pattern.compile("- \\{name: \"([^\"\\p{Cntrl}]+)\", x: ([-0-9.]+), y: ([-0-9.]+)(?:, yaw: ([-0-9.]+))?\\}");
+    private static final String FORBIDDEN = "forbidden_lines";
+    private static final Pattern LINE =
+            Pattern.compile("- \\{x1: ([-0-9.]+), y1: ([-0-9.]+), x2: ([-0-9.]+), y2: ([-0-9.]+)\\}");
 
     private final Map<String, String> values = new HashMap<>();
     private final Map<String, Integer> numbers = new HashMap<>();
     private final List<NavigationMap.Place> places = new ArrayList<>();
+    private final List<NavigationMap.ForbiddenLine> forbidden = new ArrayList<>();
     private final String name;
 
     private MapServerFile(Path file) throws IOException {
@@ -51,15 +61,14 @@ final class MapServerFile {
         try (NumberedLines lines = NumberedLines.open(file, MOST_LINES)) {
             String list = "";
             for (String line = lines.next(); line != null; line = lines.next()) {
-                if (list.equals(PLACES) && line.strip().startsWith("- ")) {
-                    places.add(place(line, lines));
-                    continue;
-                }
                 String text = line.replaceFirst("(^|\\s)#.*$", "").strip();
                 int colon = text.indexOf(':');
-                if (text.startsWith("- ") && !list.isEmpty()) {
-                    values.merge(
-                            list, text.substring(2).strip(), (old, more) -> old.isEmpty() ? more : old + "," + more);
+                if (list.equals(PLACES) && line.strip().startsWith("- ")) {
+                    places.add(place(line, lines));
+                } else if (list.equals(FORBIDDEN) && text.startsWith("- ")) {
+                    forbidden.add(forbiddenLine(text, lines));
+                } else if (text.startsWith("- ") && !list.isEmpty()) {
+                    values.merge(list, text.substring(2).strip(), MapServerFile::joined);
                 } else if (colon > 0) {
                     list = text.substring(0, colon).strip();
                     values.put(list, text.substring(colon + 1).strip());
@@ -71,9 +80,14 @@ final class MapServerFile {
         }
     }
 
+    /** Joins the items of a list; those of a list that is longer than any of map_server's are left out. */
+    private static String joined(String old, String more) {
+        return old.isEmpty() ? more : old.length() < LONGEST_LIST ? old + "," + more : old;
+    }
+
     static NavigationMap read(Path file) throws IOException {
         MapServerFile read = new MapServerFile(file);
-        return new NavigationMap(read.grid(file), read.places, List.of(), Optional.empty());
+        return new NavigationMap(read.grid(file), read.places, read.forbidden, Optional.empty());
     }
 
     private NavigationMap.Place place(String line, NumberedLines lines) throws IOException {
@@ -88,6 +102,19 @@ final class MapServerFile {
                 number(PLACES, item.group(3), -FAR_M, FAR_M) * MM,
                 yaw == null ? 0 : Math.toDegrees(number(PLACES, yaw, -7, 7)));
         return new NavigationMap.Place(item.group(1), pose, yaw != null);
+    }
+
+    private NavigationMap.ForbiddenLine forbiddenLine(String text, NumberedLines lines) throws IOException {
+        Matcher item = LINE.matcher(text);
+        if (!item.matches()) {
+            throw lines.wrong("'" + NumberedLines.shortened(text)
+                    + "' is no forbidden line; - {x1: 0, y1: 0, x2: 1.5, y2: 0.3} would be right (m)");
+        }
+        double[] ends = new double[4];
+        for (int end = 0; end < ends.length; end++) {
+            ends[end] = number(FORBIDDEN, item.group(end + 1), -FAR_M, FAR_M) * MM;
+        }
+        return new NavigationMap.ForbiddenLine(ends[0], ends[1], ends[2], ends[3]);
     }
 
     private OccupancyGrid grid(Path file) throws IOException {
@@ -234,6 +261,11 @@ final class MapServerFile {
     /** Writes both files, each as a whole; the picture is NAME.pgm beside NAME.yaml, P5. */
     static void write(Path yaml, NavigationMap map) throws IOException {
         OccupancyGrid grid = map.grid();
+        if (map.places().size() + map.forbidden().size() > MOST_LINES - OTHER_LINES) {
+            throw new IOException(NumberedLines.name(yaml) + ": the map has "
+                    + map.places().size() + " places and " + map.forbidden().size() + " forbidden lines; up to "
+                    + (MOST_LINES - OTHER_LINES) + " can be written");
+        }
         String base = NumberedLines.name(yaml).replaceFirst("\\.ya?ml$", "");
         Path image = yaml.resolveSibling(base + ".pgm");
         WholeFile.replace(image, out -> {
@@ -258,7 +290,8 @@ final class MapServerFile {
                                 origin.xMm() / MM,
                                 origin.yMm() / MM,
                                 Math.toRadians(origin.headingDeg()))
-                        + places(map.places()));
+                        + places(map.places())
+                        + forbidden(map.forbidden()));
     }
 
     /** A key that is not one of map_server's, which other readers pass over. */
@@ -276,6 +309,20 @@ final class MapServerFile {
                     place.withHeading()
                             ? String.format(Locale.ROOT, ", yaw: %.6f}\n", Math.toRadians(pose.headingDeg()))
                             : "}\n");
+        }
+        return lines.toString();
+    }
+
+    private static String forbidden(List<NavigationMap.ForbiddenLine> forbidden) {
+        StringBuilder lines = new StringBuilder(forbidden.isEmpty() ? "" : FORBIDDEN + ":\n");
+        for (NavigationMap.ForbiddenLine line : forbidden) {
+            lines.append(String.format(
+                    Locale.ROOT,
+                    "  - {x1: %.3f, y1: %.3f, x2: %.3f, y2: %.3f}\n",
+                    line.fromXmm() / MM,
+                    line.fromYmm() / MM,
+                    line.toXmm() / MM,
+                    line.toYmm() / MM));
         }
         return lines.toString();
     }

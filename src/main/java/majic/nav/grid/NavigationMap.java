@@ -11,7 +11,7 @@ import majic.bot.Pose;
  *
  * @param grid what is free, occupied and unknown
  * @param places with names, in the order of the file
- * @param forbidden lines that no robot crosses, although no sensor sees them
+ * @param forbidden lines that no robot crosses; no sensor sees them, so they are not in the grid
  * @param home where robots start, if the map has such a place
  */
 public record NavigationMap(

@@ -44,7 +44,7 @@ class PaletteTest {
         SwingUtilities.invokeAndWait(() -> {
             FlatLaf.setup(look);
             DrawingColors colors = DrawingColors.current();
-            for (Color shape : List.of(Palette.shape(), colors.good(), colors.accent())) {
+            for (Color shape : List.of(Palette.shape(), Palette.forbidden(), colors.good(), colors.accent())) {
                 assertContrast(shape, Contrast.SHAPES);
             }
         });

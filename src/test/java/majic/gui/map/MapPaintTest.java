@@ -9,6 +9,7 @@ import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
+import java.util.Optional;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
 import majic.gui.kit.Palette;
@@ -17,6 +18,7 @@ import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
 import majic.lab.LabAccess.Wall;
 import majic.nav.grid.NavigationMap;
+import majic.nav.grid.NavigationMap.ForbiddenLine;
 import majic.nav.grid.NavigationMap.Place;
 import majic.nav.grid.OccupancyGrid;
 import majic.panel.DrawingColors;
@@ -130,6 +132,25 @@ class MapPaintTest {
         assertThat(pixel(image, 500, 2000)).isEqualTo(Palette.mixed(0.75).getRGB());
         assertThat(pixel(image, 500, 1000)).isEqualTo(pixel(without, 500, 1000));
         assertThat(differences(image, without)).isGreaterThan(1000);
+    }
+
+    @Test
+    void forbiddenLinesAreDrawnInAColourOfTheirOwn() {
+        OccupancyGrid grid = OccupancyGrid.of(Pose.START, 1000, 2, 1, (column, row) -> 0);
+        NavigationMap mapped =
+                new NavigationMap(grid, List.of(), List.of(new ForbiddenLine(500, 2000, 3500, 2000)), Optional.empty());
+
+        BufferedImage image =
+                paint(new MapScene(room(), Furnishing.NONE, List.of(), List.of(), new MapPicture(mapped), false));
+
+        int violet = 0;
+        for (int x = 0; x < WIDTH; x++) {
+            for (int y = 0; y < HEIGHT; y++) {
+                Color color = new Color(image.getRGB(x, y));
+                violet += color.getRed() - color.getGreen() > 40 && color.getBlue() - color.getGreen() > 40 ? 1 : 0;
+            }
+        }
+        assertThat(violet).isGreaterThan(100);
     }
 
     @ParameterizedTest

@@ -9,6 +9,7 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collections;
 import javax.imageio.ImageIO;
 import majic.bot.Pose;
 import majic.nav.grid.NavigationMap;
@@ -98,6 +99,40 @@ class MapFilesTest {
     }
 
     @Test
+    void forbiddenLinesAreWrittenBesidePlacesAndNotIntoTheGrid() throws IOException {
+        NavigationMap map = world("2D-Map\nCairn: Goal 100 200 0 \"\" ICON \"door\"\n"
+                + "Cairn: ForbiddenLine 0 0 0 \"\" ICON \"\" 100 250 900 250\n"
+                + "Cairn: ForbiddenArea 0 0 0 \"\" ICON \"\" 200 300 -400 500\nLINES\n0 0 1000 0\n0 600 1000 600\n");
+        Path yaml = folder.resolve("w.yaml");
+
+        MapFiles.write(yaml, map);
+
+        NavigationMap again = MapFiles.read(yaml);
+        assertThat(again.forbidden()).isEqualTo(map.forbidden()).hasSize(5);
+        assertThat(again.places()).isEqualTo(map.places());
+        assertThat(again.grid().stateAt(500, 250)).isEqualTo(State.FREE);
+        assertThat(again.with(map.grid())
+                        .with(map.places().get(0))
+                        .without("door")
+                        .forbidden())
+                .isEqualTo(map.forbidden());
+    }
+
+    @Test
+    void moreForbiddenLinesThanCanBeReadAgainAreNotWritten() throws IOException {
+        NavigationMap map = read(YAML, PICTURE);
+        NavigationMap full = new NavigationMap(
+                map.grid(),
+                map.places(),
+                Collections.nCopies(100_000, new NavigationMap.ForbiddenLine(0, 0, 1, 1)),
+                map.home());
+
+        assertThatThrownBy(() -> MapFiles.write(folder.resolve("full.yaml"), full))
+                .hasMessage("full.yaml: the map has 0 places and 100000 forbidden lines; up to 99990 can be written");
+        assertThat(folder.resolve("full.pgm")).doesNotExist();
+    }
+
+    @Test
     void aPngIsReadLikeAPgm() throws IOException {
         BufferedImage image = new BufferedImage(2, 1, BufferedImage.TYPE_BYTE_GRAY);
         image.setRGB(0, 0, 0xFFFFFF);
@@ -115,6 +150,11 @@ class MapFilesTest {
                 .hasMessage("a.yaml, line 2: resolution has 'wide', but has to be a number from 0.001 to 100.0");
         assertThatThrownBy(() -> read("image: a.pgm\n", PICTURE))
                 .hasMessage("a.yaml: resolution is missing, such as resolution: 0.05 (m a cell)");
+        assertThatThrownBy(() -> read(YAML + "forbidden_lines:\n- {x1: 0, y1: 0, x2: 1}\n", PICTURE))
+                .hasMessage("a.yaml, line 8: '- {x1: 0, y1: 0, x2: 1}' is no forbidden line;"
+                        + " - {x1: 0, y1: 0, x2: 1.5, y2: 0.3} would be right (m)");
+        assertThatThrownBy(() -> read(YAML + "forbidden_lines:\n- {x1: 0, y1: 9999999, x2: 1, y2: 1}\n", PICTURE))
+                .hasMessageContaining("forbidden_lines has '9999999', but has to be a number from");
         assertThatThrownBy(() -> read(YAML, "P5 9 9 255\nshort"))
                 .hasMessage("a.pgm: the picture ends in row 1; the whole file would be right");
         assertThatThrownBy(() -> read(YAML, "P5 100000 100000 255\n")).hasMessageContaining("100000 by 100000 pixels");
