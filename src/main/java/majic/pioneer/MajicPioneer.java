@@ -250,10 +250,11 @@ public final class MajicPioneer extends BotDriver {
 
     /**
      * Returns {@code sonar}, whose scans have the ranges that are new in a report of the robot, and {@code laser}, if
-     * it is a simulated robot with one.
+     * it is a simulated robot with one, or a robot with one to which ARIA connects.
      *
-     * @return known once the robot is connected, but for the laser, which is known from its first scan on: at most half
-     *     a second later, which is awaited if the thread may wait
+     * @return known once the robot is connected, but for the laser, which is known from its first scan on: with a
+     *     simulated robot at most half a second later, which is awaited if the thread may wait; through ARIA as long as
+     *     ARIA takes to start it
      */
     @Override
     public List<RangeSensor> rangeSensors() {

@@ -51,6 +51,7 @@ final class AriaConnection implements PioneerConnection, RobotLine {
     private volatile @Nullable CompletableFuture<Void> connecting;
     private volatile @Nullable LinkLost end;
     private volatile boolean reported;
+    private boolean laserFailed;
     private volatile long sentNanos;
 
     AriaConnection(AriaRobot robot, AriaDevice device, ConnectWait wait) {
@@ -94,6 +95,18 @@ final class AriaConnection implements PioneerConnection, RobotLine {
         LinkLost ended = end;
         if (ended != null) {
             throw new BotException(address() + " answered ARIA, but then: " + ended.getMessage(), ended);
+        }
+        time.runAsync("pioneer aria laser", () -> connectLaser(listener));
+    }
+
+    /** The robot can be driven meanwhile. An ARIA without the classes for it has no laser. */
+    private void connectLaser(Listener listener) {
+        try {
+            if (!robot.laser().connect() && !hasEnded()) {
+                listener.notice("ARIA cannot reach the robot's laser; see its messages in the terminal");
+            }
+        } catch (RuntimeException | LinkageError e) {
+            LOG.log(Level.DEBUG, "ARIA connects to no laser", e);
         }
     }
 
@@ -155,6 +168,21 @@ final class AriaConnection implements PioneerConnection, RobotLine {
             deliver(sip, news.others, listener);
             reported = true;
             wait.raise();
+        }
+        if (reported && !laserFailed) {
+            readLaser(listener);
+        }
+    }
+
+    private void readLaser(Listener listener) {
+        try {
+            robot.laser().scan(time.nanos(), reports.pose()).ifPresent(scan -> {
+                listener.reported(scan);
+                wait.raise();
+            });
+        } catch (RuntimeException | LinkageError e) {
+            laserFailed = true;
+            listener.notice("ARIA failed to read the robot's laser: " + e);
         }
     }
 

@@ -30,7 +30,8 @@ public final class AriaConnections implements ConnectionMaker {
     public AriaConnections() throws NoSuchMethodException {
         AriaMethods.check(ArRobot.class);
         initialize();
-        this.robot = new AriaRobot(new ArRobot());
+        ArRobot made = new ArRobot();
+        this.robot = new AriaRobot(made, new AriaLaser(made));
     }
 
     private static synchronized void initialize() {

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.function.IntUnaryOperator;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import majic.bot.Pose;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.Encoders;
@@ -39,6 +40,7 @@ final class AriaReports {
     private final SipDetector detector;
     private final Map<Integer, Long> sonarCycles = new HashMap<>();
     private boolean withoutSonarCycles;
+    private Pose pose = Pose.START;
     private Scaling scaling = Models.USUAL.scaling();
 
     AriaReports(ArRobot robot) {
@@ -90,13 +92,19 @@ final class AriaReports {
         return detector.isNew(nowNanos);
     }
 
+    /** Where ARIA had the robot in the last SIP; the start before. */
+    Pose pose() {
+        return pose;
+    }
+
     Sip sip() {
+        pose = new Pose(robot.getX(), robot.getY(), robot.getTh());
         int stall = robot.getStallValue();
         Map<SipField, Integer> fields = new EnumMap<>(SipField.class);
         fields.put(SipField.TYPE, STATIONARY);
-        fields.put(SipField.X_POS, counter(robot.getX() / scaling.mmPerCount()));
-        fields.put(SipField.Y_POS, counter(robot.getY() / scaling.mmPerCount()));
-        fields.put(SipField.TH_POS, rounded(robot.getTh() / scaling.degPerCount()));
+        fields.put(SipField.X_POS, counter(pose.xMm() / scaling.mmPerCount()));
+        fields.put(SipField.Y_POS, counter(pose.yMm() / scaling.mmPerCount()));
+        fields.put(SipField.TH_POS, rounded(pose.headingDeg() / scaling.degPerCount()));
         fields.put(SipField.L_VEL, rounded(robot.getLeftVel() / scaling.mmPerSecPerCount()));
         fields.put(SipField.R_VEL, rounded(robot.getRightVel() / scaling.mmPerSecPerCount()));
         fields.put(SipField.BATTERY, rounded(robot.getBatteryVoltageNow() * 10));

@@ -23,13 +23,15 @@ final class AriaRobot {
     private static final long RETRY_NANOS = TimeUnit.MICROSECONDS.toNanos(200);
 
     private final ArRobot robot;
+    private final AriaLaser laser;
     private final AtomicBoolean inUse = new AtomicBoolean();
 
     /** Kept after the end too: ARIA has it, while its wrapper does not, until it is given another one. */
     private @Nullable ArDeviceConnection device;
 
-    AriaRobot(ArRobot robot) {
+    AriaRobot(ArRobot robot, AriaLaser laser) {
         this.robot = robot;
+        this.laser = laser;
     }
 
     /**
@@ -59,6 +61,11 @@ final class AriaRobot {
     /** Makes what reads the robot's state for one session. */
     AriaReports reports() {
         return new AriaReports(robot);
+    }
+
+    /** Its laser, which is connected and read without the lock. */
+    AriaLaser laser() {
+        return laser;
     }
 
     /** Reserves it for one connection; false if another one has not ended yet. */
@@ -94,8 +101,8 @@ final class AriaRobot {
     }
 
     /**
-     * Ends the robot's session and the connection, whatever state they are in, and the reservation. Blocks for more
-     * than 1 s.
+     * Ends the robot's session and the connection, whatever state they are in, then that of the laser, and the
+     * reservation. Blocks for more than 1 s.
      */
     void disconnect() {
         try {
@@ -104,6 +111,7 @@ final class AriaRobot {
             if (open != null) {
                 open.close();
             }
+            laser.disconnect();
         } finally {
             inUse.set(false);
         }

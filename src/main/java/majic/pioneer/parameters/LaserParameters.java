@@ -10,7 +10,7 @@ import majic.driver.ParameterTheme;
 import majic.pioneer.state.Equipment;
 import majic.pioneer.state.LaserScans;
 
-/** The ranges of the laser that a simulated robot may have. */
+/** The ranges of the laser that a robot may have. */
 final class LaserParameters implements ParameterTheme<Equipment> {
     private static final int SECTOR_DEG = 30;
     private static final int SECTORS = 2 * LaserScans.HALF_FIELD_DEG / SECTOR_DEG;
@@ -36,11 +36,14 @@ final class LaserParameters implements ParameterTheme<Equipment> {
 
     private static Value sectors(RangeScan scan) {
         float[] nearest = new float[SECTORS];
-        Arrays.fill(nearest, Float.POSITIVE_INFINITY);
+        Arrays.fill(nearest, Float.NaN);
         for (int beam = 0; beam < scan.size(); beam++) {
-            int sector = Math.min(SECTORS - 1, beam * SECTORS / scan.size());
-            if (scan.rangeMm(beam) < nearest[sector]) {
-                nearest[sector] = scan.rangeMm(beam);
+            double fromRightDeg = LaserScans.HALF_FIELD_DEG
+                    + scan.sensor().beams().get(beam).mount().headingDeg();
+            float range = scan.rangeMm(beam);
+            if (fromRightDeg >= 0 && fromRightDeg <= SECTORS * SECTOR_DEG && !Float.isNaN(range)) {
+                int sector = (int) Math.min(SECTORS - 1, fromRightDeg / SECTOR_DEG);
+                nearest[sector] = Float.isNaN(nearest[sector]) ? range : Math.min(nearest[sector], range);
             }
         }
         Value[] values = new Value[SECTORS];
@@ -49,6 +52,9 @@ final class LaserParameters implements ParameterTheme<Equipment> {
     }
 
     private static Value mm(float range) {
+        if (Float.isNaN(range)) {
+            return Value.unknown("no beam of the laser measures there");
+        }
         return Float.isInfinite(range) ? Value.CLEAR : Value.of(Math.round(range), Unit.MM);
     }
 }

@@ -15,7 +15,7 @@ import majic.pioneer.arcos.ConfigField;
 import majic.pioneer.arcos.Packet;
 import majic.pioneer.arcos.ReportKind;
 import majic.pioneer.session.PioneerSession;
-import majic.pioneer.session.SimulatedLaser;
+import majic.pioneer.session.SessionLaser;
 import majic.pioneer.session.Subscriptions;
 import majic.pioneer.state.PioneerState;
 import majic.time.WaitPolicy;
@@ -109,7 +109,7 @@ public final class PioneerAccess {
     /** Reads from a scan of the laser. Without a recent one it is requested and, if the thread may wait, awaited. */
     Supplier<Value> laser(Function<RangeScan, Value> reader) {
         return session(open -> {
-            SimulatedLaser laser = open.laser();
+            SessionLaser laser = open.laser();
             laser.read();
             open.await(state -> laser.fresh().isPresent(), REPORT_S);
             return laser.fresh().map(reader).orElse(NOTHING_RECENT);

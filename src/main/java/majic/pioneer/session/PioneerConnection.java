@@ -2,6 +2,7 @@ package majic.pioneer.session;
 
 import majic.bot.BotException;
 import majic.bot.LinkLost;
+import majic.bot.RangeScan;
 import majic.pioneer.arcos.Config;
 import majic.pioneer.arcos.LaserChunk;
 import majic.pioneer.arcos.PacketCounts;
@@ -28,6 +29,16 @@ public interface PioneerConnection {
 
         /** A part of a scan by the laser of a simulator came. */
         void reported(LaserChunk chunk);
+
+        /**
+         * A scan of a laser came.
+         *
+         * @param scan its odometry is relative to the pose of the robot in the last SIP
+         */
+        void reported(RangeScan scan);
+
+        /** Something that the user should know has happened; on any thread. */
+        void notice(String message);
 
         /** The robot's configuration came, as far as the connection can read it. */
         void configured(Config config);

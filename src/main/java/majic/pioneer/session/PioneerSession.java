@@ -57,7 +57,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
     private final WheelMotors motors;
     private final LinkWatch watch;
     private final Subscriptions subscriptions;
-    private final SimulatedLaser laser;
+    private final SessionLaser laser;
     private final Pose start;
     private final AtomicBoolean lost = new AtomicBoolean();
     private volatile Model model = Models.USUAL;
@@ -115,7 +115,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         this.motors = new WheelMotors(line, this::state, this::equipment, time, listener::notice);
         this.watch = new LinkWatch(line, motors, time, wait.waiting().changes());
         this.subscriptions = new Subscriptions(line, time);
-        this.laser = new SimulatedLaser(line, time);
+        this.laser = new SessionLaser(line, time);
     }
 
     /**
@@ -210,6 +210,19 @@ public final class PioneerSession implements PioneerConnection.Listener {
         if (now != null) {
             laserScans.add(chunk, now).ifPresent(this::scanned);
         }
+    }
+
+    @Override
+    public void reported(RangeScan scan) {
+        PioneerState now = tracker.last();
+        if (now != null) {
+            scanned(scan.at(now.pose().plus(scan.odometry())));
+        }
+    }
+
+    @Override
+    public void notice(String message) {
+        listener.notice(message);
     }
 
     private void scanned(RangeScan scan) {
@@ -344,7 +357,7 @@ public final class PioneerSession implements PioneerConnection.Listener {
         return sonars;
     }
 
-    public SimulatedLaser laser() {
+    public SessionLaser laser() {
         return laser;
     }
 

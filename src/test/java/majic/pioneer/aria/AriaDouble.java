@@ -36,6 +36,7 @@ final class AriaDouble implements Answer<Object>, AutoCloseable {
     final RampModel model = new RampModel(300, 500, 100);
     final ArRobot robot = mock(ArRobot.class, this);
     final ArDeviceConnection device = mock();
+    final AriaLaserDouble laser = new AriaLaserDouble();
 
     /** Answers in place of those below. */
     final Map<String, Supplier<Object>> others = new HashMap<>();
@@ -80,6 +81,7 @@ final class AriaDouble implements Answer<Object>, AutoCloseable {
         if (ms % CYCLE_MS == 0 && !silent) {
             takeSip();
         }
+        laser.step(ms, model);
         if (ms % CYCLE_MS == phaseMs) {
             inNextCycle.forEach(Runnable::run);
             inNextCycle.clear();

@@ -5,13 +5,19 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 import static org.mockito.Mockito.when;
 
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
 import majic.bot.BotException;
+import majic.bot.BotListener;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
+import majic.bot.Pose;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.pioneer.MajicPioneer;
@@ -26,15 +32,22 @@ import org.junit.jupiter.params.provider.ValueSource;
 class AriaDriveTest {
     private AriaDouble aria;
     private MajicPioneer bot;
+    private final List<String> notices = new CopyOnWriteArrayList<>();
     private int openResult;
 
     private void create(long phaseMs) {
         aria = new AriaDouble(phaseMs);
-        AriaRobot shared = new AriaRobot(aria.robot);
+        AriaRobot shared = new AriaRobot(aria.robot, aria.laser.of(aria.robot));
         AriaDevice device = new AriaDevice("tcp:robot:8101", () -> new AriaDevice.Opened(aria.device, openResult));
         bot = TestPioneers.over(
                 wait -> new AriaConnection(shared, device, wait),
                 new BotEnvironment(aria.clock().time(), Settings.inMemory()));
+        bot.addListener(new BotListener() {
+            @Override
+            public void notice(MajicBot from, String message) {
+                notices.add(message);
+            }
+        });
     }
 
     private void connect(long phaseMs) {
@@ -325,6 +338,165 @@ class AriaDriveTest {
                 new String[] {"serialNumber", "lowVoltage", "watchdog", "damagedPackets", "gyro", "joystickX"}) {
             assertThat(bot.get(name)).as(name).hasToString("unknown (ARIA does not tell)");
         }
+    }
+
+    @Test
+    void aLaserThatAriaConnectsToIsDescribedByItsFirstScan() {
+        create(50);
+        aria.laser.add();
+        bot.connect();
+        pass(0.5);
+
+        RangeSensor laser = bot.rangeSensors().get(1);
+
+        assertThat(laser.name()).isEqualTo("laser");
+        assertThat(laser.isLaser()).isTrue();
+        assertThat(laser.beams()).hasSize(181);
+        assertThat(laser.beams().get(0).mount()).isEqualTo(new Pose(21, 0, -90));
+        assertThat(laser.beams().get(180).mount()).isEqualTo(new Pose(21, 0, 90));
+        assertThat(laser.beams().get(90).reachMm()).isEqualTo(8000);
+        assertThat(bot.get("laser")).hasToString("2000 mm, 2000 mm, 1500 mm, 1500 mm, 2000 mm, clear");
+    }
+
+    @Test
+    void aScanHasThePoseAndTheTimeAtWhichItWasMeasured() {
+        create(50);
+        aria.laser.add();
+        aria.model.pose(1000, 0, 0);
+        bot.connect();
+        List<RangeScan> scans = new CopyOnWriteArrayList<>();
+        bot.addScanListener(scan -> {
+            if (scan.sensor().isLaser()) {
+                scans.add(scan);
+            }
+        });
+        bot.drive(300, 0);
+        pass(2);
+        List<AriaLaserDouble.Taken> taken = aria.laser.taken();
+
+        assertThat(scans).hasSizeGreaterThan(8);
+        assertThat(scans).extracting(RangeScan::timeS).doesNotHaveDuplicates();
+        assertThat(scans)
+                .allSatisfy(scan -> assertThat(taken).anySatisfy(at -> {
+                    assertThat(scan.timeS()).isCloseTo(at.ms() / 1000.0, within(0.0015));
+                    assertThat(scan.odometry().xMm()).isCloseTo(at.xMm() - 1000, within(1.0));
+                }));
+        RangeScan last = scans.get(scans.size() - 1);
+        assertThat(last.rangeMm(90)).isEqualTo(1500);
+        assertThat(last.rangeMm(30)).as("ignored by ARIA").isNaN();
+        assertThat(last.rangeMm(170)).as("beyond its reach").isInfinite();
+    }
+
+    @Test
+    void aRobotWithoutALaserHasNoneAndNothingIsSaidAboutIt() {
+        connect(50);
+        pass(1);
+
+        assertThat(bot.rangeSensors()).extracting(RangeSensor::name).containsExactly("sonar");
+        assertThat(notices).isEmpty();
+    }
+
+    @Test
+    void aLaserThatAriaCannotReachIsANoticeOfAConnectedRobot() {
+        create(50);
+        aria.laser.reached = false;
+        bot.connect();
+        pass(1);
+
+        assertThat(notices).containsExactly("ARIA cannot reach the robot's laser; see its messages in the terminal");
+        assertThat(bot.isConnected()).isTrue();
+        assertThat(bot.rangeSensors()).hasSize(1);
+    }
+
+    @Test
+    void aRobotIsDrivenAndStoppedWhileAriaConnectsToItsLaser() {
+        create(50);
+        aria.laser.add();
+        CompletableFuture<Void> answer = new CompletableFuture<>();
+        aria.laser.delay = () -> aria.clock().until(answer::isDone);
+        bot.connect();
+
+        bot.drive(200, 0);
+        pass(0.5);
+        bot.stop();
+
+        assertThat(aria.model.isStationary()).isTrue();
+        assertThat(bot.rangeSensors()).hasSize(1);
+        answer.complete(null);
+        aria.clock().until(() -> bot.rangeSensors().size() == 2);
+    }
+
+    @Test
+    void aLaserThatIsReachedAfterTheRobotWasClosedIsDisconnected() {
+        create(50);
+        aria.laser.add();
+        CompletableFuture<Void> answer = new CompletableFuture<>();
+        aria.laser.delay = () -> aria.clock().until(answer::isDone);
+        bot.connect();
+        bot.close();
+        answer.complete(null);
+
+        aria.clock().until(() -> aria.laser.calls.contains("disconnect"));
+    }
+
+    @Test
+    void aLaserThatDeliversNothingForASecondShowsNoOldReading() {
+        create(50);
+        aria.laser.add();
+        bot.connect();
+        pass(0.5);
+        aria.laser.silent = true;
+
+        pass(1);
+
+        assertThat(bot.get("laser")).hasToString("unknown (no reading of late)");
+        assertThat(bot.isConnected()).isTrue();
+        aria.laser.silent = false;
+        pass(0.5);
+        assertThat(bot.get("laser").toString()).startsWith("2000 mm");
+    }
+
+    @Test
+    void theLaserIsConnectedAgainWithTheRobotByTheSameConnector() {
+        create(50);
+        aria.laser.add();
+        bot.connect();
+        pass(0.5);
+        aria.connected = false;
+        aria.clock().until(() -> !bot.isConnected());
+        aria.clock().until(() -> aria.laser.calls.contains("disconnect"));
+
+        bot.connect();
+        pass(0.5);
+
+        assertThat(bot.rangeSensors()).hasSize(2);
+        assertThat(aria.laser.calls)
+                .containsExactly("new ArLaserConnector", "connectLasers", "disconnect", "connectLasers");
+    }
+
+    @Test
+    void anErrorInTheLaserLeavesTheRobotConnected() {
+        create(50);
+        aria.laser.add();
+        aria.laser.error = new NoSuchMethodError("getRawReadingsAsVector");
+        bot.connect();
+        pass(1);
+
+        assertThat(notices)
+                .containsExactly("ARIA failed to read the robot's laser: java.lang.NoSuchMethodError:"
+                        + " getRawReadingsAsVector");
+        assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
+    void anOlderAriaWithoutLasersIsUsedAllTheSame() {
+        create(50);
+        aria.laser.missing = true;
+        bot.connect();
+        pass(1);
+
+        assertThat(notices).isEmpty();
+        assertThat(bot.isConnected()).isTrue();
     }
 
     @Test

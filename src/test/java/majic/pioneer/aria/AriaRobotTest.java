@@ -21,7 +21,7 @@ import org.mockito.InOrder;
 
 class AriaRobotTest {
     private final ArRobot aria = mock();
-    private final AriaRobot robot = new AriaRobot(aria);
+    private final AriaRobot robot = new AriaRobot(aria, new AriaLaser(aria));
 
     @Test
     void aCallIsMadeBetweenLockAndUnlock() {

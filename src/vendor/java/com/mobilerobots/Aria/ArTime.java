@@ -12,6 +12,10 @@ public class ArTime {
         throw new SignatureOnly();
     }
 
+    public boolean isAt(ArTime other) {
+        throw new SignatureOnly();
+    }
+
     public void delete() {
         throw new SignatureOnly();
     }

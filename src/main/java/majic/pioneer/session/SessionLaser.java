@@ -13,12 +13,13 @@ import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Requests the scans of the laser that a simulated robot may have (ARCOS sheet 6.2, 11.8). For one session.
+ * Keeps the newest scan of a laser, and requests the scans of the one that a simulated robot may have (ARCOS sheet 6.2,
+ * 11.8). For one session.
  *
  * <p>No packet tells whether a simulator has a laser. So scans are requested from each simulator at connecting, until
- * the first one has come, and then only while something needs them.
+ * the first one has come, and then only while something needs them. A library sends them without a request.
  */
-public final class SimulatedLaser {
+public final class SessionLaser {
     /** The serial number of simulators (ARCOS sheet 10). */
     private static final String SIMULATOR = "SIM";
 
@@ -57,7 +58,7 @@ public final class SimulatedLaser {
         READ
     }
 
-    SimulatedLaser(RobotLine line, TimeSource time) {
+    SessionLaser(RobotLine line, TimeSource time) {
         this.line = line;
         this.last = new LastTimes<>(time);
     }
