@@ -40,7 +40,7 @@ public final class Localizer {
     /** Of a scan, at most so many echoes are compared: neighbouring ones say the same. */
     private static final int MOST_ECHOES = 60;
 
-    /** The number of independent echoes of a scan, as in the scan matcher, halved for what is not on the map. */
+    /** The most independent echoes of a scan, as in the scan matcher, halved for what is not on the map. */
     private static final double INDEPENDENT = 15;
 
     /** The standard deviation of an echo: two cells. */
@@ -54,6 +54,9 @@ public final class Localizer {
 
     /** The same for a robot that would stand in a wall, in all. */
     private static final double IN_A_WALL = -100;
+
+    /** A wide beam has its echo somewhere on an arc, of which so many points are compared. */
+    private static final int RAYS = 5;
 
     private static final int TRIALS = 100_000;
 
@@ -279,11 +282,12 @@ public final class Localizer {
         return particles.count();
     }
 
-    /** The compared echoes in the robot's frame. */
-    private record Echoes(int count, double[] x, double[] y) {
+    /** The compared echoes in the robot's frame: of each, the points from which it may come. */
+    private record Echoes(int count, int rays, double[] x, double[] y) {
         static Echoes of(RangeScan scan) {
-            double[] x = new double[scan.size()];
-            double[] y = new double[scan.size()];
+            int rays = scan.sensor().isLaser() ? 1 : RAYS;
+            double[] x = new double[rays * scan.size()];
+            double[] y = new double[rays * scan.size()];
             int count = 0;
             double step = Math.max(1, scan.size() / (double) MOST_ECHOES);
             for (double at = 0; at < scan.size(); at += step) {
@@ -291,12 +295,21 @@ public final class Localizer {
                 float range = scan.rangeMm(index);
                 if (!Float.isNaN(range) && !Float.isInfinite(range)) {
                     Beam beam = scan.sensor().beams().get(index);
-                    double angle = Math.toRadians(beam.mount().headingDeg());
-                    x[count] = beam.mount().xMm() + range * Math.cos(angle);
-                    y[count++] = beam.mount().yMm() + range * Math.sin(angle);
+                    for (int ray = 0; ray < rays; ray++) {
+                        double aside = rays == 1 ? 0 : beam.openingDeg() * (ray / (rays - 1.0) - 0.5);
+                        double angle = Math.toRadians(beam.mount().headingDeg() + aside);
+                        x[rays * count + ray] = beam.mount().xMm() + range * Math.cos(angle);
+                        y[rays * count + ray] = beam.mount().yMm() + range * Math.sin(angle);
+                    }
+                    count++;
                 }
             }
-            return new Echoes(count, x, y);
+            return new Echoes(count, rays, x, y);
+        }
+
+        /** Where the point in the middle of the beam is. */
+        int middle(int echo) {
+            return rays * echo + rays / 2;
         }
     }
 
@@ -307,14 +320,24 @@ public final class Localizer {
         double sin = Math.sin(angle);
         double sum = field.distanceMm(pose.xMm(), pose.yMm()) == 0 ? IN_A_WALL : 0;
         for (int index = 0; index < echoes.count(); index++) {
-            double distance = field.distanceMm(
-                    pose.xMm() + cos * echoes.x()[index] - sin * echoes.y()[index],
-                    pose.yMm() + sin * echoes.x()[index] + cos * echoes.y()[index]);
+            double distance = distance(pose, cos, sin, echoes, index);
             sum += Double.isNaN(distance)
                     ? NEUTRAL
                     : Math.log(RANDOM + (1 - RANDOM) * Math.exp(-distance * distance / (2 * SIGMA_MM * SIGMA_MM)));
         }
         return sum / echoes.count();
+    }
+
+    /** From a wall to the nearest of the points from which an echo may come. */
+    private double distance(Pose pose, double cos, double sin, Echoes echoes, int echo) {
+        double least = Double.NaN;
+        for (int at = echo * echoes.rays(); at < (echo + 1) * echoes.rays(); at++) {
+            double distance = field.distanceMm(
+                    pose.xMm() + cos * echoes.x()[at] - sin * echoes.y()[at],
+                    pose.yMm() + sin * echoes.x()[at] + cos * echoes.y()[at]);
+            least = Double.isNaN(least) || distance < least ? distance : least;
+        }
+        return least;
     }
 
     /** How well a scan fits the map at a pose: the share of its echoes in known parts, and that of these near walls. */
@@ -327,14 +350,13 @@ public final class Localizer {
         int known = 0;
         int near = 0;
         for (int index = 0; index < echoes.count(); index++) {
-            double distance = field.distanceMm(
-                    pose.xMm() + cos * echoes.x()[index] - sin * echoes.y()[index],
-                    pose.yMm() + sin * echoes.x()[index] + cos * echoes.y()[index]);
+            double distance = distance(pose, cos, sin, echoes, index);
+            int middle = echoes.middle(index);
             boolean unknown = Double.isNaN(distance)
                     && !isBehindWall(
                             pose,
-                            Math.hypot(echoes.x()[index], echoes.y()[index]),
-                            angle + Math.atan2(echoes.y()[index], echoes.x()[index]));
+                            Math.hypot(echoes.x()[middle], echoes.y()[middle]),
+                            angle + Math.atan2(echoes.y()[middle], echoes.x()[middle]));
             known += unknown ? 0 : 1;
             near += distance < FITS_MM ? 1 : 0;
         }
@@ -381,7 +403,7 @@ public final class Localizer {
                 .limit(REFINED)
                 .map(candidate -> refined(candidate, echoes).pose())
                 .toList());
-        particles.weigh(pose -> likelihood(pose, echoes), INDEPENDENT / 2);
+        particles.weigh(pose -> likelihood(pose, echoes), independent(echoes));
         particles.resampleMost();
         group = particles.group();
     }
@@ -412,8 +434,13 @@ public final class Localizer {
         return best;
     }
 
+    /** As how many independent echoes a scan counts: a few sonars say less than a scanner. */
+    private double independent(Echoes echoes) {
+        return Math.min(echoes.count(), global ? INDEPENDENT / 2 : INDEPENDENT);
+    }
+
     private void weigh(Echoes echoes) {
-        double mean = particles.weigh(pose -> likelihood(pose, echoes), global ? INDEPENDENT / 2 : INDEPENDENT);
+        double mean = particles.weigh(pose -> likelihood(pose, echoes), independent(echoes));
         slow += slow == 0 ? mean : SLOW * (mean - slow);
         fast += fast == 0 ? mean : FAST * (mean - fast);
     }

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import majic.bot.Beam;
 import majic.bot.Pose;
+import majic.bot.RangeScan;
 import majic.bot.RangeSensor;
 import majic.nav.grid.GridBuilder;
 import majic.nav.grid.OccupancyGrid;
@@ -15,6 +16,8 @@ import org.junit.jupiter.api.Test;
 
 /** Localisation in a ring of corridors whose map is drawn from true places. */
 class LocalizerTest {
+    private static final double CONE_DEG = 30;
+    private static final int RAYS = 9;
     private static final List<Pose> WAY = Floor.around(1);
     private static final OccupancyGrid MAP = map();
 
@@ -68,6 +71,48 @@ class LocalizerTest {
 
         assertThat(is.placed()).isTrue();
         assertThat(is.pose().distanceMm(WAY.get(199))).isLessThan(600);
+    }
+
+    @Test
+    void theEchoOfAWideBeamMayComeFromAsideOfItsMiddle() {
+        Localizer localizer = new Localizer(MAP, 1);
+        localizer.place(WAY.get(0), 100, 5);
+        double worstMm = 0;
+        for (int index = 0; index < 300; index++) {
+            localizer.add(nearestInCones(index));
+            worstMm = Math.max(
+                    worstMm, localizer.estimate(odometry.get(index)).pose().distanceMm(WAY.get(index)));
+        }
+
+        assertThat(localizer.estimate(odometry.get(299)).placed()).isTrue();
+        assertThat(worstMm).isLessThan(500);
+    }
+
+    /** What sonars measure: the nearest echo of each cone. */
+    private RangeScan nearestInCones(int index) {
+        List<Beam> cones = SONARS.beams().stream()
+                .map(beam -> new Beam(beam.mount(), CONE_DEG, 100, 5000, 20))
+                .toList();
+        List<Beam> rays = cones.stream()
+                .flatMap(cone -> IntStream.range(0, RAYS)
+                        .mapToObj(ray -> new Beam(
+                                cone.mount().plus(new Pose(0, 0, CONE_DEG * (ray / (RAYS - 1.0) - 0.5))),
+                                1,
+                                100,
+                                5000,
+                                20)))
+                .toList();
+        RangeScan all = floor.scan(new RangeSensor("rays", rays), index, WAY.get(index), odometry.get(index));
+        float[] nearest = new float[cones.size()];
+        for (int cone = 0; cone < nearest.length; cone++) {
+            int first = cone * RAYS;
+            nearest[cone] = (float) IntStream.range(first, first + RAYS)
+                    .mapToDouble(all::rangeMm)
+                    .filter(range -> !Double.isNaN(range))
+                    .min()
+                    .orElse(Double.NaN);
+        }
+        return new RangeScan(new RangeSensor("cones", cones), all.timeS(), all.odometry(), nearest);
     }
 
     @Test
