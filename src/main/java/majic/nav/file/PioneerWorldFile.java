@@ -146,8 +146,9 @@ final class PioneerWorldFile {
             maxX = Math.max(maxX, Math.max(segment[0], segment[2]));
             maxY = Math.max(maxY, Math.max(segment[1], segment[3]));
         }
-        double left = (Math.floor(minX / cell) - MARGIN) * cell;
-        double low = (Math.floor(minY / cell) - MARGIN) * cell;
+        // Drawn rooms have their walls at multiples of a cell, which are in the middle of cells so.
+        double left = (Math.floor(minX / cell) - MARGIN - 0.5) * cell;
+        double low = (Math.floor(minY / cell) - MARGIN - 0.5) * cell;
         long width = (long) ((maxX - left) / cell) + 1 + MARGIN;
         long height = (long) ((maxY - low) / cell) + 1 + MARGIN;
         if (width * height > OccupancyGrid.MOST_CELLS) {

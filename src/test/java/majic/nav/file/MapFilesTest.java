@@ -176,7 +176,10 @@ class MapFilesTest {
         assertThat(map.home()).contains(new Pose(-182, 176, 10.5));
         assertThat(map.forbidden()).hasSize(5).contains(new NavigationMap.ForbiddenLine(1, 2, 3, 4));
         assertThat(map.forbidden().get(1).fromYmm()).isCloseTo(100, within(0.001));
-        assertThat(map.grid().stateAt(500, 10)).isEqualTo(State.OCCUPIED);
+        assertThat(map.grid().stateAt(500, 20)).isEqualTo(State.OCCUPIED);
+        assertThat(map.grid().stateAt(500, -20))
+                .as("a wall is in the middle of cells")
+                .isEqualTo(State.OCCUPIED);
         assertThat(map.grid().stateAt(310, 610)).isEqualTo(State.OCCUPIED);
         assertThat(map.grid().stateAt(500, 300)).isEqualTo(State.FREE);
     }
