@@ -291,6 +291,10 @@ public final class Figures {
     private void localisation() throws IOException {
         say("localisation in the second half of a public log, on the map of its first half");
         new MappingFigures().localisation().forEach(line -> say("  %s", line));
+        say("localisation in an office of the lab, by sonars alone (95 of 100 within 500 mm) and by a laser");
+        say("  | noise | model | median / 95 of 100 / largest | of the heading | place unknown |");
+        programs.linesOfBuild(OfficeFigures.class, List.of("localisation", "1", "2", "3", "7"))
+                .forEach(line -> say("  %s", line));
     }
 
     private void ros() throws IOException, InterruptedException {

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Consumer;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.inlab.LabRig;
@@ -16,11 +17,15 @@ import majicsim.world.Room;
 
 /**
  * Builds a map of an office of the lab, with its usual noise, on its stepped clock: a Pioneer with a laser drives
- * around the corridor and into the rooms, past another one that drives the other way round.
+ * around the corridor and into the rooms, past another one that drives the other way round. Or localises a Pioneer on
+ * the true map on the same way, by its laser or by its sonars alone.
  */
 final class OfficeFigures {
     private static final Path WORLD = Path.of("sims", "worlds", "office.map");
+    private static final String LOCALISATION = "localisation";
     private static final long SEED = 1;
+    private static final String WITH_LASER = "p3dx-sh+laser";
+    private static final String WITH_SONARS = "p3dx-sh";
     private static final String MAPPER = "pioneer";
     private static final String OTHER = "pioneer2";
     private static final double STEP_S = 0.1;
@@ -47,21 +52,24 @@ final class OfficeFigures {
         this.seed = seed;
     }
 
-    private List<String> measure() throws IOException, InterruptedException {
-        LabOptions options = LabOptions.standard()
+    private LabRig office(String model) throws IOException {
+        return LabRig.of(LabOptions.standard()
                 .withPorts(LabPorts.FREE)
                 .withRoom(Room.load(WORLD))
                 .withNoise(seed)
-                .withPioneer("p3dx-sh+laser")
-                .withPioneers(2);
-        try (LabRig rig = LabRig.of(options)) {
+                .withPioneer(model)
+                .withPioneers(2));
+    }
+
+    private List<String> measure() throws IOException, InterruptedException {
+        try (LabRig rig = office(WITH_LASER)) {
             MajicBot robot = rig.add(MAPPER);
             ScanLoad load = new ScanLoad(rig.lab().time());
             robot.place(rig.truePose(MAPPER));
             // Before that of the map, so that it counts the scans before.
             robot.addScanListener(load);
             rig.run("map start 1");
-            double lastedS = drive(rig.lab(), robot, rig.add(OTHER));
+            double lastedS = drive(rig.lab(), robot, rig.add(OTHER), truth -> {});
             load.count();
             String text = rig.run("map").get(0);
             double wrongMm = robot.state().pose().distanceMm(rig.truePose(MAPPER));
@@ -87,7 +95,24 @@ final class OfficeFigures {
         }
     }
 
-    private double drive(SimulatedLab lab, MajicBot robot, MajicBot other) throws InterruptedException {
+    /** A row: how far the place of a robot on the true map is from the truth, from when it was placed. */
+    private String localise(String model) throws IOException, InterruptedException {
+        try (LabRig rig = office(model)) {
+            MajicBot robot = rig.add(MAPPER);
+            Pose start = rig.truePose(MAPPER);
+            rig.run(
+                    "map open " + WORLD,
+                    String.format(
+                            Locale.ROOT, "1 set pose %.0f %.0f %.0f", start.xMm(), start.yMm(), start.headingDeg()));
+            PlaceErrors errors = new PlaceErrors(robot, start);
+            drive(rig.lab(), robot, rig.add(OTHER), errors::add);
+            return String.format(Locale.ROOT, "| %d | %s | %s |", seed, model, errors.text());
+        }
+    }
+
+    /** Drives until the way is done; {@code observer} receives the true pose of the robot at each step. */
+    private double drive(SimulatedLab lab, MajicBot robot, MajicBot other, Consumer<Pose> observer)
+            throws InterruptedException {
         OfficeTour tour = new OfficeTour(robot, poses(WAY, 1));
         OfficeTour otherTour = new OfficeTour(other, poses(WAY_OF_OTHER, ROUNDS_OF_OTHER));
         double beganS = seconds(lab);
@@ -98,6 +123,7 @@ final class OfficeFigures {
                     .filter(entry -> !entry.getKey().equals(MAPPER))
                     .forEach(entry -> others.add(entry.getValue()));
             otherTour.step(truth.get(OTHER));
+            observer.accept(truth.get(MAPPER));
             driving = tour.step(truth.get(MAPPER)) && seconds(lab) - beganS < MOST_S;
             lab.time().sleep(STEP_S);
         }
@@ -120,12 +146,20 @@ final class OfficeFigures {
         return way;
     }
 
-    /** Measures with each of the seeds of the noise, or with one. */
-    public static void main(String[] seeds) {
+    /** Measures with each of the seeds of the noise, or with one; localisation if the first word is that. */
+    public static void main(String[] words) {
         Measurement.run(() -> {
+            boolean localisation = words.length > 0 && words[0].equals(LOCALISATION);
+            List<String> seeds = List.of(words).subList(localisation ? 1 : 0, words.length);
             List<String> rows = new ArrayList<>();
-            for (String seed : seeds.length == 0 ? new String[] {"" + SEED} : seeds) {
-                rows.addAll(new OfficeFigures(Long.parseLong(seed)).measure());
+            for (String seed : seeds.isEmpty() ? List.of("" + SEED) : seeds) {
+                OfficeFigures office = new OfficeFigures(Long.parseLong(seed));
+                if (localisation) {
+                    rows.add(office.localise(WITH_SONARS));
+                    rows.add(office.localise(WITH_LASER));
+                } else {
+                    rows.addAll(office.measure());
+                }
             }
             return rows;
         });
