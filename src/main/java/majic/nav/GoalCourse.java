@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Predicate;
 import majic.bot.Course;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
@@ -76,6 +77,11 @@ final class GoalCourse implements Course, AutoCloseable {
     /** Traffic: when another way is tried, and when room is made. */
     private static final double OTHER_WAY_S = 3;
 
+    /** So often another way around other robots is tried, and for half of that it is kept. */
+    private static final double AROUND_S = 20;
+
+    private static final double LONGEST_AROUND = 1.3;
+
     private static final double MAKE_ROOM_S = 1;
     private static final double MAKE_ROOM_MM = 8000;
 
@@ -83,7 +89,7 @@ final class GoalCourse implements Course, AutoCloseable {
     private final Destination destination;
     private final Navigator navigator;
     private final SeenObstacles seen;
-    private final Traffic.Vehicle vehicle;
+    private final TeamTraffic.Vehicle vehicle;
     private final boolean hasRanges;
     private final double bodyMm;
     private ObstacleDistance map;
@@ -97,8 +103,8 @@ final class GoalCourse implements Course, AutoCloseable {
     private int turnsAtEnd;
     private String waits = "";
     private @Nullable MajicBot before;
-    private boolean aroundTraffic;
-    private Traffic.@Nullable Vehicle roomFor;
+    private double aroundS = Double.NEGATIVE_INFINITY;
+    private TeamTraffic.@Nullable Vehicle roomFor;
     private @Nullable Pose aside;
     private double asideS;
 
@@ -113,6 +119,7 @@ final class GoalCourse implements Course, AutoCloseable {
         this.vehicle = navigator.traffic().begin(robot);
         this.progressS = now();
         this.begunS = progressS;
+        Navigator.DEBUG.put(robot, this);
         if (hasRanges) {
             robot.addScanListener(seen);
         }
@@ -156,7 +163,7 @@ final class GoalCourse implements Course, AutoCloseable {
             return arrived(here);
         }
         map = navigator.distances(robot, destination);
-        FreeSpace space = new FreeSpace(map, bodyMm, things(false));
+        FreeSpace space = new FreeSpace(map, bodyMm, things(false, false));
         plan(here, space);
         return along(here, space, left);
     }
@@ -200,13 +207,18 @@ final class GoalCourse implements Course, AutoCloseable {
         return Drive.STAND;
     }
 
-    /** What is not on the map: what was seen, and the other robots; those that give way only if asked for. */
-    private List<Disc> things(boolean withTraffic) {
+    /**
+     * What is not on the map: what was seen, and the other robots.
+     *
+     * @param withTraffic also those that are under way
+     * @param withKnown also what the map has: seen from here it is where it is, however wrong the place of this robot
+     */
+    private List<Disc> things(boolean withTraffic, boolean withKnown) {
         List<Disc> things = new ArrayList<>();
         Pose origin = robot.odometryOrigin();
         for (SeenObstacles.Point point : seen.points()) {
             Pose place = origin.plus(new Pose(point.xMm(), point.yMm(), 0));
-            if (!isKnown(place.xMm(), place.yMm())) {
+            if (point.known() ? withKnown : !isKnown(place.xMm(), place.yMm())) {
                 things.add(new Disc(place.xMm(), place.yMm(), 0));
             }
         }
@@ -230,11 +242,11 @@ final class GoalCourse implements Course, AutoCloseable {
         }
         plannedS = now();
         Pose to = aside == null ? destination.pose() : aside;
-        FreeSpace planned = aroundTraffic ? space.with(things(true)) : space;
-        Optional<Way> found = new PathPlanner(planned).plan(here, to);
-        if (found.isEmpty() && aroundTraffic) {
-            aroundTraffic = false;
-            found = new PathPlanner(space).plan(here, to);
+        boolean around = now() - aroundS < AROUND_S / 2;
+        FreeSpace planned = around ? space.with(things(true, false)) : space;
+        Optional<Way> found = planner(planned).plan(here, to);
+        if (around && (found.isEmpty() || found.get().lengthMm() > LONGEST_AROUND * restMm(old, here))) {
+            found = planner(space).plan(here, to);
         }
         if (found.isPresent()) {
             way = found.get();
@@ -249,6 +261,10 @@ final class GoalCourse implements Course, AutoCloseable {
             way = null;
             holdOrFail(here, space);
         }
+    }
+
+    private static double restMm(@Nullable Way way, Pose here) {
+        return way == null ? Double.POSITIVE_INFINITY : way.from(here).lengthMm() + LEFT_WAY_MM;
     }
 
     private static boolean isLeft(Way old, Pose here) {
@@ -321,20 +337,20 @@ final class GoalCourse implements Course, AutoCloseable {
             leastLeftMm = restMm;
             progressS = now();
         }
-        refuseLongWait(before == null && aside == null ? LONGEST_BLOCKED_S : LONGEST_TRAFFIC_S);
+        refuseLongWait(isInTraffic() ? LONGEST_TRAFFIC_S : LONGEST_BLOCKED_S);
         return drive(here, space, rest, aside == null ? left : here.distanceMm(aside));
     }
 
     private Step drive(Pose here, FreeSpace space, Way rest, double left) {
         double cruise = cruise();
         double brakingMm = speed * REACTION_S + speed * speed / (2 * BRAKING_MM_PER_S2);
-        Traffic.Grant grant = navigator.traffic().reserve(vehicle, rest, brakingMm + cruise * 0.6 + 300);
+        TeamTraffic.Grant grant = navigator.traffic().reserve(vehicle, rest, brakingMm + cruise * 0.6 + 300);
         double allowed = Math.min(cruise, END_PER_S * left + SLOW_MM_PER_S / 2);
         if (grant.before() != null) {
             allowed = Math.min(allowed, speedFor(grant.mm() - FreeSpace.MARGIN_MM));
             waitFor(grant);
         }
-        FreeSpace all = space.with(things(true));
+        FreeSpace all = space.with(things(true, true));
         double[] fractions = {1, 0.5, 0.25};
         Arc best = null;
         for (double fraction : fractions) {
@@ -349,6 +365,7 @@ final class GoalCourse implements Course, AutoCloseable {
         if (best == null) {
             return stand();
         }
+        dbg = "grant " + Math.round(grant.mm()) + " by " + (grant.before() == null ? "" : grant.before().name()) + " free " + best.freeMm + " brg " + Math.round(best.bearing) + " allowed " + Math.round(allowed);
         if (Math.abs(best.bearing) > ON_THE_SPOT_DEG) {
             return onTheSpot(best.bearing, left);
         }
@@ -359,19 +376,44 @@ final class GoalCourse implements Course, AutoCloseable {
             if (Math.abs(bearing) > LEAST_TURN_DEG) {
                 return onTheSpot(bearing, left);
             }
-            if (waits.isEmpty()) {
-                waits = "something that its sensors see stands in the way";
-            }
+            explainBlock(here);
+        }
+        double waitedS = navigator.traffic().waits(vehicle, allowed < SLOW_MM_PER_S && before != null);
+        if (waitedS > OTHER_WAY_S && aside == null && now() - aroundS > AROUND_S) {
+            aroundS = now();
+            plannedS = Double.NEGATIVE_INFINITY;
         }
         if (allowed < SLOW_MM_PER_S) {
             return stand();
         }
-        if (grant.before() == null) {
-            waits = "";
-            before = null;
-        }
+        waits = "";
+        before = null;
         return roll(allowed, best);
     }
+
+    /** Says what keeps the robot from driving where its way is free of reservations. */
+    private void explainBlock(Pose here) {
+        before = navigator.others(robot).stream()
+                .filter(other -> other.state().pose().distanceMm(here)
+                        < TeamTraffic.apartMm(robot, other) + 2 * LEFT_WAY_MM)
+                .findFirst()
+                .orElse(null);
+        waits = (before == null ? "something that its sensors see" : before.name()) + " stands in the way";
+    }
+
+    /** Whether it may be another robot under way for which it waits. */
+    private boolean isInTraffic() {
+        MajicBot other = before;
+        return aside != null
+                || (other == null ? navigator.traffic().isBusy() : navigator.traffic().isUnderWay(other));
+    }
+
+    private PathPlanner planner(FreeSpace space) {
+        return new PathPlanner(space, navigator.traffic().isBusy());
+    }
+
+    String dbg = "";
+    String debug() { return dbg + " aside " + aside + " around " + (now() - aroundS < AROUND_S / 2) + " w " + waits; }
 
     private Step onTheSpot(double bearing, double left) {
         if (speed > 0) {
@@ -452,13 +494,10 @@ final class GoalCourse implements Course, AutoCloseable {
         }
     }
 
-    private void waitFor(Traffic.Grant grant) {
-        before = grant.before();
-        waits = before == null ? "" : before.name() + " stands in the way";
-        if (grant.waitedS() > OTHER_WAY_S && !aroundTraffic && aside == null) {
-            aroundTraffic = true;
-            plannedS = Double.NEGATIVE_INFINITY;
-        }
+    private void waitFor(TeamTraffic.Grant grant) {
+        MajicBot other = grant.before();
+        before = other;
+        waits = other == null ? "" : other.name() + " stands in the way";
     }
 
     /** Makes room for a robot that goes first, waits, and needs the place where this one is. */
@@ -466,20 +505,16 @@ final class GoalCourse implements Course, AutoCloseable {
         if (aside != null) {
             return;
         }
-        Traffic traffic = navigator.traffic();
-        Traffic.Vehicle first =
+        TeamTraffic traffic = navigator.traffic();
+        TeamTraffic.Vehicle first =
                 traffic.toMakeRoomFor(vehicle, MAKE_ROOM_MM, MAKE_ROOM_S).orElse(null);
         if (first == null) {
             return;
         }
-        FreeSpace now = space.with(things(true));
-        Optional<Way> found = new PathPlanner(now)
-                .planToNearest(here, MAKE_ROOM_MM, place -> !traffic.leadsThrough(first, robot, place, MAKE_ROOM_MM));
-        if (found.isEmpty()) {
-            found = new PathPlanner(space)
-                    .planToNearest(
-                            here, MAKE_ROOM_MM, place -> !traffic.leadsThrough(first, robot, place, MAKE_ROOM_MM));
-        }
+        Predicate<Pose> isAside = place -> traffic.isAside(first, robot, place, MAKE_ROOM_MM);
+        Optional<Way> found = new PathPlanner(space.with(things(true, false)))
+                .planToNearest(here, MAKE_ROOM_MM, isAside)
+                .or(() -> new PathPlanner(space).planToNearest(here, MAKE_ROOM_MM, isAside));
         found.ifPresent(there -> {
             way = there;
             aside = there.end();
@@ -492,19 +527,19 @@ final class GoalCourse implements Course, AutoCloseable {
 
     /** Waits until the other one has passed. */
     private Step standAside(Pose here) {
-        Traffic traffic = navigator.traffic();
+        TeamTraffic traffic = navigator.traffic();
         traffic.reserve(vehicle, new Way(List.of(here)), 0);
-        Traffic.Vehicle other = roomFor;
+        TeamTraffic.Vehicle other = roomFor;
         waits = "it makes room for "
                 + (other == null ? "another robot" : other.robot().name());
         boolean passed = other == null
                 || !traffic.isUnderWay(other)
+                || traffic.leadsThrough(other, robot, here, MAKE_ROOM_MM)
                 || !crosses(traffic, other, here)
                 || now() - asideS > LONGEST_BLOCKED_S;
         if (passed) {
             aside = null;
             roomFor = null;
-            aroundTraffic = false;
             traffic.takeBack(vehicle);
             plannedS = Double.NEGATIVE_INFINITY;
             way = null;
@@ -513,8 +548,8 @@ final class GoalCourse implements Course, AutoCloseable {
     }
 
     /** Whether the rest of another one's way still leads along the way that this robot would take. */
-    private boolean crosses(Traffic traffic, Traffic.Vehicle other, Pose here) {
-        Optional<Way> own = new PathPlanner(new FreeSpace(map, bodyMm, things(false))).plan(here, destination.pose());
+    private boolean crosses(TeamTraffic traffic, TeamTraffic.Vehicle other, Pose here) {
+        Optional<Way> own = new PathPlanner(new FreeSpace(map, bodyMm, things(false, false))).plan(here, destination.pose());
         if (own.isEmpty()) {
             return false;
         }

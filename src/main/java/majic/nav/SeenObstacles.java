@@ -14,8 +14,7 @@ import majic.bot.Value;
 import majic.time.WaitPolicy;
 
 /**
- * What the sensors of one robot have seen around it lately and the map does not have, as points in the frame of its
- * odometry. A point is forgotten when a beam passes through it, or after some seconds. Thread-safe.
+ * What the sensors of one robot have seen around it lately, as points in the frame of its odometry. A point is forgotten when a beam passes through it, or after some seconds. Thread-safe.
  */
 final class SeenObstacles implements ScanListener {
     /** Farther echoes do not matter yet, and those of sonars say little of a place. */
@@ -23,6 +22,9 @@ final class SeenObstacles implements ScanListener {
 
     private static final double FARTHEST_OF_SONAR_MM = 1500;
     private static final double KEPT_S = 10;
+
+    /** What the map has as well is kept for as long as it takes to pass it by. */
+    private static final double KNOWN_KEPT_S = 1.5;
     private static final double CELL_MM = 50;
 
     /** The echo of a sonar is somewhere on an arc, which is taken as points of this distance. */
@@ -45,8 +47,8 @@ final class SeenObstacles implements ScanListener {
         boolean explains(double xMm, double yMm);
     }
 
-    /** A place in the frame of the odometry. */
-    record Point(double xMm, double yMm, long seenNanos) {
+    /** A place in the frame of the odometry, and whether something known explains what was seen there. */
+    record Point(double xMm, double yMm, long seenNanos, boolean known) {
         private long cell() {
             return Math.round(xMm / CELL_MM) << 32 ^ Math.round(yMm / CELL_MM) & 0xFFFFFFFFL;
         }
@@ -65,7 +67,9 @@ final class SeenObstacles implements ScanListener {
 
     /** Returns what has been seen, in the frame of the odometry. */
     synchronized List<Point> points() {
-        points.values().removeIf(point -> robot.time().secondsSince(point.seenNanos()) > KEPT_S);
+        points.values()
+                .removeIf(point ->
+                        robot.time().secondsSince(point.seenNanos()) > (point.known() ? KNOWN_KEPT_S : KEPT_S));
         return List.copyOf(points.values());
     }
 
@@ -90,7 +94,7 @@ final class SeenObstacles implements ScanListener {
         echoes.forEach(point -> points.put(point.cell(), point));
     }
 
-    /** Adds the places where an echo may come from, unless one of them explains it. */
+    /** Adds the places where an echo may come from; none of a sonar's arc of which a part is explained. */
     private void addEcho(List<Point> echoes, Pose sensor, double range, double openingDeg) {
         List<Point> arc = new ArrayList<>();
         Pose origin = robot.odometryOrigin();
@@ -99,10 +103,11 @@ final class SeenObstacles implements ScanListener {
             double angle = steps == 0 ? 0 : openingDeg * ((double) step / steps - 0.5);
             Pose echo = sensor.plus(new Pose(0, 0, angle)).after(range, 0);
             Pose place = origin.plus(echo);
-            if (known.explains(place.xMm(), place.yMm())) {
+            boolean explained = known.explains(place.xMm(), place.yMm());
+            if (explained && steps > 0) {
                 return;
             }
-            arc.add(new Point(echo.xMm(), echo.yMm(), scannedNanos));
+            arc.add(new Point(echo.xMm(), echo.yMm(), scannedNanos, explained));
         }
         echoes.addAll(arc);
     }

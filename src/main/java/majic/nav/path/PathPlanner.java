@@ -29,10 +29,15 @@ public final class PathPlanner {
     /** The same among other robots, so that two of them pass each other in a corridor, each on its right. */
     private static final double COMFORT_IN_TRAFFIC_MM = 150;
 
-    /** What driving on the left costs more, as a share, where walls are as near. */
+    /** What driving elsewhere than on the right costs more, as a share, where a wall is as near. */
     private static final double ON_THE_LEFT = 0.4;
 
     private static final double LANE_MM = 1500;
+
+    private static final double LANE_WIDTH_MM = 100;
+
+    /** The sine of the angle from which on a wall is on the right. */
+    private static final double ON_THE_RIGHT = 0.5;
 
     private final FreeSpace space;
     private final boolean traffic;
@@ -319,7 +324,7 @@ public final class PathPlanner {
         return roomMm >= comfortMm ? 1 : 1 + (comfortMm - roomMm) / comfortMm;
     }
 
-    /** What a cell costs more in traffic if the nearest wall is on the left of a robot that drives in a direction. */
+    /** What a cell costs more in traffic unless the nearest wall is on the right of a robot that drives there. */
     private double onTheLeft(int x, int y, double right, double up) {
         if (!traffic || x == 0 || y == 0 || x == grid.width() - 1 || y == grid.height() - 1) {
             return 0;
@@ -332,7 +337,11 @@ public final class PathPlanner {
         double awayY = map.mmOfCell(x, y + 1) - map.mmOfCell(x, y - 1);
         double length = Math.hypot(awayX, awayY) * Math.hypot(right, up);
         double leftward = length == 0 ? 0 : (right * awayY - up * awayX) / length;
-        return leftward < -0.5 ? ON_THE_LEFT : 0;
+        if (leftward < ON_THE_RIGHT) {
+            return ON_THE_LEFT;
+        }
+        double beside = map.mmOfCell(x, y) - space.bodyMm() - comfortMm - LANE_WIDTH_MM;
+        return ON_THE_LEFT * Math.max(0, Math.min(1, beside / (2 * LANE_WIDTH_MM)));
     }
 
     /** Leaves out corners where the straight line costs no more. */

@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * may drive. A robot drives only on what it has reserved, and nobody reserves what another one has, so that no two of
  * them meet. Thread-safe.
  */
-final class Traffic {
+final class TeamTraffic {
     private static final double STEP_MM = 100;
 
     private final Map<MajicBot, Vehicle> vehicles = new LinkedHashMap<>();
@@ -32,8 +32,7 @@ final class Traffic {
         private long rank;
         private Way rest;
         private List<Pose> reserved;
-        private @Nullable Vehicle before;
-        private long blockedNanos;
+        private @Nullable Long waitingNanos;
 
         private Vehicle(MajicBot robot, long order) {
             this.robot = robot;
@@ -49,8 +48,8 @@ final class Traffic {
         }
     }
 
-    /** What a robot got. */
-    record Grant(double mm, @Nullable MajicBot before, double waitedS) {}
+    /** How much of its way a robot got, and who has the rest; null if it got all. */
+    record Grant(double mm, @Nullable MajicBot before) {}
 
     /** A robot begins to drive by itself. */
     synchronized Vehicle begin(MajicBot robot) {
@@ -103,19 +102,31 @@ final class Traffic {
             }
         }
         vehicle.reserved = free;
-        if (other == null || granted > STEP_MM) {
-            vehicle.before = null;
-        } else if (vehicle.before == null) {
-            vehicle.blockedNanos = vehicle.robot.time().nanos();
-            vehicle.before = other;
-        } else {
-            vehicle.before = other;
+        return new Grant(granted, other == null ? null : other.robot);
+    }
+
+    /**
+     * Notes whether a robot waits for another one.
+     *
+     * @return for how long it has waited, s
+     */
+    synchronized double waits(Vehicle vehicle, boolean now) {
+        if (!now) {
+            vehicle.waitingNanos = null;
+        } else if (vehicle.waitingNanos == null) {
+            vehicle.waitingNanos = vehicle.robot.time().nanos();
         }
-        return new Grant(granted, other == null ? null : other.robot, waitedS(vehicle));
+        return waitedS(vehicle);
     }
 
     private static double waitedS(Vehicle vehicle) {
-        return vehicle.before == null ? 0 : vehicle.robot.time().secondsSince(vehicle.blockedNanos);
+        Long since = vehicle.waitingNanos;
+        return since == null ? 0 : vehicle.robot.time().secondsSince(since);
+    }
+
+    /** Whether several robots are under way. */
+    synchronized boolean isBusy() {
+        return vehicles.size() > 1;
     }
 
     /** The other one that has reserved a place, unless the robot gets farther from it by going there. */
@@ -153,7 +164,15 @@ final class Traffic {
 
     /** Whether the way of one that is under way leads through a place, for a robot there. */
     synchronized boolean leadsThrough(Vehicle vehicle, MajicBot robot, Pose place, double lookMm) {
-        double apart = apartMm(vehicle.robot, robot);
+        return leadsThrough(vehicle, place, lookMm, apartMm(vehicle.robot, robot));
+    }
+
+    /** Whether a robot at a place leaves room for one that is under way, also if that changes its way a little. */
+    synchronized boolean isAside(Vehicle vehicle, MajicBot robot, Pose place, double lookMm) {
+        return !leadsThrough(vehicle, place, lookMm, apartMm(vehicle.robot, robot) + STEP_MM);
+    }
+
+    private static boolean leadsThrough(Vehicle vehicle, Pose place, double lookMm, double apart) {
         double end = Math.min(lookMm, vehicle.rest.lengthMm());
         for (double mm = 0; mm <= end + STEP_MM; mm += STEP_MM) {
             if (vehicle.rest.at(mm).distanceMm(place) < apart) {
