@@ -150,6 +150,12 @@ final class GoalCourse implements Course, AutoCloseable {
 
     @Override
     public Step next() {
+        Step step = decide();
+        navigator.traffic().waits(vehicle, step == Drive.STAND ? waits : "");
+        return step;
+    }
+
+    private Step decide() {
         Pose here = robot.state().pose();
         refuseUncertain(here);
         if (hasRanges && seen.ageS() > OLDEST_S) {
@@ -559,10 +565,5 @@ final class GoalCourse implements Course, AutoCloseable {
             }
         }
         return false;
-    }
-
-    /** Returns why the robot stands, as a part of a sentence; empty while it drives. */
-    String waits() {
-        return waits;
     }
 }

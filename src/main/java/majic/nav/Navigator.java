@@ -158,6 +158,17 @@ public final class Navigator {
     public static final java.util.Map<MajicBot, GoalCourse> DEBUG = new ConcurrentHashMap<>();
     public String debug(MajicBot r) { GoalCourse c = DEBUG.get(r); return c == null ? "" : c.debug(); }
 
+    /**
+     * Returns why a robot stands on its way.
+     *
+     * @param robot any
+     * @return a part of a sentence such as {@code robot 2 (Pioneer) stands in the way}; empty while it drives, and if
+     *     it does not drive to a place by this navigator
+     */
+    public Optional<String> waits(MajicBot robot) {
+        return traffic.waits(robot);
+    }
+
     TeamTraffic traffic() {
         return traffic;
     }

@@ -33,6 +33,7 @@ final class TeamTraffic {
         private Way rest;
         private List<Pose> reserved;
         private @Nullable Long waitingNanos;
+        private String waits = "";
 
         private Vehicle(MajicBot robot, long order) {
             this.robot = robot;
@@ -77,6 +78,18 @@ final class TeamTraffic {
     synchronized List<Pose> reserved(MajicBot robot) {
         Vehicle vehicle = vehicles.get(robot);
         return vehicle == null ? List.of() : vehicle.reserved;
+    }
+
+    /** Keeps why a robot stands; empty while it drives. */
+    synchronized void waits(Vehicle vehicle, String why) {
+        vehicle.waits = why;
+    }
+
+    /** Returns why a robot stands on its way; empty while it drives, and if it does not drive by itself. */
+    synchronized Optional<String> waits(MajicBot robot) {
+        return Optional.ofNullable(vehicles.get(robot))
+                .map(vehicle -> vehicle.waits)
+                .filter(why -> !why.isEmpty());
     }
 
     /**

@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
+import majic.nav.Navigator;
 import majicsim.LabOptions;
 import majicsim.world.Room;
 import org.junit.jupiter.api.AutoClose;
@@ -89,6 +90,19 @@ class GoToInLabTest {
         assertThat(rig.run("1 goto -4000 -6000")).last().asString().contains("done");
         assertThat(contacts()).isZero();
         assertThat(rig.truePose("pioneer2")).isEqualTo(other);
+    }
+
+    @Test
+    void itSaysWhyItWaitsUntilItIsStopped() throws InterruptedException {
+        rig.add("pioneer2");
+        rig.run("lab place 2 -5000 -4900 90");
+
+        rig.say("1 goto -5000 -3500");
+        Navigator navigator = rig.session().map().navigator();
+        assertThat(rig.await(() -> navigator.waits(robot).isPresent())).isTrue();
+        assertThat(navigator.waits(robot).orElseThrow()).endsWith(" stands in the way");
+        rig.run("1 stop");
+        assertThat(navigator.waits(robot)).isEmpty();
     }
 
     @Test
