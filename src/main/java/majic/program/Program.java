@@ -16,6 +16,8 @@ import majic.bot.BotException;
 import majic.driver.ShutdownHook;
 import majic.environment.Settings;
 import majic.log.SessionLog;
+import majic.nav.Navigator;
+import majic.nav.path.Way;
 import majic.recorder.Recorder;
 import majic.recorder.RecordingFolder;
 import majic.script.Session;
@@ -111,7 +113,13 @@ public final class Program implements AutoCloseable {
     }
 
     private Recorder record() {
-        Recorder started = new Recorder(team, factory, recordings(), session::alarm);
+        Navigator navigator = session.map().navigator();
+        Recorder started = new Recorder(
+                team,
+                factory,
+                recordings(),
+                session::alarm,
+                robot -> navigator.way(robot).map(Way::points).orElse(List.of()));
         session.addListener(started);
         started.start();
         return started;

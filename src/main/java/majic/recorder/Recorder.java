@@ -3,13 +3,16 @@ package majic.recorder;
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.time.Instant;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
+import majic.bot.Pose;
 import majic.log.Line;
 import majic.log.SessionListener;
 import majic.team.BotFactory;
@@ -39,6 +42,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
 
     private final Team team;
     private final RoomSampler room;
+    private final Function<MajicBot, List<Pose>> ways;
     private final TimeSource time;
     private final long startNanos;
     private final Instant begin = Instant.now();
@@ -65,7 +69,27 @@ public final class Recorder implements SessionListener, AutoCloseable {
      * @param alarm receives a sentence when nothing can be written, and when that is possible again; on any thread
      */
     public Recorder(Team team, BotFactory factory, RecordingFolder folder, Consumer<String> alarm) {
+        this(team, factory, folder, alarm, robot -> List.of());
+    }
+
+    /**
+     * Creates a recorder that records the ways of robots too.
+     *
+     * @param team the robots to record
+     * @param factory has the simulated lab
+     * @param folder receives the files
+     * @param alarm receives a sentence when nothing can be written, and when that is possible again; on any thread
+     * @param ways returns the way on which a robot drives to a place, in its own frame, the point where it is first;
+     *     empty if it does not. Must return soon
+     */
+    public Recorder(
+            Team team,
+            BotFactory factory,
+            RecordingFolder folder,
+            Consumer<String> alarm,
+            Function<MajicBot, List<Pose>> ways) {
         this.team = team;
+        this.ways = ways;
         this.room = new RoomSampler(factory);
         this.time = team.time();
         this.startNanos = time.nanos();
@@ -177,7 +201,7 @@ public final class Recorder implements SessionListener, AutoCloseable {
     private void join(Member member) {
         robots.computeIfAbsent(member.bot(), bot -> {
             bot.addListener(reports);
-            return new RobotSampler(member, room.describe(member, seconds()));
+            return new RobotSampler(member, room.describe(member, seconds()), () -> ways.apply(bot));
         });
         wake();
     }

@@ -216,6 +216,8 @@ public final class Recording implements RecordedHistory {
             if (kind == Kind.TRUTH) {
                 RecordingFormat.pose(text);
                 truths.computeIfAbsent(name, key -> new Track()).add(endS, text);
+            } else if (kind == Kind.STATUS && name.equals(RecordingFormat.WAY)) {
+                RecordingFormat.way(text);
             }
             RobotTracks tracks = present.get(robot);
             if (tracks != null && (all || kind == Kind.VALUE && wanted.test(robot, name.toLowerCase(Locale.ROOT)))) {

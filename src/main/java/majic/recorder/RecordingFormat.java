@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.IntStream;
 import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Range;
@@ -24,6 +25,9 @@ final class RecordingFormat {
 
     /** Is raised when readers of the version before could not read the file. */
     static final String VERSION = "1";
+
+    /** The status of a robot that has the way on which it drives to a place. */
+    static final String WAY = "way";
 
     private static final String TAB = "\t";
 
@@ -174,6 +178,25 @@ final class RecordingFormat {
         String[] numbers = text.split(" ");
         require(numbers, 3);
         return new Pose(number(numbers[0]), number(numbers[1]), number(numbers[2]));
+    }
+
+    /** The corners of a way, in whole millimetres. */
+    static String way(List<Pose> corners) {
+        return corners.stream()
+                .map(corner -> Math.round(corner.xMm()) + " " + Math.round(corner.yMm()))
+                .collect(Collectors.joining(" "));
+    }
+
+    /** The corners of a way, each with heading 0. */
+    static List<Pose> way(String text) {
+        String[] numbers = text.isEmpty() ? new String[0] : text.split(" ");
+        if (numbers.length % 2 != 0) {
+            throw new IllegalArgumentException(
+                    "a way has " + numbers.length + " numbers and needs two for each corner");
+        }
+        return IntStream.range(0, numbers.length / 2)
+                .mapToObj(corner -> new Pose(number(numbers[2 * corner]), number(numbers[2 * corner + 1]), 0))
+                .toList();
     }
 
     static String picture(int robot, byte[] jpeg) {

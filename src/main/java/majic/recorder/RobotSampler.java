@@ -5,9 +5,11 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Parameter;
+import majic.bot.Pose;
 import majic.bot.Value;
 import majic.recorder.RecordingFormat.Kind;
 import majic.team.Member;
@@ -28,6 +30,8 @@ final class RobotSampler {
     /** How often a robot that reports nothing is sampled: its owner and its settings may change. */
     private static final double QUIET_PERIOD_S = 0.5;
 
+    private static final double WAY_PERIOD_S = 0.5;
+
     private final Member member;
     private final RecordedRobot robot;
     private List<Parameter> described = List.of();
@@ -35,13 +39,21 @@ final class RobotSampler {
     private final Map<Kind, Map<String, String>> texts = new EnumMap<>(Kind.class);
     private final Map<String, String> reports = new HashMap<>();
     private final ScanSampler scans;
+    private final Supplier<List<Pose>> way;
     private volatile boolean forgotten = true;
     private volatile boolean reported = true;
     private double sampledS = Double.NEGATIVE_INFINITY;
+    private double wayS = Double.NEGATIVE_INFINITY;
 
-    RobotSampler(Member member, RecordedRobot robot) {
+    /**
+     * Creates a sampler.
+     *
+     * @param way the way on which the robot drives to a place, the point where it is first; empty if it does not
+     */
+    RobotSampler(Member member, RecordedRobot robot, Supplier<List<Pose>> way) {
         this.member = member;
         this.robot = robot;
+        this.way = way;
         this.scans = new ScanSampler(robot.number(), member.bot());
     }
 
@@ -77,6 +89,7 @@ final class RobotSampler {
             texts.clear();
             reports.clear();
             scans.forget();
+            wayS = Double.NEGATIVE_INFINITY;
             lines.append(RecordingFormat.robot(robot));
         }
         MajicBot bot = member.bot();
@@ -92,6 +105,11 @@ final class RobotSampler {
                 Kind.STATUS,
                 "stop",
                 VisibleText.of(stops.problem(robot.number()).orElse("")));
+        if (sampledS - wayS >= WAY_PERIOD_S) {
+            wayS = sampledS;
+            List<Pose> ahead = way.get().stream().skip(1).toList();
+            note(lines, Kind.STATUS, RecordingFormat.WAY, RecordingFormat.way(ahead));
+        }
     }
 
     /** Makes only changed texts visible, because most stay the same. */

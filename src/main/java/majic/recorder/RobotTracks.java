@@ -144,7 +144,7 @@ public final class RobotTracks {
     /**
      * Returns what the team knew of the robot at a time.
      *
-     * @param name {@code connection}, {@code owner}, {@code placed} or {@code stop}
+     * @param name {@code connection}, {@code owner}, {@code placed}, {@code stop} or {@code way}
      * @param seconds time of the recording
      * @return the text; empty if there was none
      */
@@ -172,6 +172,16 @@ public final class RobotTracks {
      */
     public boolean isPlaced(double seconds) {
         return !status("placed", seconds).isEmpty();
+    }
+
+    /**
+     * Returns the way on which the robot drove to a place at a time.
+     *
+     * @param seconds time of the recording
+     * @return the corners that were still ahead, in the robot's own frame, the place last; empty if it did not
+     */
+    public List<Pose> way(double seconds) {
+        return RecordingFormat.way(status(RecordingFormat.WAY, seconds));
     }
 
     /**

@@ -75,6 +75,28 @@ class RecordingFileTest {
     }
 
     @Test
+    void aWayHoldsUntilTheNextOne() throws Exception {
+        RobotTracks robot = Recording.read(file(
+                        HEAD,
+                        ROBOT,
+                        "2.000\tstatus\t2\tway\t700 0 700 -300\n",
+                        "4.000\tstatus\t2\tway\t\n",
+                        "5.000\tstatus\t2\tstop\t\n"))
+                .tracks()
+                .get(0);
+        assertThat(robot.way(1.5)).isEmpty();
+        assertThat(robot.way(3.9)).containsExactly(new Pose(700, 0, 0), new Pose(700, -300, 0));
+        assertThat(robot.way(4)).isEmpty();
+    }
+
+    @Test
+    void aWayThatHasHalfACornerIsDamaged() throws Exception {
+        Path damaged = file(HEAD, ROBOT, "2.000\tstatus\t2\tway\t700 0 700\n", X);
+        assertThatThrownBy(() -> Recording.read(damaged))
+                .hasMessage("it is damaged in line 3: a way has 3 numbers and needs two for each corner");
+    }
+
+    @Test
     void aNumberUsedAgainIsAnotherRobot() throws Exception {
         Recording recording = Recording.read(
                 file(HEAD, ROBOT, "3.000\tevent\t2\tremoved\tPioneer\n", ROBOT.replace("1.000", "5.000")));

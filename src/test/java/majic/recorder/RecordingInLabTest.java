@@ -12,6 +12,7 @@ import majic.bot.Parameter;
 import majic.bot.Pose;
 import majic.bot.Value;
 import majic.inlab.LabRig;
+import majic.nav.path.Way;
 import majic.tool.Tool;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.BeforeEach;
@@ -34,7 +35,16 @@ class RecordingInLabTest {
     @BeforeEach
     void record() {
         recorder = new Recorder(
-                rig.team(), rig.session().factory(), new RecordingFolder(folder.resolve("recordings")), troubles::add);
+                rig.team(),
+                rig.session().factory(),
+                new RecordingFolder(folder.resolve("recordings")),
+                troubles::add,
+                robot -> rig.session()
+                        .map()
+                        .navigator()
+                        .way(robot)
+                        .map(Way::points)
+                        .orElse(List.of()));
         rig.session().addListener(recorder);
         recorder.start();
         rig.withAllRobots();
@@ -69,6 +79,22 @@ class RecordingInLabTest {
         assertThat(x.values()[x.size() - 1]).isBetween(285.0, 315.0);
         assertThat(x.size()).isGreaterThan(10);
         assertThat(x.seconds()).isSorted();
+    }
+
+    @Test
+    void theWayToAPlaceIsRecordedWhileTheRobotDrivesThere() throws Exception {
+        rig.run("2 goto 600 0");
+        rig.run("wait 1s");
+        Recording recording = closed();
+        RobotTracks pioneer = recording.tracks().get(1);
+        double begunS = recording.marks(0).stream()
+                .filter(mark -> mark.kind() == Mark.Kind.BEGUN)
+                .mapToDouble(Mark::seconds)
+                .min()
+                .orElseThrow();
+        assertThat(pioneer.way(begunS - 0.1)).isEmpty();
+        assertThat(pioneer.way(begunS + 1)).last().isEqualTo(new Pose(600, 0, 0));
+        assertThat(pioneer.way(recording.endS())).isEmpty();
     }
 
     @Test
