@@ -13,11 +13,13 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.gui.kit.EventThread;
 import majic.lab.LabAccess;
 import majic.lab.LabAccess.Wall;
 import majic.nav.CurrentMap;
+import majic.nav.Navigator;
 import majic.nav.grid.NavigationMap;
 import majic.panel.RefreshTicks;
 import majic.panel.map.Trail;
@@ -175,12 +177,26 @@ public final class MapFeed implements TeamListener, AutoCloseable {
                 member.number(),
                 member.label(),
                 member.bot().profile().bodyMm(),
+                start.origin,
                 reported,
                 member.bot().uncertainty(),
                 start.inLab ? truths.get(nameInLab(member)) : null,
                 start.trail,
                 member.bot().isConnected(),
-                team.stopStatus().problem(member.number()).isPresent());
+                team.stopStatus().problem(member.number()).isPresent(),
+                way(member.bot(), start.origin));
+    }
+
+    /** Returns the way of a robot; its first point is where the robot is. */
+    private MapScene.PlannedWay way(MajicBot robot, Pose origin) {
+        Navigator navigator = map.navigator();
+        return navigator
+                .way(robot)
+                .map(way -> new MapScene.PlannedWay(
+                        way.points().stream().skip(1).map(origin::plus).toList(),
+                        navigator.reserved(robot).stream().map(origin::plus).toList(),
+                        navigator.waits(robot).orElse("")))
+                .orElse(MapScene.PlannedWay.NONE);
     }
 
     private String nameInLab(Member member) {

@@ -25,7 +25,7 @@ import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 import majic.text.Texts;
 
-/** Draws a scene: map with forbidden lines, tape, walls, lamps, robots, labels and legend, in that order. */
+/** Draws a scene: map with forbidden lines, tape, walls, lamps, ways, robots, labels and legend, in that order. */
 public final class MapPainter {
     private static final Texts TEXTS = Texts.of(MapPainter.class);
     /** Height in pixels of the space for scale and legend below the room. */
@@ -74,6 +74,7 @@ public final class MapPainter {
                 .map(robot -> new RobotGlyph(robot, view))
                 .toList();
         robots.forEach(robot -> robot.paintTrail(g));
+        robots.forEach(robot -> robot.paintWay(g));
         robots.forEach(robot -> robot.paintUncertainty(g));
         robots.forEach(robot -> robot.paintBody(g));
         robots.forEach(robot -> robot.paintTruth(g));
@@ -86,12 +87,16 @@ public final class MapPainter {
         paintKey(scene);
     }
 
-    /** Draws the numbers that cover no other number; first those of robots that need attention or are selected. */
+    /**
+     * Draws the numbers that cover no other number, first those of robots that need attention or are selected, and then
+     * why robots wait.
+     */
     private void paintNumbers(List<RobotGlyph> robots, Set<Integer> selected) {
         robots.stream()
                 .sorted(Comparator.comparing((RobotGlyph robot) -> !robot.isAlarming())
                         .thenComparing(robot -> !selected.contains(robot.number())))
                 .forEach(robot -> robot.paintNumber(g, room));
+        robots.forEach(robot -> robot.paintWaits(g, room));
     }
 
     /** Draws a robot where it is being dragged to, with its pose beside it. */

@@ -40,23 +40,43 @@ public record MapScene(
      * @param number its number
      * @param label its name and type
      * @param bodyMm radius of its body
+     * @param origin where the frame of its own poses lies
      * @param reported its estimated pose
      * @param uncertainty of that pose
      * @param truth its true pose in the lab; null without a lab
      * @param trail its earlier estimated poses; grows
      * @param connected whether the pose is kept up to date
      * @param stopUnconfirmed whether its last stop was not confirmed, so that it may still move
+     * @param way on which it drives to a place; {@link PlannedWay#NONE} if it does not
      */
     public record Robot(
             int number,
             String label,
             double bodyMm,
+            Pose origin,
             Pose reported,
             Uncertainty uncertainty,
             @Nullable Pose truth,
             Trail trail,
             boolean connected,
-            boolean stopUnconfirmed) {}
+            boolean stopUnconfirmed,
+            PlannedWay way) {}
+
+    /**
+     * The way of a robot to a place. Immutable.
+     *
+     * @param corners those that are still ahead, the place last
+     * @param reserved the places on which no other robot drives now, the one of the robot first
+     * @param waits why it stands, as a part of a sentence; empty while it drives
+     */
+    public record PlannedWay(List<Pose> corners, List<Pose> reserved, String waits) {
+        public static final PlannedWay NONE = new PlannedWay(List.of(), List.of(), "");
+
+        public PlannedWay {
+            corners = List.copyOf(corners);
+            reserved = List.copyOf(reserved);
+        }
+    }
 
     /**
      * A robot of the lab that was not added or was removed: others can still run into it.

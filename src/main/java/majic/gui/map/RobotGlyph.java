@@ -12,6 +12,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
 import majic.gui.kit.LineArt;
@@ -22,7 +23,7 @@ import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 import majic.text.Texts;
 
-/** Draws one robot of the map: its trail, its estimated pose, its true pose. */
+/** Draws one robot of the map: its trail, its way, its estimated pose, its true pose. */
 final class RobotGlyph {
     private static final Texts TEXTS = Texts.of(RobotGlyph.class);
     /** Minimum size of a drawn body in pixels, so that a Hemisson can be found in a large room. */
@@ -30,6 +31,8 @@ final class RobotGlyph {
 
     private static final double TRAIL_STEP_PX = 2;
     private static final double TRAIL_OPACITY = 0.5;
+    private static final double RESERVED_OPACITY = 0.3;
+    private static final double PLACE_PX = 5;
 
     /** The root of the 95 % quantile of a chi-squared distribution of two degrees of freedom. */
     private static final double SIGMAS_OF_95 = 2.45;
@@ -80,6 +83,31 @@ final class RobotGlyph {
         g.setStroke(TRAIL);
         g.setColor(DrawingColors.translucent(color, TRAIL_OPACITY));
         g.draw(view.transform().createTransformedShape(way));
+    }
+
+    /** Draws what the robot has reserved as wide as the robot, and the way to its place as a line. */
+    void paintWay(Graphics2D g) {
+        if (!robot.way().reserved().isEmpty()) {
+            g.setStroke(new BasicStroke((float) (2 * radiusPx), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+            g.setColor(DrawingColors.translucent(color, RESERVED_OPACITY));
+            g.draw(line(robot.way().reserved()));
+        }
+        if (!robot.way().corners().isEmpty()) {
+            g.setStroke(TRAIL);
+            g.setColor(color);
+            Path2D line = line(robot.way().corners());
+            Point2D place = line.getCurrentPoint();
+            g.draw(line);
+            g.draw(new Ellipse2D.Double(place.getX() - PLACE_PX, place.getY() - PLACE_PX, 2 * PLACE_PX, 2 * PLACE_PX));
+        }
+    }
+
+    /** Returns the line from the robot through places. */
+    private Path2D line(List<Pose> places) {
+        Path2D line = new Path2D.Double();
+        moveTo(line, robot.reported(), 0, 0);
+        places.forEach(place -> moveTo(line, place, 0, 0));
+        return line;
     }
 
     /** Draws the ellipse within which the robot is with a probability of 95 %. */
@@ -180,6 +208,29 @@ final class RobotGlyph {
                 new Rectangle2D.Double(x, y - metrics.getAscent(), metrics.stringWidth(mark), metrics.getHeight()))) {
             g.setColor(Palette.error());
             g.drawString(mark, (float) x, (float) y);
+        }
+    }
+
+    /** Draws why the robot waits, below it or above it, where that covers no other label. */
+    void paintWaits(Graphics2D g, LabelRoom room) {
+        if (robot.way().waits().isEmpty()) {
+            return;
+        }
+        String text = TEXTS.get("waits", robot.way().waits());
+        FontMetrics metrics = g.getFontMetrics();
+        double width = metrics.stringWidth(text);
+        Point2D middle = pixel(robot.reported());
+        double x = Math.max(0, Math.min(middle.getX(), view.width() - width / 2) - width / 2);
+        double aside = radiusPx + metrics.getHeight();
+        for (double y : new double[] {middle.getY() + aside, middle.getY() - aside}) {
+            Rectangle2D label = around(new Point2D.Double(x + width / 2, y), width, metrics.getHeight());
+            if (room.take(label)) {
+                g.setColor(DrawingColors.translucent(Palette.paper(), 0.75));
+                g.fill(label);
+                g.setColor(Palette.text());
+                g.drawString(text, (float) x, (float) (label.getY() + metrics.getAscent()));
+                return;
+            }
         }
     }
 

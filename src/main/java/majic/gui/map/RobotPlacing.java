@@ -135,11 +135,13 @@ final class RobotPlacing extends MouseAdapter {
                 robot.number(),
                 robot.label(),
                 robot.bodyMm(),
+                robot.origin(),
                 pose,
                 Uncertainty.UNKNOWN,
                 robot.truth() == null ? null : pose,
                 new Trail(),
                 robot.connected(),
-                false);
+                false,
+                MapScene.PlannedWay.NONE);
     }
 }

@@ -123,6 +123,7 @@ final class TeamFloor implements MapContent {
             Pose at = robot.reported();
             Rectangle2D way = new Rectangle2D.Double(at.xMm(), at.yMm(), 0, 0);
             robot.trail().extend(way);
+            robot.way().corners().forEach(corner -> way.add(corner.xMm(), corner.yMm()));
             all = joined(all, grown(way, margin));
             // Outside of the room a selected robot needs space for its frame.
             double beside = room != null && room.contains(at.xMm(), at.yMm()) ? MARGIN_MM : FREE_MM;

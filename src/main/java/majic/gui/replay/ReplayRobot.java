@@ -124,12 +124,20 @@ final class ReplayRobot implements AutoCloseable {
                 robot().number(),
                 robot().label(),
                 robot().bodyMm(),
+                tracks.origin(atS),
                 place(atS),
                 uncertainty(atS),
                 truth,
                 trail,
                 bot.isConnected(),
-                !tracks.status("stop", atS).isEmpty());
+                !tracks.status("stop", atS).isEmpty(),
+                way(atS));
+    }
+
+    private MapScene.PlannedWay way(double atS) {
+        List<Pose> corners =
+                tracks.way(atS).stream().map(tracks.origin(atS)::plus).toList();
+        return new MapScene.PlannedWay(corners, List.of(), "");
     }
 
     private Uncertainty uncertainty(double atS) {

@@ -6,11 +6,13 @@ import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.OptionalInt;
 import majic.bot.BotType;
+import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.environment.Settings;
 import majic.gui.ToyBot;
 import majic.gui.ToyLab;
 import majic.gui.ToyType;
+import majic.inlab.LabRig;
 import majic.nav.CurrentMap;
 import majic.team.BotFactory;
 import majic.team.Team;
@@ -113,6 +115,24 @@ class MapFeedTest {
         Rectangle2D extent = new Rectangle2D.Double();
         feed.scene().robots().get(0).trail().extend(extent);
         assertThat(Math.hypot(extent.getWidth(), extent.getHeight())).isEqualTo(50);
+    }
+
+    @Test
+    void aRobotUnderWayHasItsWayFromWhereItIsDrawn() throws InterruptedException {
+        try (LabRig rig = LabRig.exact();
+                MapFeed ofLab = new MapFeed(
+                        rig.team(), rig.session().factory(), rig.session().map(), scene -> {})) {
+            MajicBot robot = rig.add("pioneer");
+            Pose place = rig.truePose("pioneer").plus(new Pose(500, 0, 0));
+            assertThat(ofLab.scene().robots().get(0).way()).isEqualTo(MapScene.PlannedWay.NONE);
+
+            rig.say("1 goto 500 0");
+            rig.await(() -> robot.state().moving());
+
+            List<Pose> corners = ofLab.scene().robots().get(0).way().corners();
+            assertThat(corners.get(corners.size() - 1).distanceMm(place)).isLessThan(1);
+            assertThat(ofLab.scene().robots().get(0).way().reserved()).isNotEmpty();
+        }
     }
 
     @Test

@@ -13,6 +13,7 @@ import java.util.Optional;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
 import majic.gui.kit.Palette;
+import majic.gui.map.MapScene.PlannedWay;
 import majic.lab.LabAccess.Furnishing;
 import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
@@ -71,12 +72,14 @@ class MapPaintTest {
                 robot.number(),
                 robot.label(),
                 robot.bodyMm(),
+                Pose.START,
                 robot.reported(),
                 uncertainty,
                 null,
                 new Trail(),
                 true,
-                false);
+                false,
+                PlannedWay.NONE);
     }
 
     @Test
@@ -86,15 +89,34 @@ class MapPaintTest {
                 quiet.number(),
                 quiet.label(),
                 quiet.bodyMm(),
+                Pose.START,
                 quiet.reported(),
                 Uncertainty.UNKNOWN,
                 null,
                 new Trail(),
                 true,
-                true);
+                true,
+                PlannedWay.NONE);
 
         assertThat(alarms(paint(scene(quiet)))).isZero();
         assertThat(alarms(paint(scene(unconfirmed)))).isGreaterThan(100);
+    }
+
+    @Test
+    void theWayOfARobotIsDrawnWithWhatItHasReservedAndWhyItWaits() {
+        Pose here = new Pose(1000, 1500, 0);
+        Pose place = new Pose(3500, 1500, 0);
+        BufferedImage standing = paint(scene(robot(here, null)));
+        BufferedImage driving = paint(scene(robot(here, null, new PlannedWay(List.of(place), List.of(), ""))));
+        List<Pose> reserved = List.of(here, new Pose(1500, 1500, 0));
+        BufferedImage waiting =
+                paint(scene(robot(here, null, new PlannedWay(List.of(place), reserved, "Toy 2 stands in the way"))));
+
+        assertThat(pixel(driving, 2500, 1500)).isNotEqualTo(pixel(standing, 2500, 1500));
+        assertThat(pixel(driving, 2500, 1600)).isEqualTo(pixel(standing, 2500, 1600));
+        assertThat(pixel(driving, 1500, 1600)).isEqualTo(pixel(standing, 1500, 1600));
+        assertThat(pixel(waiting, 1500, 1600)).isNotEqualTo(pixel(standing, 1500, 1600));
+        assertThat(differences(driving, waiting)).isGreaterThan(1000);
     }
 
     private static int alarms(BufferedImage image) {
@@ -226,7 +248,12 @@ class MapPaintTest {
     }
 
     private static MapScene.Robot robot(Pose believed, @Nullable Pose truth) {
-        return new MapScene.Robot(1, "Toy", 200, believed, Uncertainty.UNKNOWN, truth, new Trail(), true, false);
+        return robot(believed, truth, PlannedWay.NONE);
+    }
+
+    private static MapScene.Robot robot(Pose believed, @Nullable Pose truth, PlannedWay way) {
+        return new MapScene.Robot(
+                1, "Toy", 200, Pose.START, believed, Uncertainty.UNKNOWN, truth, new Trail(), true, false, way);
     }
 
     private BufferedImage paint(MapScene scene) {
