@@ -130,7 +130,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         mainPane = new TeamTabs(session.team(), selection, ofRobots);
         team = new TeamPane(session, selection, mainPane, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
-        team.map().namePlaces(channel, commandLine::propose);
+        team.map().usePlaces(channel, commandLine::propose);
         alarmSound = new AlarmSound(services.settings(), AlarmSound::play);
         stopKeys = new StopKeys(session.team(), this::stopAll);
         helpKey = new HelpKey(dialogs::help);
@@ -213,7 +213,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                         reconnect,
                         gamepad,
                         team.map(),
-                        new MapMenu(this, session, services.settings(), selection, channel),
+                        new MapMenu(this, session, services.settings(), selection, channel, commandLine::propose),
                         plots,
                         alarmSound,
                         services.settings(),

@@ -2,9 +2,10 @@ package majic.gui;
 
 import java.awt.Window;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
-import java.util.stream.Collectors;
+import java.util.function.Consumer;
 import javax.swing.JMenu;
 import javax.swing.JMenuItem;
 import javax.swing.filechooser.FileNameExtensionFilter;
@@ -16,6 +17,7 @@ import majic.gui.kit.CommandChannel;
 import majic.gui.kit.Mnemonics;
 import majic.gui.kit.RobotSelection;
 import majic.nav.CurrentMap;
+import majic.nav.grid.NavigationMap;
 import majic.script.Session;
 import majic.team.Member;
 import majic.text.Texts;
@@ -29,13 +31,26 @@ final class MapMenu {
     private final Settings settings;
     private final RobotSelection selection;
     private final CommandChannel channel;
+    private final Consumer<String> propose;
 
-    MapMenu(Window owner, Session session, Settings settings, RobotSelection selection, CommandChannel channel) {
+    /**
+     * Creates the menu.
+     *
+     * @param propose receives the beginning of a command that the user completes
+     */
+    MapMenu(
+            Window owner,
+            Session session,
+            Settings settings,
+            RobotSelection selection,
+            CommandChannel channel,
+            Consumer<String> propose) {
         this.owner = owner;
         this.session = session;
         this.settings = settings;
         this.selection = selection;
         this.channel = channel;
+        this.propose = propose;
     }
 
     /** Adds the entries, of which those that make sense at the moment can be chosen. */
@@ -64,10 +79,30 @@ final class MapMenu {
                 menu,
                 "map.localize",
                 () -> isThere() && !isBuilt() && !selection.members().isEmpty(),
-                () -> channel.submit(selection.members().stream()
-                                .map(member -> String.valueOf(member.number()))
-                                .collect(Collectors.joining(","))
-                        + " localize"));
+                () -> channel.submit(selection.numbersInLine() + " localize"));
+        JMenu driveTo = new JMenu(TEXTS.get("map.driveTo"));
+        driveTo.addChangeListener(change -> {
+            if (driveTo.isSelected()) {
+                fillPlaces(driveTo);
+                Mnemonics.assign(driveTo);
+            }
+        });
+        menu.add(driveTo);
+        menu.addChangeListener(change -> driveTo.setEnabled(!selection.members().isEmpty()));
+    }
+
+    private void fillPlaces(JMenu menu) {
+        menu.removeAll();
+        String drive = selection.numbersInLine() + " goto ";
+        List<NavigationMap.Place> places =
+                map().get().map(NavigationMap::places).orElse(List.of());
+        for (NavigationMap.Place place : places) {
+            menu.add(place.name()).addActionListener(event -> channel.submit(drive + place.name()));
+        }
+        if (!places.isEmpty()) {
+            menu.addSeparator();
+        }
+        menu.add(TEXTS.get("map.coordinates")).addActionListener(event -> propose.accept(drive));
     }
 
     private static void add(JMenu menu, String text, BooleanSupplier makesSense, Runnable action) {

@@ -267,14 +267,16 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     }
 
     /**
-     * Puts a line there whose word {@code NAME} is selected, so that typing replaces it.
+     * Puts a line there whose word {@code NAME} is selected, so that typing replaces it; without that word the caret is
+     * at its end.
      *
-     * @param line a command with that word
+     * @param line a command, or its beginning
      */
     public void propose(String line) {
         int name = line.indexOf(NAME);
-        put(new CompletedLine(line, name + NAME.length()));
-        select(name, name + NAME.length());
+        int end = name < 0 ? line.length() : name + NAME.length();
+        put(new CompletedLine(line, end));
+        select(name < 0 ? end : name, end);
         requestFocusInWindow();
     }
 

@@ -4,6 +4,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.team.Member;
 
@@ -32,6 +33,11 @@ public final class RobotSelection {
     /** Returns the numbers of the selected robots, in increasing order. */
     public List<Integer> numbers() {
         return members.stream().map(Member::number).toList();
+    }
+
+    /** Returns the numbers of the selected robots as a command has them, such as {@code 1,3}. */
+    public String numbersInLine() {
+        return members.stream().map(member -> String.valueOf(member.number())).collect(Collectors.joining(","));
     }
 
     /** Returns the selected robot with the lowest number. */

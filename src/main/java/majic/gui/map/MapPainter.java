@@ -6,7 +6,9 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.Shape;
 import java.awt.Stroke;
+import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Point2D;
@@ -16,6 +18,8 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import javax.swing.UIManager;
+import majic.bot.Pose;
+import majic.gui.kit.LineArt;
 import majic.gui.kit.Palette;
 import majic.lab.LabAccess.Lamp;
 import majic.lab.LabAccess.Tape;
@@ -37,6 +41,7 @@ public final class MapPainter {
     private static final double LEAST_TAPE_PX = 1.5;
     private static final double LAMP_PX = 4;
     private static final double PLACE_PX = 4;
+    private static final double ARROW_PX = 40;
     private static final Color SHINE = new Color(0xFFC107);
     private static final int INSET = 12;
     private static final int MARGIN = 4;
@@ -108,13 +113,29 @@ public final class MapPainter {
         g.setComposite(AlphaComposite.SrcOver);
         glyph.paintTruth(g);
         glyph.paintSelection(g);
-        paintBeside(robot, place);
+        paintBeside(robot.reported(), robot.bodyMm() * view.pxPerMm(), place);
     }
 
-    /** Draws a text beside a robot, on a margin of the floor's colour so that it is readable over walls and robots. */
-    private void paintBeside(MapScene.Robot robot, String text) {
-        Point2D at = view.pixel(robot.reported().xMm(), robot.reported().yMm());
-        double aside = robot.bodyMm() * view.pxPerMm() + INSET;
+    /** Draws an arrow where a robot is to drive to, with the place beside it. */
+    void paintTarget(Pose target, String place) {
+        Point2D at = view.pixel(target.xMm(), target.yMm());
+        AffineTransform turned = AffineTransform.getTranslateInstance(at.getX(), at.getY());
+        turned.rotate(-Math.toRadians(target.headingDeg()));
+        Shape arrow = new LineArt()
+                .line(0, 0, ARROW_PX, 0)
+                .line(ARROW_PX * 0.7, -ARROW_PX * 0.2, ARROW_PX, 0, ARROW_PX * 0.7, ARROW_PX * 0.2)
+                .circle(0, 0, PLACE_PX)
+                .shape();
+        g.setStroke(WALL);
+        g.setColor(Palette.link());
+        g.draw(turned.createTransformedShape(arrow));
+        paintBeside(target, ARROW_PX, place);
+    }
+
+    /** Draws a text beside a place, on a margin of the floor's colour so that it is readable over walls and robots. */
+    private void paintBeside(Pose place, double radiusPx, String text) {
+        Point2D at = view.pixel(place.xMm(), place.yMm());
+        double aside = radiusPx + INSET;
         FontMetrics metrics = g.getFontMetrics();
         int width = metrics.stringWidth(text);
         boolean fits = at.getX() + aside + width <= view.width();

@@ -4,7 +4,6 @@ import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Point2D;
-import java.util.Optional;
 import java.util.function.Consumer;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
@@ -17,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Changes the places with names on the map: with Shift, dragging one moves it; a right click on one offers to rename or
- * remove it, and a right click on the floor to name a place there. Each is a command; where a name is to be typed, it
- * is put into the command line. Must be used on the event dispatch thread.
+ * remove it, and a right click on the floor to name a place there. Both offer to drive there. Each is a command; where
+ * a name is to be typed, it is put into the command line. Must be used on the event dispatch thread.
  */
 final class PlaceMouse extends MouseAdapter {
     private static final Texts TEXTS = Texts.of(PlaceMouse.class);
@@ -29,6 +28,7 @@ final class PlaceMouse extends MouseAdapter {
     private static final int DRAG_PX = 4;
 
     private final TeamMap map;
+    private final DriveMouse drive;
     private final CommandChannel channel;
     private final Consumer<String> propose;
     private @Nullable Place dragged;
@@ -37,10 +37,12 @@ final class PlaceMouse extends MouseAdapter {
     /**
      * Creates the mouse listener; it must also be added for mouse motions.
      *
+     * @param drive sends robots to places
      * @param propose receives a command whose word {@value #NAME} is to be replaced by the user
      */
-    PlaceMouse(TeamMap map, CommandChannel channel, Consumer<String> propose) {
+    PlaceMouse(TeamMap map, DriveMouse drive, CommandChannel channel, Consumer<String> propose) {
         this.map = map;
+        this.drive = drive;
         this.channel = channel;
         this.propose = propose;
     }
@@ -71,7 +73,7 @@ final class PlaceMouse extends MouseAdapter {
             map.previewPlace(null);
             if (map.contains(event.getPoint()) && event.getPoint().distance(pressed) > DRAG_PX) {
                 Place there = moved(ended, event);
-                channel.submit("map place " + there.name() + " " + at(there.pose())
+                channel.submit("map place " + there.name() + " " + DriveMouse.at(there.pose())
                         + (there.withHeading() ? " " + Math.round(there.pose().headingDeg()) : ""));
             }
         }
@@ -84,28 +86,34 @@ final class PlaceMouse extends MouseAdapter {
         return new Place(place.name(), pose, place.withHeading());
     }
 
-    private static String at(Pose pose) {
-        return Math.round(pose.xMm()) + " " + Math.round(pose.yMm());
+    private void openMenu(MouseEvent event) {
+        if (event.isPopupTrigger() && map.topRobotAt(event.getPoint()).isEmpty()) {
+            JPopupMenu menu = new JPopupMenu();
+            map.placeAt(event.getPoint())
+                    .ifPresentOrElse(place -> addOfPlace(menu, place.name()), () -> addOfFloor(menu, event));
+            if (menu.getComponentCount() > 0) {
+                menu.show(map, event.getX(), event.getY());
+            }
+        }
     }
 
-    private void openMenu(MouseEvent event) {
-        if (!event.isPopupTrigger()
-                || !map.hasPicture()
-                || map.topRobotAt(event.getPoint()).isPresent()) {
-            return;
+    private void addOfPlace(JPopupMenu menu, String name) {
+        if (drive.hasRobots()) {
+            add(menu, "driveToPlace", TEXTS.get("driveTo", name), () -> drive.drive(name));
         }
-        JPopupMenu menu = new JPopupMenu();
-        Optional<Place> place = map.placeAt(event.getPoint());
-        if (place.isPresent()) {
-            String name = place.get().name();
-            add(menu, "renamePlace", TEXTS.get("rename", name), () -> propose("map place " + name + " as " + NAME));
-            add(menu, "removePlace", TEXTS.get("remove", name), () -> channel.submit("map place " + name + " off"));
-        } else {
-            Point2D at = map.view().place(event.getX(), event.getY());
-            Pose here = new Pose(at.getX(), at.getY(), 0);
-            add(menu, "namePlace", TEXTS.get("name"), () -> propose("map place " + NAME + " " + at(here)));
+        add(menu, "renamePlace", TEXTS.get("rename", name), () -> propose("map place " + name + " as " + NAME));
+        add(menu, "removePlace", TEXTS.get("remove", name), () -> channel.submit("map place " + name + " off"));
+    }
+
+    private void addOfFloor(JPopupMenu menu, MouseEvent event) {
+        Point2D at = map.view().place(event.getX(), event.getY());
+        Pose here = new Pose(at.getX(), at.getY(), 0);
+        if (drive.hasRobots()) {
+            add(menu, "driveHere", TEXTS.get("driveHere"), () -> drive.drive(here));
         }
-        menu.show(map, event.getX(), event.getY());
+        if (map.hasPicture()) {
+            add(menu, "namePlace", TEXTS.get("name"), () -> propose("map place " + NAME + " " + DriveMouse.at(here)));
+        }
     }
 
     private void propose(String command) {

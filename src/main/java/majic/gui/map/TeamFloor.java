@@ -36,6 +36,7 @@ final class TeamFloor implements MapContent {
     private Set<Integer> selected = Set.of();
     private MapScene.@Nullable Robot preview;
     private @Nullable Place placePreview;
+    private @Nullable Pose target;
     private boolean placeable;
 
     void show(MapScene newScene) {
@@ -60,6 +61,19 @@ final class TeamFloor implements MapContent {
     /** Draws a place where it is being dragged to; null ends that. */
     void previewPlace(@Nullable Place place) {
         placePreview = place;
+    }
+
+    /** Draws an arrow where robots are to drive to; null ends that. */
+    void previewTarget(@Nullable Pose place) {
+        target = place;
+    }
+
+    /** Returns the selected robots; the only one if none is selected. */
+    List<MapScene.Robot> chosen() {
+        List<MapScene.Robot> chosen = scene.robots().stream()
+                .filter(robot -> selected.contains(robot.number()))
+                .toList();
+        return chosen.isEmpty() && scene.robots().size() == 1 ? scene.robots() : chosen;
     }
 
     boolean hasPicture() {
@@ -103,6 +117,9 @@ final class TeamFloor implements MapContent {
         }
         if (placePreview != null) {
             painter.paintPlace(placePreview);
+        }
+        if (target != null) {
+            painter.paintTarget(target, place(target));
         }
     }
 

@@ -2,10 +2,12 @@ package majic.gui.map;
 
 import java.awt.Dimension;
 import java.awt.Point;
+import java.awt.event.MouseAdapter;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import majic.bot.Pose;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.RobotSelection;
@@ -66,14 +68,28 @@ public final class TeamMap extends ZoomableMap {
     }
 
     /**
-     * Lets the places on the map be named, moved and removed by the mouse.
+     * Lets the selected robots be sent to places, and the places on the map be named, moved and removed by the mouse.
      *
      * @param propose receives a command in which the user replaces the word {@code NAME}
      */
-    public void namePlaces(CommandChannel channel, Consumer<String> propose) {
-        PlaceMouse places = new PlaceMouse(this, channel, propose);
-        addMouseListener(places);
-        addMouseMotionListener(places);
+    public void usePlaces(CommandChannel channel, Consumer<String> propose) {
+        DriveMouse drive = new DriveMouse(this, channel);
+        PlaceMouse places = new PlaceMouse(this, drive, channel, propose);
+        for (MouseAdapter mouse : List.of(drive, places)) {
+            addMouseListener(mouse);
+            addMouseMotionListener(mouse);
+        }
+    }
+
+    /** Returns the selected robots; the only one if none is selected. */
+    List<MapScene.Robot> chosen() {
+        return floor.chosen();
+    }
+
+    /** Draws an arrow where robots are to drive to; null ends that. */
+    void previewTarget(@Nullable Pose place) {
+        floor.previewTarget(place);
+        repaint();
     }
 
     /** Returns the place with a name at a pixel. */

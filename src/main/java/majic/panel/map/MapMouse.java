@@ -6,7 +6,7 @@ import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
 import javax.swing.SwingUtilities;
 
-/** Zooms a map with the wheel, moves it by dragging without Shift, shows everything after a double click. */
+/** Zooms a map with the wheel, moves it by dragging without Shift and Ctrl, shows everything after a double click. */
 final class MapMouse extends MouseAdapter {
     private static final double ZOOM_PER_NOTCH = 1.15;
 
@@ -25,7 +25,8 @@ final class MapMouse extends MouseAdapter {
 
     @Override
     public void mouseDragged(MouseEvent event) {
-        if (SwingUtilities.isLeftMouseButton(event) && !event.isShiftDown()) {
+        boolean plain = !event.isShiftDown() && !event.isControlDown() && !event.isMetaDown();
+        if (SwingUtilities.isLeftMouseButton(event) && plain) {
             map.drag(event.getX() - last.x, event.getY() - last.y);
             last = event.getPoint();
         }

@@ -119,6 +119,21 @@ class MapPaintTest {
         assertThat(differences(driving, waiting)).isGreaterThan(1000);
     }
 
+    @Test
+    void anArrowShowsWhereRobotsAreToDriveTo() {
+        BufferedImage before = paint(scene());
+        map.previewTarget(new Pose(2000, 1500, 90));
+        BufferedImage with = paint(scene());
+        map.previewTarget(null);
+
+        Point2D tail = map.view().pixel(2000, 1500);
+        int x = (int) tail.getX();
+        int y = (int) tail.getY();
+        assertThat(with.getRGB(x, y - 20)).isNotEqualTo(before.getRGB(x, y - 20));
+        assertThat(with.getRGB(x, y + 20)).isEqualTo(before.getRGB(x, y + 20));
+        assertThat(differences(before, paint(scene()))).isZero();
+    }
+
     private static int alarms(BufferedImage image) {
         int alarm = DrawingColors.current().alarm().getRGB();
         int count = 0;
