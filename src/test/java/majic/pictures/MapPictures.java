@@ -13,13 +13,14 @@ import majic.gui.map.MapFeed;
 import majic.gui.map.MapScene;
 import majic.gui.map.TeamMap;
 import majic.inlab.LabRig;
+import majic.nav.Navigator;
 import majicsim.LabOptions;
 import majicsim.world.Room;
 import org.junit.jupiter.api.Test;
 
 /**
- * Makes the pictures of the team map while a robot builds a map of the lab's office, on a stepped clock: {@code mvn
- * -Pscreenshots test}, on a machine with a display.
+ * Makes the pictures of the team map while a robot builds a map of the lab's office, and while two drive to places of
+ * it, on a stepped clock: {@code mvn -Pscreenshots test}, on a machine with a display.
  */
 class MapPictures {
     private static final double STEP_MM = 600;
@@ -49,6 +50,29 @@ class MapPictures {
             lab.run("map place desk -6400 -1600 180", "wait 1s");
             PanelPicture.save(large, false, "map.png");
             PanelPicture.save(small, true, "map-small.png");
+        }
+    }
+
+    @Test
+    void paintsTwoRobotsOnTheirWay() throws Exception {
+        try (LabRig lab = LabRig.of(office());
+                MapFeed feed = new MapFeed(
+                        lab.team(), lab.session().factory(), lab.session().map(), this::show)) {
+            JFrame large = PanelPicture.open(this::map, new Dimension(900, 620), false);
+            feed.start();
+            lab.add("pioneer");
+            lab.add("pioneer2");
+            lab.run(
+                    "map open sims/worlds/office.map",
+                    "map place desk -6400 -1600 180",
+                    "lab place 1 -9200 -6300 0",
+                    "lab place 2 -6400 -3000 -90");
+            lab.say("1 goto desk");
+            lab.say("2 goto 3500 -2000 90");
+            Navigator navigator = lab.session().map().navigator();
+            lab.await(() -> lab.team().members().stream()
+                    .anyMatch(member -> navigator.waits(member.bot()).isPresent()));
+            PanelPicture.save(large, false, "going.png");
         }
     }
 
