@@ -339,7 +339,7 @@ class MapCommandsTest {
         assertThat(fixture.runPipe("map place desk off"))
                 .last()
                 .asString()
-                .contains("map place desk: there is no such place; there are table");
+                .contains("desk: there is no such place on the map; there are table");
         assertThat(fixture.runPipe("map place table off")).contains("map place table off: done");
         assertThat(map().places()).isEmpty();
     }
