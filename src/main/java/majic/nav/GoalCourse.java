@@ -85,6 +85,11 @@ final class GoalCourse implements Course, AutoCloseable {
     private static final double MAKE_ROOM_S = 1;
     private static final double MAKE_ROOM_MM = 8000;
 
+    /** What has to be left beside a robot that makes room, and how long it does not do so again. */
+    private static final double ASIDE_ROOM_MM = 80;
+
+    private static final double AGAIN_ASIDE_S = 5;
+
     private final MajicBot robot;
     private final Destination destination;
     private final Navigator navigator;
@@ -106,7 +111,7 @@ final class GoalCourse implements Course, AutoCloseable {
     private double aroundS = Double.NEGATIVE_INFINITY;
     private TeamTraffic.@Nullable Vehicle roomFor;
     private @Nullable Pose aside;
-    private double asideS;
+    private double asideS = Double.NEGATIVE_INFINITY;
 
     GoalCourse(MajicBot robot, Destination destination, Navigator navigator) {
         this.robot = robot;
@@ -231,7 +236,8 @@ final class GoalCourse implements Course, AutoCloseable {
         for (MajicBot other : navigator.others(robot)) {
             Pose there = other.state().pose();
             if (withTraffic || !navigator.traffic().isUnderWay(other)) {
-                things.add(new Disc(there.xMm(), there.yMm(), other.profile().bodyMm()));
+                double apart = withKnown ? 0 : 2 * FreeSpace.MARGIN_MM;
+                things.add(new Disc(there.xMm(), there.yMm(), other.profile().bodyMm() + apart));
             }
         }
         return things;
@@ -243,7 +249,8 @@ final class GoalCourse implements Course, AutoCloseable {
         boolean due = old == null
                 || age > PLAN_S
                 || age > BLOCKED_PLAN_S && (isBlocked(old.from(here), space) || isLeft(old, here));
-        if (!due || aside != null && old != null && age <= PLAN_S) {
+        boolean isAwaited = old != null && age <= LONGEST_BLOCKED_S && navigator.traffic().isRoomMadeFor(vehicle);
+        if (!due || isAwaited || aside != null && old != null && age <= PLAN_S) {
             return;
         }
         plannedS = now();
@@ -385,7 +392,11 @@ final class GoalCourse implements Course, AutoCloseable {
             explainBlock(here);
         }
         double waitedS = navigator.traffic().waits(vehicle, allowed < SLOW_MM_PER_S && before != null);
-        if (waitedS > OTHER_WAY_S && aside == null && now() - aroundS > AROUND_S) {
+        if (aside != null && waitedS > OTHER_WAY_S) {
+            goOn();
+            return stand();
+        }
+        if (waitedS > OTHER_WAY_S && now() - aroundS > AROUND_S) {
             aroundS = now();
             plannedS = Double.NEGATIVE_INFINITY;
         }
@@ -411,7 +422,9 @@ final class GoalCourse implements Course, AutoCloseable {
     private boolean isInTraffic() {
         MajicBot other = before;
         return aside != null
-                || (other == null ? navigator.traffic().isBusy() : navigator.traffic().isUnderWay(other));
+                || (other == null
+                        ? waits.isEmpty() && navigator.traffic().isBusy()
+                        : navigator.traffic().isUnderWay(other));
     }
 
     private PathPlanner planner(FreeSpace space) {
@@ -508,7 +521,7 @@ final class GoalCourse implements Course, AutoCloseable {
 
     /** Makes room for a robot that goes first, waits, and needs the place where this one is. */
     private void makeRoom(Pose here, FreeSpace space, Way rest) {
-        if (aside != null) {
+        if (aside != null || now() - asideS < AGAIN_ASIDE_S) {
             return;
         }
         TeamTraffic traffic = navigator.traffic();
@@ -517,7 +530,8 @@ final class GoalCourse implements Course, AutoCloseable {
         if (first == null) {
             return;
         }
-        Predicate<Pose> isAside = place -> traffic.isAside(first, robot, place, MAKE_ROOM_MM);
+        Predicate<Pose> isAside = place -> traffic.isAside(first, robot, place, MAKE_ROOM_MM)
+                && space.mm(place.xMm(), place.yMm()) > ASIDE_ROOM_MM;
         Optional<Way> found = new PathPlanner(space.with(things(true, false)))
                 .planToNearest(here, MAKE_ROOM_MM, isAside)
                 .or(() -> new PathPlanner(space).planToNearest(here, MAKE_ROOM_MM, isAside));
@@ -544,13 +558,19 @@ final class GoalCourse implements Course, AutoCloseable {
                 || !crosses(traffic, other, here)
                 || now() - asideS > LONGEST_BLOCKED_S;
         if (passed) {
-            aside = null;
-            roomFor = null;
-            traffic.takeBack(vehicle);
-            plannedS = Double.NEGATIVE_INFINITY;
-            way = null;
+            goOn();
         }
         return stand();
+    }
+
+    /** Ends making room, and takes its own way again. */
+    private void goOn() {
+        aside = null;
+        roomFor = null;
+        way = null;
+        asideS = now();
+        plannedS = Double.NEGATIVE_INFINITY;
+        navigator.traffic().takeBack(vehicle);
     }
 
     /** Whether the rest of another one's way still leads along the way that this robot would take. */

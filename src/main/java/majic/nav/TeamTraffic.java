@@ -33,6 +33,7 @@ final class TeamTraffic {
         private Way rest;
         private List<Pose> reserved;
         private @Nullable Long waitingNanos;
+        private @Nullable Vehicle makesRoomFor;
         private String waits = "";
 
         private Vehicle(MajicBot robot, long order) {
@@ -199,12 +200,19 @@ final class TeamTraffic {
         return vehicles.get(vehicle.robot) == vehicle;
     }
 
-    /** Lets a robot that makes room go before all others that have to, until {@link #takeBack}. */
+    /** A robot makes room for another one; it goes before all others that have to, until {@link #takeBack}. */
     synchronized void standIn(Vehicle vehicle, Vehicle one) {
         vehicle.rank = Math.min(vehicle.rank, one.rank);
+        vehicle.makesRoomFor = one;
     }
 
     synchronized void takeBack(Vehicle vehicle) {
         vehicle.rank = vehicle.order;
+        vehicle.makesRoomFor = null;
+    }
+
+    /** Whether another robot makes room for one, by the way that this one has now. */
+    synchronized boolean isRoomMadeFor(Vehicle vehicle) {
+        return vehicles.values().stream().anyMatch(other -> other.makesRoomFor == vehicle);
     }
 }
