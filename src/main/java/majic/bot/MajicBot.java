@@ -303,6 +303,28 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Sets what finds obstacles for guarded driving: for motions while the parameter {@code guard} is on, and for
+     * drives by hand.
+     *
+     * @param guard for this robot; null for none
+     */
+    public abstract void useGuard(@Nullable DriveGuard guard);
+
+    /**
+     * Returns whether guarded driving has anything to go by.
+     *
+     * @return false for a robot without sensors for it, as long as no map shows what is around it
+     */
+    public abstract boolean canBeGuarded();
+
+    /**
+     * Returns why a guarded {@link #drive(double, double)} that is in progress is slower than requested, or stands.
+     *
+     * @return half a sentence; empty while nothing holds it back
+     */
+    public abstract Optional<String> heldBack();
+
+    /**
      * Adds a listener. The first one also receives the notices from before there was a listener.
      *
      * @param listener called on the robot's listener thread, or on a thread that commands the robot

@@ -3,6 +3,7 @@ package majic.driver;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.BiConsumer;
 import java.util.function.Supplier;
 import majic.bot.BotCommand;
@@ -45,6 +46,7 @@ public abstract class BotDriver extends MovingRobot {
     private final Listeners listeners;
     private final ConnectionLife life;
     private final ShutdownHook.Closing atShutdown;
+    private final AtomicBoolean guardPending = new AtomicBoolean();
 
     private volatile String name;
     private volatile @Nullable TeamMembership membership;
@@ -406,6 +408,17 @@ public abstract class BotDriver extends MovingRobot {
     protected final void publish(BotState newState) {
         readings.report(newState);
         listeners.stateChanged();
+        guardAgain();
+    }
+
+    /** Adapts a guarded drive to a new reading, behind the listeners that take the reading. */
+    private void guardAgain() {
+        if (gate().isGuarding() && guardPending.compareAndSet(false, true)) {
+            listeners.afterwards(() -> {
+                guardPending.set(false);
+                gate().guardAgain();
+            });
+        }
     }
 
     /**
@@ -453,6 +466,7 @@ public abstract class BotDriver extends MovingRobot {
      */
     protected final void publishScan(RangeScan scan) {
         listeners.scanned(scan);
+        guardAgain();
     }
 
     /**

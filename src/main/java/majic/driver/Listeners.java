@@ -152,6 +152,12 @@ final class Listeners {
         return !(listener instanceof EventOnlyListener);
     }
 
+    /** Runs a task behind what was put before, on a thread that may deliver. */
+    void afterwards(Runnable task) {
+        events.put(() -> call(task));
+        pass();
+    }
+
     /** Delivers a picture of the camera. */
     void pictureTaken(Supplier<byte[]> jpeg) {
         put(listener -> listener.pictureTaken(bot, jpeg));

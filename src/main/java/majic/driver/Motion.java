@@ -3,6 +3,7 @@ package majic.driver;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 import java.util.function.Predicate;
+import java.util.function.Supplier;
 import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
@@ -10,12 +11,16 @@ import majic.bot.MotionFailed;
 import majic.bot.MotionStopped;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One motion in progress, as its driver handles it. Every command that moves the robot is sent through it and every
  * wait is done through it, so a stop, a lost link or the guard ends the motion wherever it is. Used by one thread.
  */
 public final class Motion {
+    /** How often what ends a motion is looked for at least, seconds. */
+    private static final double LOOK_S = 0.05;
+
     private final MovingRobot bot;
     private final MotionGate gate;
     private final Guard guard;
@@ -26,6 +31,8 @@ public final class Motion {
     private boolean guardReached;
     private boolean guardHandedOver;
     private boolean hasSent;
+    private @Nullable Supplier<@Nullable String> ending;
+    private @Nullable String endedBecause;
 
     Motion(MovingRobot bot, MotionGate gate, Guard guard, Permit permit) {
         this.bot = bot;
@@ -73,10 +80,11 @@ public final class Motion {
                 return true;
             }
             long leftNanos = deadlineNanos - time.nanos();
-            if (lookAtGuard() || leftNanos <= 0) {
+            if (lookAtGuard() || lookAtEnding() || leftNanos <= 0) {
                 return false;
             }
-            pause(done, leftNanos / 1e9);
+            double leftS = leftNanos / 1e9;
+            pause(done, ending == null ? leftS : Math.min(LOOK_S, leftS));
         }
     }
 
@@ -111,10 +119,25 @@ public final class Motion {
     /**
      * Returns whether something may end the motion before its time.
      *
-     * @return false for a motion without {@code until}
+     * @return false for a motion without {@code until} that goes on whatever is in its way
      */
     public boolean isGuarded() {
-        return guard != Guard.NEVER;
+        return guard != Guard.NEVER || ending != null;
+    }
+
+    /**
+     * Ends the motion, as its guard would, when there is a reason, which makes it fail.
+     *
+     * @param reason asked every 50 ms; null to go on
+     */
+    void endWhen(Supplier<@Nullable String> reason) {
+        ending = reason;
+    }
+
+    /** Returns the reason that has ended the motion; null if none has. */
+    @Nullable
+    String endedBecause() {
+        return endedBecause;
     }
 
     /**
@@ -157,7 +180,7 @@ public final class Motion {
      */
     private boolean lookAtGuard() {
         long readings = bot.readings().count();
-        if (isGuarded() && !guardHandedOver && !guardReached && readings != readingsSeen) {
+        if (watchesGuard() && !guardReached && readings != readingsSeen) {
             boolean first = readingsSeen < 0;
             readingsSeen = readings;
             try {
@@ -173,6 +196,18 @@ public final class Motion {
         return guardReached;
     }
 
+    private boolean watchesGuard() {
+        return guard != Guard.NEVER && !guardHandedOver;
+    }
+
+    private boolean lookAtEnding() {
+        if (ending != null && !guardReached) {
+            endedBecause = ending.get();
+            guardReached = endedBecause != null;
+        }
+        return guardReached;
+    }
+
     private void pause(BooleanSupplier done, double seconds) {
         long seen = readingsSeen;
         try {
@@ -181,9 +216,7 @@ public final class Motion {
                             () -> done.getAsBoolean()
                                     || permit.isRevoked()
                                     || !bot.isConnected()
-                                    || (isGuarded()
-                                            && !guardHandedOver
-                                            && bot.readings().count() != seen),
+                                    || (watchesGuard() && bot.readings().count() != seen),
                             seconds);
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();

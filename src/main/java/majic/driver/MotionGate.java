@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Supplier;
 import majic.bot.BotControl;
@@ -14,6 +15,8 @@ import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
+import majic.bot.Pose;
+import majic.bot.Unit;
 import majic.bot.Value;
 import majic.time.Signal;
 import majic.time.WaitPolicy;
@@ -36,11 +39,19 @@ final class MotionGate {
      */
     private static final double LATEST_RENEWAL_S = 1.5;
 
+    /** How long a guarded motion waits for its first reading, seconds. */
+    private static final double FIRST_READING_S = 1.5;
+
     private final MovingRobot bot;
     private final RobotTimer timer;
+    private final GuardedDriving guarding;
     private final Object commandLock = new Object();
     private final AtomicBoolean motionUnderWay = new AtomicBoolean();
     private volatile boolean driving;
+
+    /** The guarded drive in progress; null for one that is not guarded. */
+    private volatile @Nullable GuardedDrive guarded;
+
     private Permit current = new Permit();
     private boolean latched;
     private boolean closed;
@@ -52,9 +63,17 @@ final class MotionGate {
         Value run(Motion motion);
     }
 
-    MotionGate(MovingRobot bot, RobotTimer timer) {
+    /** A drive in front of which something may come; the share of its speeds was sent last. */
+    private record GuardedDrive(double mmPerSec, double degPerSec, Permit permit, double share) {
+        GuardedDrive at(double newShare) {
+            return new GuardedDrive(mmPerSec, degPerSec, permit, newShare);
+        }
+    }
+
+    MotionGate(MovingRobot bot, RobotTimer timer, GuardedDriving guarding) {
         this.bot = bot;
         this.timer = timer;
+        this.guarding = guarding;
     }
 
     /** The permit in force: each stop, and the loss of the connection, revokes it and puts another in its place. */
@@ -139,6 +158,65 @@ final class MotionGate {
         }
     }
 
+    /**
+     * Performs a motion that fails when guarded driving ends it, if that is on.
+     *
+     * @param ahead the direction, mm or mm/s; 0 on the spot
+     * @param end begins to look for a reason to end it, when it begins
+     */
+    MotionReport guarded(
+            Guard until, Permit permit, double ahead, Supplier<Supplier<@Nullable String>> end, Maneuver maneuver) {
+        return perform(until, permit, motion -> {
+            if (!isGuarded(motion)) {
+                return maneuver.run(motion);
+            }
+            motion.endWhen(end.get());
+            Value amount = maneuver.run(motion);
+            failIfEnded(motion, amount, ahead);
+            return amount;
+        });
+    }
+
+    /** Waits for the first reading of a motion that is guarded. */
+    private boolean isGuarded(Motion motion) {
+        if (!bot.limits().isGuarded()) {
+            return false;
+        }
+        if (!guarding.isPossible()) {
+            motion.notice("guard: it has no sensors for it, and its place on a map is not known");
+            return false;
+        }
+        double endS = motion.seconds() + FIRST_READING_S;
+        while (guarding.isWaiting() && motion.seconds() < endS && !motion.guardReached()) {
+            motion.pause(Course.PERIOD_S);
+        }
+        return true;
+    }
+
+    /** The message has the distance where the robot stands, unless nothing is in its way any more. */
+    private void failIfEnded(Motion motion, @Nullable Value amount, double ahead) {
+        String reason = motion.endedBecause();
+        if (reason != null) {
+            String now = guarding.obstacle(ahead);
+            throw new MotionFailed("stopped after " + amount + ": " + (now.isEmpty() ? reason : now));
+        }
+    }
+
+    MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
+        return perform(until, permit, motion -> {
+            if (!isGuarded(motion)) {
+                return bot.driveFor(mmPerSec, degPerSec, seconds, motion);
+            }
+            Pose start = guarding.odometry();
+            motion.endWhen(guarding.endOfDrive(mmPerSec, degPerSec));
+            new Following(motion).reduced(mmPerSec, degPerSec, seconds);
+            Value driven = bot.driven();
+            double mm = Math.rint(start.distanceMm(guarding.odometry()));
+            failIfEnded(motion, new Value.Number(mm, Unit.MM, bot.profile().estimates()), mmPerSec);
+            return driven;
+        });
+    }
+
     /** Lets new readings of all other robots that the guard reads wake the motion. */
     private MotionReport watching(Guard until, Supplier<MotionReport> motion) {
         if (until == Guard.NEVER) {
@@ -182,10 +260,6 @@ final class MotionGate {
         }
     }
 
-    MotionReport drive(double mmPerSec, double degPerSec, double seconds, Guard until, Permit permit) {
-        return perform(until, permit, motion -> bot.driveFor(mmPerSec, degPerSec, seconds, motion));
-    }
-
     /** Drives for a time by a command that is renewed, unless the guard holds already. */
     @Nullable
     Value driveRenewing(double mmPerSec, double degPerSec, double seconds, Motion motion) {
@@ -213,24 +287,37 @@ final class MotionGate {
 
     MotionReport follow(Course course, Guard until, Permit permit) {
         Objects.requireNonNull(course, "course");
-        return perform(until, permit, motion -> new Following(course, motion).toTheEnd());
+        return perform(until, permit, motion -> new Following(motion).toTheEnd(course));
     }
 
-    /** One motion by a course: the robot gets a speed when it is another one, and again before its drive would end. */
+    /**
+     * One motion with changing speeds: the robot gets a speed when it is another one, and again before its drive would
+     * end.
+     */
     private final class Following {
-        private final Course course;
         private final Motion motion;
         private Course.Drive sent = Course.Drive.STAND;
         private double sentS;
         private double askedS;
 
-        Following(Course course, Motion motion) {
-            this.course = course;
+        Following(Motion motion) {
             this.motion = motion;
         }
 
+        void reduced(double mmPerSec, double degPerSec, double seconds) {
+            askedS = motion.seconds();
+            double endS = askedS + seconds;
+            motion.pause(0);
+            while (motion.seconds() < endS && !motion.guardReached()) {
+                double share = guarding.share(mmPerSec, degPerSec);
+                drive(new Course.Drive(share * mmPerSec, share * degPerSec));
+                motion.pause(Math.min(Course.PERIOD_S, endS - motion.seconds()));
+            }
+            stand();
+        }
+
         @Nullable
-        Value toTheEnd() {
+        Value toTheEnd(Course course) {
             motion.pause(0);
             while (!motion.guardReached()) {
                 Course.Step step = course.next();
@@ -298,18 +385,63 @@ final class MotionGate {
         }
     }
 
-    void drive(double mmPerSec, double degPerSec, Permit permit) {
+    /** Returns the share of the speeds that was sent. */
+    double drive(double mmPerSec, double degPerSec, boolean isGuarded, Permit permit) {
         refuseInMotion();
         if (mmPerSec == 0 && degPerSec == 0) {
             endDrive();
-            return;
+            return 1;
         }
+        double share = isGuarded ? guarding.share(mmPerSec, degPerSec) : 1;
         send(permit, () -> {
             refuseInMotion();
+            GuardedDrive before = guarded;
+            boolean moves = driving && (before == null || before.share > 0);
             driving = true;
+            guarded = isGuarded ? new GuardedDrive(mmPerSec, degPerSec, permit, share) : null;
             timer.once("drive lapse", BotControl.DRIVE_LEASE_S, this::endDrive);
-            bot.driveAt(mmPerSec, degPerSec);
+            if (share > 0) {
+                bot.driveAt(share * mmPerSec, share * degPerSec);
+            } else if (moves) {
+                bot.halt();
+            }
         });
+        return share;
+    }
+
+    boolean isGuarding() {
+        return driving && guarded != null;
+    }
+
+    /** Adapts a guarded drive to new readings; on a thread that may be held up by that. */
+    void guardAgain() {
+        GuardedDrive drive = guarded;
+        if (drive == null || !driving) {
+            return;
+        }
+        double share = guarding.share(drive.mmPerSec, drive.degPerSec);
+        if (share == drive.share) {
+            return;
+        }
+        try {
+            send(drive.permit, () -> {
+                if (driving && guarded == drive) {
+                    guarded = drive.at(share);
+                    if (share > 0) {
+                        bot.driveAt(share * drive.mmPerSec, share * drive.degPerSec);
+                    } else {
+                        bot.halt();
+                    }
+                }
+            });
+        } catch (BotException e) {
+            LOG.log(Level.DEBUG, "a guarded drive of " + bot.name() + " ends", e);
+        }
+    }
+
+    /** Returns why the guarded drive in progress is slower than it was requested; empty if it is not. */
+    Optional<String> heldBack() {
+        return isGuarding() ? guarding.reason() : Optional.empty();
     }
 
     /** Called again under the lock: a drive must not be sent into a motion that has begun meanwhile. */

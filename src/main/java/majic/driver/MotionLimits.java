@@ -20,6 +20,7 @@ final class MotionLimits {
     private volatile double maxMoveMm = MAX_MOVE_MM;
     private volatile double cruiseMmPerSec;
     private volatile double cruiseTurnDegPerSec;
+    private volatile boolean guarded;
 
     /** The value that was set; null for the value of the profile. */
     private volatile @Nullable Double cruiseSet;
@@ -40,6 +41,7 @@ final class MotionLimits {
         fitted.setCruise(cruiseSet);
         fitted.setCruiseTurn(cruiseTurnSet);
         fitted.nearSet = nearSet;
+        fitted.guarded = guarded;
         return fitted;
     }
 
@@ -67,6 +69,10 @@ final class MotionLimits {
 
     double cruiseTurnDegPerSec() {
         return cruiseTurnDegPerSec;
+    }
+
+    boolean isGuarded() {
+        return guarded;
     }
 
     private double nearMm() {
@@ -106,6 +112,11 @@ final class MotionLimits {
                         () -> Value.of(nearMm(), Unit.MM))
                 .kept()
                 .writes(values -> nearSet = values.get(0).number());
+        table.add(
+                        Parameter.onOff("guard", "whether move, turn and drive stop in front of obstacles"),
+                        () -> Value.onOff(guarded))
+                .kept()
+                .writes(values -> guarded = values.get(0).isYes());
     }
 
     void checkMove(double mm) {

@@ -1,9 +1,11 @@
 package majic.driver;
 
 import java.util.Objects;
+import java.util.Optional;
 import majic.bot.BotException;
 import majic.bot.BotProfile;
 import majic.bot.Course;
+import majic.bot.DriveGuard;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
@@ -22,6 +24,7 @@ abstract class MovingRobot extends MajicBot {
     private final RobotWait waiting;
     private final Readings readings;
     private final RobotTimer timer;
+    private final GuardedDriving guarding = new GuardedDriving(this);
     private final MotionGate gate;
     private volatile MotionLimits limits;
 
@@ -36,7 +39,7 @@ abstract class MovingRobot extends MajicBot {
         this.waiting = new RobotWait(time, time.signal());
         this.readings = new Readings(changes());
         this.timer = new RobotTimer(time);
-        this.gate = new MotionGate(this, timer);
+        this.gate = new MotionGate(this, timer, guarding);
     }
 
     @Override
@@ -46,7 +49,7 @@ abstract class MovingRobot extends MajicBot {
 
     final MotionReport move(double mm, Guard until, Permit permit) {
         limits.checkMove(mm);
-        return gate.perform(until, permit, motion -> moveBy(mm, motion));
+        return gate.guarded(until, permit, mm, () -> guarding.endOfMove(mm), motion -> moveBy(mm, motion));
     }
 
     @Override
@@ -56,7 +59,7 @@ abstract class MovingRobot extends MajicBot {
 
     final MotionReport turn(double degrees, Guard until, Permit permit) {
         limits.checkTurn(degrees);
-        return gate.perform(until, permit, motion -> turnBy(degrees, motion));
+        return gate.guarded(until, permit, 0, () -> guarding.endOfDrive(0, degrees), motion -> turnBy(degrees, motion));
     }
 
     @Override
@@ -80,12 +83,33 @@ abstract class MovingRobot extends MajicBot {
 
     @Override
     public final void drive(double mmPerSec, double degPerSec) {
-        drive(mmPerSec, degPerSec, permit());
+        drive(mmPerSec, degPerSec, false, permit());
     }
 
-    final void drive(double mmPerSec, double degPerSec, Permit permit) {
+    /**
+     * Drives until it is not renewed.
+     *
+     * @param guarded whether the drive is guarded though the parameter {@code guard} is off
+     * @return the share of the speeds with which it is driven now
+     */
+    final double drive(double mmPerSec, double degPerSec, boolean guarded, Permit permit) {
         limits.checkDrive(mmPerSec, degPerSec);
-        gate.drive(mmPerSec, degPerSec, permit);
+        return gate.drive(mmPerSec, degPerSec, guarded || limits.isGuarded(), permit);
+    }
+
+    @Override
+    public final void useGuard(@Nullable DriveGuard guard) {
+        guarding.use(guard);
+    }
+
+    @Override
+    public final boolean canBeGuarded() {
+        return guarding.isPossible();
+    }
+
+    @Override
+    public final Optional<String> heldBack() {
+        return gate.heldBack();
     }
 
     @Override

@@ -92,7 +92,19 @@ public final class PermittedControl implements BotControl {
 
     @Override
     public void drive(double mmPerSec, double degPerSec) {
-        permitted().drive(mmPerSec, degPerSec, permitForMotion());
+        drive(mmPerSec, degPerSec, false);
+    }
+
+    /**
+     * Drives as {@link #drive(double, double)} does, and can be guarded though the parameter {@code guard} is off.
+     *
+     * @param mmPerSec speed, ahead positive
+     * @param degPerSec turn rate, counterclockwise positive
+     * @param guarded whether the robot slows down and stops in front of obstacles in any case
+     * @return the share of both speeds with which it is driven now, 0 to 1; 1 if it is not guarded
+     */
+    public double drive(double mmPerSec, double degPerSec, boolean guarded) {
+        return permitted().drive(mmPerSec, degPerSec, guarded, permitForMotion());
     }
 
     @Override

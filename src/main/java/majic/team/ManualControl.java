@@ -26,10 +26,10 @@ public final class ManualControl implements AutoCloseable {
 
     private final Member member;
     private final Owner owner;
-    private final BotControl robot;
+    private final PermittedControl robot;
     private final Signal newSetting;
     private final ManualLog log;
-    private final Map<String, Consumer<BotControl>> settings = new LinkedHashMap<>();
+    private final Map<String, Consumer<PermittedControl>> settings = new LinkedHashMap<>();
     private boolean finishing;
     private volatile boolean released;
     private volatile boolean off;
@@ -64,9 +64,21 @@ public final class ManualControl implements AutoCloseable {
      * @param degPerSec counterclockwise positive
      */
     public void drive(double mmPerSec, double degPerSec) {
+        drive(mmPerSec, degPerSec, false);
+    }
+
+    /**
+     * Sets the speed for the next 600 ms.
+     *
+     * @param mmPerSec forward positive
+     * @param degPerSec counterclockwise positive
+     * @param guarded whether the robot slows down and stops in front of obstacles, even if its parameter {@code guard}
+     *     is off
+     */
+    public void drive(double mmPerSec, double degPerSec, boolean guarded) {
         put(DRIVE, robot -> {
-            robot.drive(mmPerSec, degPerSec);
-            log.drove(mmPerSec, degPerSec);
+            double share = robot.drive(mmPerSec, degPerSec, guarded);
+            log.drove(share * mmPerSec, share * degPerSec);
         });
     }
 
@@ -91,7 +103,7 @@ public final class ManualControl implements AutoCloseable {
                 .anyMatch(known -> known.name().equalsIgnoreCase(parameter) && known.unit() == Unit.MS);
     }
 
-    private boolean put(String what, Consumer<BotControl> setter) {
+    private boolean put(String what, Consumer<PermittedControl> setter) {
         synchronized (this) {
             if (released) {
                 return false;
@@ -138,7 +150,7 @@ public final class ManualControl implements AutoCloseable {
         try {
             while (!released) {
                 newSetting.await(this::hasWork, Signal.FOR_EVER);
-                Consumer<BotControl> next = take();
+                Consumer<PermittedControl> next = take();
                 if (next != null && !released) {
                     next.accept(robot);
                 }
@@ -172,13 +184,13 @@ public final class ManualControl implements AutoCloseable {
     }
 
     /** Returns the oldest pending setting; if there is none and none can follow, ends manual control. */
-    private synchronized @Nullable Consumer<BotControl> take() {
-        Iterator<Consumer<BotControl>> oldest = settings.values().iterator();
+    private synchronized @Nullable Consumer<PermittedControl> take() {
+        Iterator<Consumer<PermittedControl>> oldest = settings.values().iterator();
         if (!oldest.hasNext()) {
             released |= finishing;
             return null;
         }
-        Consumer<BotControl> taken = oldest.next();
+        Consumer<PermittedControl> taken = oldest.next();
         oldest.remove();
         return taken;
     }

@@ -29,6 +29,8 @@ import majic.team.Team;
  * @param map is opened again if it is in a file
  */
 public record TeamScript(Team team, BotFactory factory, RobotConnector connector, CurrentMap map) {
+    private static final String GUARD = "guard";
+
     /** Returns the script of a session. */
     public static TeamScript of(SessionState session) {
         return new TeamScript(session.team(), session.factory(), session.connector(), session.map());
@@ -96,13 +98,18 @@ public record TeamScript(Team team, BotFactory factory, RobotConnector connector
                 .isPresent()) {
             return "";
         }
-        boolean inLab = factory.nameInLab(member.bot()).isPresent();
-        return member.bot()
-                .placedAt()
-                .map(pose -> inLab
-                        ? "lab place " + member.number() + " " + numbers(pose) + "\n"
-                        : set(member, "pose", numbers(pose)))
+        String guard = written(member.bot().reading(GUARD).last())
+                .filter("on"::equals)
+                .map(on -> set(member, GUARD, on))
                 .orElse("");
+        boolean inLab = factory.nameInLab(member.bot()).isPresent();
+        return guard
+                + member.bot()
+                        .placedAt()
+                        .map(pose -> inLab
+                                ? "lab place " + member.number() + " " + numbers(pose) + "\n"
+                                : set(member, "pose", numbers(pose)))
+                        .orElse("");
     }
 
     private static String numbers(Pose pose) {
