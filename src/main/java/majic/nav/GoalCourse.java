@@ -6,6 +6,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import majic.bot.Course;
+import majic.bot.DriveGuard.Room;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.Pose;
@@ -37,10 +38,9 @@ final class GoalCourse implements Course, AutoCloseable {
 
     private static final double LEAST_TURN_DEG = 5;
 
-    /** How hard a robot is expected to brake, and how long until it does. */
-    private static final double BRAKING_MM_PER_S2 = 250;
+    /** How fast it gets faster. */
+    private static final double ACCELERATION_MM_PER_S2 = 250;
 
-    private static final double REACTION_S = 0.25;
     private static final double SLOW_MM_PER_S = 25;
 
     /** How the speed falls at the end: as many mm/s for each mm. */
@@ -356,7 +356,7 @@ final class GoalCourse implements Course, AutoCloseable {
 
     private Step drive(Pose here, FreeSpace space, Way rest, double left) {
         double cruise = cruise();
-        double brakingMm = speed * REACTION_S + speed * speed / (2 * BRAKING_MM_PER_S2);
+        double brakingMm = Room.brakingMm(speed);
         TeamTraffic.Grant grant = navigator.traffic().reserve(vehicle, rest, brakingMm + cruise * 0.6 + 300);
         double allowed = Math.min(cruise, END_PER_S * left + SLOW_MM_PER_S / 2);
         if (grant.before() != null) {
@@ -452,7 +452,7 @@ final class GoalCourse implements Course, AutoCloseable {
         double bend = Math.abs(arc.degPerMm);
         double fast = bend == 0 ? allowed : Math.min(allowed, Math.min(most, cruiseTurn()) / bend);
         fast *= Math.max(0.3, Math.cos(Math.toRadians(arc.bearing)));
-        double faster = speed + BRAKING_MM_PER_S2 * PERIOD_S * 2;
+        double faster = speed + ACCELERATION_MM_PER_S2 * PERIOD_S * 2;
         speed = Math.max(slowest, Math.min(fast, Math.max(faster, SLOW_MM_PER_S)));
         return new Drive(rounded(speed, 5), rounded(speed * arc.degPerMm, 0.5));
     }
@@ -472,11 +472,7 @@ final class GoalCourse implements Course, AutoCloseable {
 
     /** The speed from which the robot comes to rest within a distance. */
     private static double speedFor(double mm) {
-        if (mm <= 0) {
-            return 0;
-        }
-        double delay = BRAKING_MM_PER_S2 * REACTION_S;
-        return Math.sqrt(delay * delay + 2 * BRAKING_MM_PER_S2 * mm) - delay;
+        return new Room(mm, "").speedMmPerSec();
     }
 
     private static double bearing(Pose here, Pose to) {

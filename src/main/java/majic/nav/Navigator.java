@@ -65,12 +65,14 @@ public final class Navigator {
     }
 
     /**
-     * Takes note of a robot, so that others drive around it where it stands. Only one that was placed counts.
+     * Takes note of a robot, so that others drive around it where it stands, if it was placed, and finds obstacles for
+     * it when it is guarded.
      *
      * @param robot any
      */
     public void add(MajicBot robot) {
         robots.add(robot);
+        robot.useGuard(new ObstacleGuard(robot, this));
     }
 
     /**
@@ -80,6 +82,7 @@ public final class Navigator {
      */
     public void remove(MajicBot robot) {
         robots.remove(robot);
+        robot.useGuard(null);
     }
 
     /**
@@ -228,8 +231,12 @@ public final class Navigator {
 
     /** Returns the distances from the obstacles of the map, or of an empty plain around a way. */
     ObstacleDistance distances(MajicBot robot, Destination destination) {
-        Optional<NavigationMap> now = map.get();
-        return now.isPresent() ? distances(now.get(), robot) : plain(robot, destination);
+        return distances(robot).orElseGet(() -> plain(robot, destination));
+    }
+
+    /** Returns the distances from the obstacles of the map; empty without one. */
+    Optional<ObstacleDistance> distances(MajicBot robot) {
+        return map.get().map(now -> distances(now, robot));
     }
 
     private synchronized ObstacleDistance distances(NavigationMap now, MajicBot robot) {

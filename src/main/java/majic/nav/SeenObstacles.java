@@ -9,6 +9,7 @@ import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
 import majic.bot.ScanListener;
 import majic.bot.Value;
 import majic.time.WaitPolicy;
@@ -38,6 +39,10 @@ final class SeenObstacles implements ScanListener {
 
     private final MajicBot robot;
     private final Known known;
+
+    /** The part of a sonar's beam from all of which its echo may come. */
+    private final double arcPart;
+
     private final Map<Long, Point> points = new HashMap<>();
     private long scannedNanos;
 
@@ -55,9 +60,27 @@ final class SeenObstacles implements ScanListener {
     }
 
     SeenObstacles(MajicBot robot, Known known) {
+        this(robot, known, 1);
+    }
+
+    private SeenObstacles(MajicBot robot, Known known, double arcPart) {
         this.robot = robot;
         this.known = known;
+        this.arcPart = arcPart;
         this.scannedNanos = robot.time().nanos();
+    }
+
+    /**
+     * All that the sensors see, whether the map has it or not. The echo of a sonar is taken to be in the middle of its
+     * beam: the walls of a corridor would stand in the way of the robot otherwise.
+     */
+    static SeenObstacles ofAll(MajicBot robot) {
+        return new SeenObstacles(robot, (xMm, yMm) -> false, 0);
+    }
+
+    /** Returns how far the sensors of a robot see at most, as far as it counts here. */
+    static double viewMm(MajicBot robot) {
+        return robot.rangeSensors().stream().anyMatch(RangeSensor::isLaser) ? FARTHEST_MM : FARTHEST_OF_SONAR_MM;
     }
 
     /** The time since the last scan, or since the beginning, s. */
@@ -87,7 +110,7 @@ final class SeenObstacles implements ScanListener {
                 rays.add(new Ray(sensor, laser ? beam.openingDeg() : SURE_PART * beam.openingDeg(), beam, range));
             }
             if (range < (laser ? FARTHEST_MM : FARTHEST_OF_SONAR_MM)) {
-                addEcho(echoes, sensor, range, laser ? 0 : beam.openingDeg());
+                addEcho(echoes, sensor, range, laser ? 0 : arcPart * beam.openingDeg());
             }
         }
         points.values().removeIf(point -> rays.stream().anyMatch(ray -> ray.passes(point)));

@@ -74,7 +74,19 @@ public record FreeSpace(ObstacleDistance map, double bodyMm, List<Disc> things) 
      * @return mm; 0 if it cannot begin, at most {@code mostMm}
      */
     public double freeMm(Pose from, double degPerMm, double mostMm) {
-        double stepMm = Math.min(map.grid().cellMm(), MARGIN_MM);
+        return freeMm(from, degPerMm, mostMm, Math.min(map.grid().cellMm(), MARGIN_MM));
+    }
+
+    /**
+     * Returns how far the robot can drive along an arc, as {@link #freeMm(Pose, double, double)} does.
+     *
+     * @param from where it is
+     * @param degPerMm how the arc bends, counterclockwise positive
+     * @param mostMm how far to look
+     * @param stepMm how far the places that are looked at are apart
+     * @return mm; 0 if it cannot begin, at most {@code mostMm}
+     */
+    public double freeMm(Pose from, double degPerMm, double mostMm, double stepMm) {
         double least = Math.min(MARGIN_MM / 2, mm(from.xMm(), from.yMm()) - 1);
         Pose at = from;
         for (double way = 0; way < mostMm; way += stepMm) {
