@@ -25,6 +25,7 @@ import majic.gui.command.CommandLine;
 import majic.gui.command.CommandPane;
 import majic.gui.command.MessageArea;
 import majic.gui.drive.GamepadControl;
+import majic.gui.drive.GuardChoice;
 import majic.gui.drive.SdlGamepad;
 import majic.gui.kit.EventThread;
 import majic.gui.kit.FileDrop;
@@ -108,7 +109,8 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         msgArea = commands.messages();
         commandLine = commands.line();
         channel = new FrameChannel(session, parser, msgArea);
-        gamepad = new GamepadControl(SdlGamepad::open, channel::showError, channel::showError);
+        GuardChoice guard = new GuardChoice(services.settings());
+        gamepad = new GamepadControl(SdlGamepad::open, guard, channel::showError, channel::showError);
         plots = new Plots(
                 this, services.settings(), () -> new LiveSource(session.team(), services.recorded()), this::stopButton);
         reconnect = new FrameReconnect(session.team(), services.settings(), this::attemptsChanged);
@@ -127,7 +129,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
                 session::address);
         selection.addListener(() -> gamepad.choose(selection.members()));
         start = startPage();
-        mainPane = new TeamTabs(session.team(), selection, ofRobots);
+        mainPane = new TeamTabs(session.team(), selection, ofRobots, guard);
         team = new TeamPane(session, selection, mainPane, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
         team.map().usePlaces(channel, commandLine::propose);

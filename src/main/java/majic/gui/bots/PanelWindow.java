@@ -11,6 +11,7 @@ import java.util.List;
 import javax.swing.JFrame;
 import javax.swing.JPanel;
 import majic.gui.drive.DrivePad;
+import majic.gui.drive.GuardChoice;
 import majic.gui.kit.CloseKey;
 import majic.gui.kit.HelpTopic;
 import majic.panel.PictureView;
@@ -33,11 +34,18 @@ final class PanelWindow extends JFrame implements PictureViewer {
     /**
      * Creates the window around a panel; takes the panel from where it is.
      *
+     * @param guard whether the robot is guarded when it is driven by hand
      * @param main the main window; null without one
      * @param place where the panel was, on the screen
      * @param closed runs when the user closes the window
      */
-    PanelWindow(BotPanel panel, RobotActions actions, @Nullable Window main, Point place, Runnable closed) {
+    PanelWindow(
+            BotPanel panel,
+            RobotActions actions,
+            GuardChoice guard,
+            @Nullable Window main,
+            Point place,
+            Runnable closed) {
         HelpTopic.set(getRootPane(), "selecting-robots");
         CloseKey.install(this);
         this.main = main;
@@ -45,7 +53,7 @@ final class PanelWindow extends JFrame implements PictureViewer {
         setName("robotWindow" + member.number());
         setDefaultCloseOperation(DO_NOTHING_ON_CLOSE);
         Dimension size = panel.getSize();
-        pad = new DrivePad("-window" + member.number(), actions::showError);
+        pad = new DrivePad("-window" + member.number(), guard, actions::showError);
         pad.choose(List.of(member));
         add(panel, BorderLayout.CENTER);
         JPanel below = new JPanel(new MigLayout("insets 0 0 0 10, gap 0", "[grow, fill][]"));

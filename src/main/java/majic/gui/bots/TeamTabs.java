@@ -13,6 +13,7 @@ import javax.swing.SwingConstants;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
 import majic.gui.drive.DrivePad;
+import majic.gui.drive.GuardChoice;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.NamedLabel;
 import majic.gui.kit.RobotSelection;
@@ -45,6 +46,7 @@ public final class TeamTabs extends RobotTabs implements TeamListener {
     private final transient Team team;
     private final transient RobotSelection selection;
     private final transient RobotActions actions;
+    private final transient GuardChoice guard;
     private final transient SummaryReader reader;
     private final transient Map<RobotTab, MemberTab> members = new LinkedHashMap<>();
     private final transient Map<Member, BotPanel> panels = new HashMap<>();
@@ -54,13 +56,18 @@ public final class TeamTabs extends RobotTabs implements TeamListener {
     private @Nullable DrivePad pad;
     private boolean comparing;
 
-    /** Creates tabs for the robots that are in the team already; tabs for later ones are added by events. */
-    public TeamTabs(Team team, RobotSelection selection, RobotActions actions) {
+    /**
+     * Creates tabs for the robots that are in the team already; tabs for later ones are added by events.
+     *
+     * @param guard whether robots that are driven by hand are guarded
+     */
+    public TeamTabs(Team team, RobotSelection selection, RobotActions actions, GuardChoice guard) {
         super("mainPane");
         HelpTopic.set(this, "selecting-robots");
         this.team = team;
         this.selection = selection;
         this.actions = actions;
+        this.guard = guard;
         reader = new SummaryReader(team);
         notice.setHorizontalAlignment(SwingConstants.CENTER);
         notice.setBorder(BorderFactory.createEmptyBorder(8, 8, 8, 8));
@@ -89,7 +96,7 @@ public final class TeamTabs extends RobotTabs implements TeamListener {
             return;
         }
         if (pad == null) {
-            pad = new DrivePad("", actions::showError);
+            pad = new DrivePad("", guard, actions::showError);
             setFooter(notice, pad);
         }
         MemberTab added = new MemberTab(team, member, actions, reader);
@@ -229,7 +236,8 @@ public final class TeamTabs extends RobotTabs implements TeamListener {
             panel.setDocked(false);
             Point place = columns().placeOfPanes();
             SwingUtilities.convertPointToScreen(place, this);
-            window = new PanelWindow(panel, actions, SwingUtilities.getWindowAncestor(this), place, () -> dock(member));
+            window = new PanelWindow(
+                    panel, actions, guard, SwingUtilities.getWindowAncestor(this), place, () -> dock(member));
             windows.put(member, window);
             window.setVisible(true);
             showSelected();

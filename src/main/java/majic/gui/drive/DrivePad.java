@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
+import javax.swing.JCheckBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import javax.swing.JSlider;
@@ -42,9 +43,12 @@ public final class DrivePad extends JPanel {
     private static final int SPEED_STEP_PERCENT = 10;
 
     private final transient ManualDriver driver;
+    private final transient GuardChoice guard;
     private final transient Map<JButton, String> arrows = new LinkedHashMap<>();
     private final JLabel hint = new NamedLabel("", "");
     private final JSlider speed = new JSlider(LEAST_SPEED_PERCENT, FULL_SPEED_PERCENT, FULL_SPEED_PERCENT);
+    private final JCheckBox guarded = new JCheckBox(TEXTS.get("guard"));
+    private final JLabel sign = new NamedLabel("", "");
     private transient List<Member> members = List.of();
     private transient DriveObstacles obstacles = DriveObstacles.of(List.of());
 
@@ -52,16 +56,19 @@ public final class DrivePad extends JPanel {
      * Creates a pad without robots.
      *
      * @param suffix distinguishes the names of the components
+     * @param guard whether the robots are guarded
      * @param errors receives the reason when a robot cannot be driven
      */
-    public DrivePad(String suffix, Consumer<String> errors) {
+    public DrivePad(String suffix, GuardChoice guard, Consumer<String> errors) {
         super(new MigLayout("insets 6 10 6 10, gap 4 4", "[][][]16[grow, fill]", "[][]"));
         HelpTopic.set(this, "driving-by-hand");
-        driver = new ManualDriver(errors, () -> System.nanoTime() / 1_000_000);
+        this.guard = guard;
+        driver = new ManualDriver(guard, errors, () -> System.nanoTime() / 1_000_000);
         setName("drivePad" + suffix);
         setFocusable(true);
         hint.setName("driveHint" + suffix);
         prepareSpeed();
+        prepareGuard(suffix);
         placeArrows();
         listen();
         showState(false);
@@ -81,6 +88,7 @@ public final class DrivePad extends JPanel {
             obstacles = now;
             showState(isFocusOwner());
         }
+        showGuard();
     }
 
     private void placeArrows() {
@@ -92,8 +100,10 @@ public final class DrivePad extends JPanel {
         JLabel label = new JLabel(TEXTS.get("speed"));
         label.setLabelFor(speed);
         label.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, TEXT_RESERVE));
-        add(label, "cell 3 1, split 2, grow 0");
-        add(speed, "cell 3 1, growx, wmin 60, wmax 220, gapright push");
+        add(label, "cell 3 1, split 4, grow 0");
+        add(speed, "cell 3 1, growx, width 60:100:220");
+        add(guarded, "cell 3 1, grow 0, gapleft 12");
+        add(sign, "cell 3 1, growx, pushx, width 0:40:");
     }
 
     private JButton arrow(Direction direction, String sign, String tip) {
@@ -126,6 +136,24 @@ public final class DrivePad extends JPanel {
         speed.setFocusable(false);
         speed.setToolTipText(TEXTS.get("speed.tip"));
         speed.addChangeListener(change -> driver.share(speed.getValue() / (double) FULL_SPEED_PERCENT));
+    }
+
+    /** Prepares the switch, which takes no focus either. */
+    private void prepareGuard(String suffix) {
+        guarded.setName("driveGuard" + suffix);
+        sign.setName("guardSign" + suffix);
+        guarded.setFocusable(false);
+        guarded.setToolTipText(TEXTS.get("guard.tip"));
+        guarded.addActionListener(event -> {
+            guard.choose(guarded.isSelected());
+            showGuard();
+        });
+    }
+
+    private void showGuard() {
+        guarded.setSelected(guard.isOn());
+        sign.setText(GuardSign.text(members, guard.isOn()));
+        sign.setToolTipText(sign.getText());
     }
 
     private void listen() {

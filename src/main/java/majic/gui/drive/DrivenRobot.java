@@ -19,6 +19,7 @@ final class DrivenRobot {
     private static final long RELEASE_TIME_MS = 500;
 
     private final Member member;
+    private final GuardChoice guard;
     private final Consumer<String> errors;
     private final LongSupplier clockMs;
     private @Nullable ManualControl control;
@@ -29,8 +30,9 @@ final class DrivenRobot {
     private long releasedMs = Long.MIN_VALUE / 2;
     private boolean refused;
 
-    DrivenRobot(Member member, Consumer<String> errors, LongSupplier clockMs) {
+    DrivenRobot(Member member, GuardChoice guard, Consumer<String> errors, LongSupplier clockMs) {
         this.member = member;
+        this.guard = guard;
         this.errors = errors;
         this.clockMs = clockMs;
     }
@@ -57,7 +59,7 @@ final class DrivenRobot {
         renewedMs = now;
         BotProfile profile = member.bot().profile();
         if (control != null) {
-            control.drive(forward * profile.cruiseMmPerSec(), left * profile.cruiseTurnDegPerSec());
+            control.drive(forward * profile.cruiseMmPerSec(), left * profile.cruiseTurnDegPerSec(), guard.isOn());
         }
     }
 

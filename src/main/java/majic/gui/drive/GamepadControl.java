@@ -32,13 +32,14 @@ public final class GamepadControl implements AutoCloseable {
      * Creates a control that is switched off.
      *
      * @param opener opens the controller when it is switched on
+     * @param guard whether the robots are guarded
      * @param failed receives the reason if it cannot be opened; on the event dispatch thread
      * @param errors receives the reason when a robot cannot be driven
      */
-    public GamepadControl(Gamepad.Opener opener, Consumer<String> failed, Consumer<String> errors) {
+    public GamepadControl(Gamepad.Opener opener, GuardChoice guard, Consumer<String> failed, Consumer<String> errors) {
         this.opener = opener;
         this.failed = failed;
-        this.driver = new GamepadDriver(errors, () -> System.nanoTime() / 1_000_000);
+        this.driver = new GamepadDriver(guard, errors, () -> System.nanoTime() / 1_000_000);
     }
 
     /** Chooses the robots to drive; those driven at the moment stop. */

@@ -12,12 +12,14 @@ import majic.team.Member;
  * stop 600 ms later.
  */
 final class GamepadDriver {
+    private final GuardChoice guard;
     private final Consumer<String> errors;
     private final LongSupplier clockMs;
     private List<DrivenRobot> robots = List.of();
     private boolean wasReleased;
 
-    GamepadDriver(Consumer<String> errors, LongSupplier clockMs) {
+    GamepadDriver(GuardChoice guard, Consumer<String> errors, LongSupplier clockMs) {
+        this.guard = guard;
         this.errors = errors;
         this.clockMs = clockMs;
     }
@@ -27,7 +29,7 @@ final class GamepadDriver {
         if (!members.equals(robots.stream().map(DrivenRobot::member).toList())) {
             stop();
             robots = members.stream()
-                    .map(member -> new DrivenRobot(member, errors, clockMs))
+                    .map(member -> new DrivenRobot(member, guard, errors, clockMs))
                     .toList();
         }
     }

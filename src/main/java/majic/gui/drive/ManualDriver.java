@@ -17,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 final class ManualDriver {
     private static final int TICK_MS = 25;
 
+    private final GuardChoice guard;
     private final Consumer<String> errors;
     private final LongSupplier clockMs;
     private final HeldKeys keys = new HeldKeys();
@@ -29,10 +30,12 @@ final class ManualDriver {
     /**
      * Creates a driver without robots.
      *
+     * @param guard whether the robots are guarded
      * @param errors receives the reason when a robot cannot be driven
      * @param clockMs any clock that does not go back
      */
-    ManualDriver(Consumer<String> errors, LongSupplier clockMs) {
+    ManualDriver(GuardChoice guard, Consumer<String> errors, LongSupplier clockMs) {
+        this.guard = guard;
         this.errors = errors;
         this.clockMs = clockMs;
     }
@@ -50,7 +53,7 @@ final class ManualDriver {
             chosen.add(robots.stream()
                     .filter(robot -> robot.member() == member)
                     .findFirst()
-                    .orElseGet(() -> new DrivenRobot(member, errors, clockMs)));
+                    .orElseGet(() -> new DrivenRobot(member, guard, errors, clockMs)));
         }
         robots.forEach(DrivenRobot::release);
         robots = List.copyOf(chosen);

@@ -7,9 +7,12 @@ import java.awt.event.KeyEvent;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import javax.swing.JSlider;
 import majic.bot.BotException;
+import majic.bot.DriveGuard;
+import majic.bot.Pose;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import majic.gui.command.CommandLine;
@@ -89,6 +92,51 @@ class DriveByHandWindowTest {
         window.press(KeyEvent.VK_PAGE_UP);
         JSlider speed = window.find("driveSpeed", JSlider.class);
         window.await("the speed", () -> speed.getValue() == 90);
+    }
+
+    @Test
+    void theGuardIsOnAndTheSignTellsWhatHoldsTheRobot() {
+        awaitSign("no guard: it has no sensors for it");
+        bot.useGuard(new Near());
+        window.team.member(1).bot().place(Pose.START);
+        awaitSign("guard: on");
+
+        holdUp("drive 62.5 0");
+        bot.at(Pose.START, true);
+
+        awaitSign("a chair is 220 mm ahead");
+        window.letGo(KeyEvent.VK_UP);
+        awaitStationary();
+        bot.at(Pose.START, false);
+        awaitSign("guard: on");
+    }
+
+    @Test
+    void theGuardCanBeSwitchedOffWhichIsKept() {
+        bot.useGuard(new Near());
+        window.click("driveGuard");
+        awaitSign("guard: off");
+
+        holdUp();
+
+        window.await("the setting", () -> window.settings.get("drive.guard").equals(Optional.of("off")));
+    }
+
+    /** Leaves little room. */
+    private static final class Near implements DriveGuard {
+        @Override
+        public boolean isPossible() {
+            return true;
+        }
+
+        @Override
+        public Room room(double mmPerSec, double degPerSec) {
+            return new Room(23.4375, "a chair is 220 mm ahead");
+        }
+    }
+
+    private void awaitSign(String text) {
+        window.await(text, () -> window.text("guardSign").equals(text));
     }
 
     @Test
@@ -181,9 +229,13 @@ class DriveByHandWindowTest {
     }
 
     private void holdUp() {
+        holdUp(AHEAD);
+    }
+
+    private void holdUp(String drive) {
         window.focus("drivePad");
         window.hold(KeyEvent.VK_UP);
-        window.await("the robot to drive", () -> bot.told.contains(AHEAD));
+        window.await("the robot to drive", () -> bot.told.contains(drive));
     }
 
     private void awaitStationary() {

@@ -34,7 +34,8 @@ class GamepadControlTest {
     private final AtomicInteger reads = new AtomicInteger();
     private final List<String> problems = new CopyOnWriteArrayList<>();
     private final Team team = new Team(TimeSource.system());
-    private final GamepadControl control = new GamepadControl(Fake::new, problems::add, problems::add);
+    private final GamepadControl control =
+            new GamepadControl(Fake::new, new GuardChoice(Settings.inMemory()), problems::add, problems::add);
     private ToyBot bot;
 
     private final class Fake implements Gamepad {
@@ -161,6 +162,7 @@ class GamepadControlTest {
                 () -> {
                     throw new BotException("Game controllers cannot be read on this computer (none)");
                 },
+                new GuardChoice(Settings.inMemory()),
                 problems::add,
                 problems::add);
         SwingUtilities.invokeAndWait(without::switchOn);
