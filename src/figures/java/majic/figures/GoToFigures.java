@@ -36,6 +36,7 @@ final class GoToFigures {
     private static final Path WORLD = Path.of("sims", "worlds", "office.map");
     private static final double NANOS = 1e9;
     private static final double ROOM_MM = 80;
+    private static final double LEAST_MM = 500;
 
     private final String kind;
     private final int goals;
@@ -62,7 +63,7 @@ final class GoToFigures {
                 .withNoise(seed)
                 .withPioneer(kind.equals("laser") ? "p3dx-sh+laser" : "p3dx-sh");
         if (kind.equals("ros")) {
-            options = options.withRos(RosOptions.parse("2"));
+            options = options.withRos(RosOptions.parse("2").withoutNavigation());
         }
         String name = Map.of("laser", "pioneer", "sonar", "pioneer").getOrDefault(kind, kind);
         try (LabRig rig = LabRig.of(options)) {
@@ -97,6 +98,15 @@ final class GoToFigures {
                     "length " + spread(lengths) + ", time " + spread(times) + ", error mm " + spread(errors) + ", deg "
                             + spread(turns));
         }
+    }
+
+    /** How far a robot is sent that goes by its odometry alone: as far as that is good for. */
+    private double mostMm() {
+        return switch (kind) {
+            case "aibo" -> 3000;
+            case "hemisson" -> 1000;
+            default -> Double.POSITIVE_INFINITY;
+        };
     }
 
     private static List<FreeSpace.Disc> others(LabRig rig, String name) {
@@ -149,7 +159,7 @@ final class GoToFigures {
             shortest = space.mm(to.xMm(), to.yMm()) < ROOM_MM
                     ? null
                     : new PathPlanner(space).plan(from, to).orElse(null);
-        } while (shortest == null || shortest.lengthMm() < 1000);
+        } while (shortest == null || shortest.lengthMm() < LEAST_MM || shortest.lengthMm() > mostMm());
         driven.take();
         double beganS = rig.lab().time().nanos() / NANOS;
         try {

@@ -92,26 +92,8 @@ final class TrafficFigures {
                 }).start();
             }
             int shown = 0;
-            java.util.Map<MajicBot, Pose> lastPose = new java.util.HashMap<>();
-            java.util.Map<MajicBot, Integer> still = new java.util.HashMap<>();
             while (left.getCount() > 0) {
                 rig.lab().time().sleep(5);
-                boolean show = false;
-                for (MajicBot r : robots) {
-                    Pose p = r.state().pose();
-                    Pose l = lastPose.put(r, p);
-                    int n = l != null && l.distanceMm(p) < 100 && navigator.way(r).isPresent() ? still.getOrDefault(r, 0) + 1 : 0;
-                    still.put(r, n);
-                    show |= n == 8;
-                }
-                if (show) {
-                    System.out.println("=== " + rig.lab().time().nanos() / NANOS);
-                    for (MajicBot r : robots) {
-                        Pose st = r.state().pose();
-                        System.out.printf("%s still %d at %.0f,%.0f,%.0f %s %s%n", r.name(), still.get(r), st.xMm(), st.yMm(), st.headingDeg(), navigator.debug(r),
-                            navigator.way(r).map(w->w.from(st).points().stream().limit(5).map(q->String.format("%.0f,%.0f",q.xMm(),q.yMm())).toList().toString()).orElse(""));
-                    }
-                }
                 int bumped = bumps(rig) - before;
                 if (bumped != shown && System.getProperty("verbose") != null) {
                     shown = bumped;

@@ -25,6 +25,14 @@ public record BotProfile(
         boolean estimates) {
     private static final double CRAWL = 1;
 
+    /** Wheels or legs of both sides differ by some 4 % in their speeds, where nothing measures that. */
+    private static final double MISMATCH = 0.04;
+
+    /** The distance of both sides, in radii of the body. */
+    private static final double TRACK = 1.6;
+
+    private static final double M = 1000;
+
     /**
      * Creates a profile of a robot without a lowest speed.
      *
@@ -45,5 +53,16 @@ public record BotProfile(
             double nearMm,
             boolean estimates) {
         this(bodyMm, speed, turn, CRAWL, CRAWL, cruiseMmPerSec, cruiseTurnDegPerSec, nearMm, estimates);
+    }
+
+    /**
+     * Returns how much the robot veers from the heading that it reports.
+     *
+     * @return the standard deviation after one metre, deg: more if the pose is estimated, and the smaller the robot is
+     */
+    public double veerDegPerM() {
+        return estimates
+                ? Math.max(Uncertainty.DEG_PER_M, Math.toDegrees(MISMATCH * M / (TRACK * bodyMm)))
+                : Uncertainty.DEG_PER_M;
     }
 }

@@ -33,6 +33,14 @@ public interface Course {
     record Turn(double degrees) implements Step {}
 
     /**
+     * Drives straight, as precisely as the robot can: for robots that do that better than by speeds. The course is
+     * asked again when the robot is stationary; meanwhile {@link #isBlocked} may end it.
+     *
+     * @param mm the distance, ahead positive
+     */
+    record Move(double mm) implements Step {}
+
+    /**
      * Stops: the robot is where it should be.
      *
      * @param amount what the answer shows; null for nothing
@@ -41,12 +49,21 @@ public interface Course {
 
     /**
      * Decides what the robot does next. Called on the thread of the motion, every {@value #PERIOD_S} s of the robot's
-     * clock and after each turn; must not wait.
+     * clock and after each turn or move; must not wait.
      *
      * @return the step
      * @throws MotionFailed if it cannot go on; the robot is stopped, and the motion fails with this reason
      */
     Step next();
+
+    /**
+     * Returns whether the present {@link Move} has to end. Asked as often as {@link #next}, on the same thread.
+     *
+     * @return true if something is in the way
+     */
+    default boolean isBlocked() {
+        return false;
+    }
 
     /**
      * Returns what a motion that its guard ended shows in its answer.

@@ -19,7 +19,8 @@ public record Uncertainty(double xx, double xy, double yy, double xt, double yt,
     public static final Uncertainty BY_HAND = of(50, 3);
 
     private static final double MM_PER_M = 100;
-    private static final double DEG_PER_M = 3;
+    /** Of a robot with odometry: the standard deviation of the heading after one metre, deg. */
+    static final double DEG_PER_M = 3;
     private static final double SHARE_OF_TURN = 0.1;
 
     /** A turn of 360 degrees displaces the centre by some 50 mm. */
@@ -81,7 +82,11 @@ public record Uncertainty(double xx, double xy, double yy, double xt, double yt,
      * @return rad²
      */
     public static double ofTurn(double wayMm, double turnDeg) {
-        double deg2 = DEG_PER_M * DEG_PER_M * wayMm / M + SHARE_OF_TURN * SHARE_OF_TURN * ONE_TURN * turnDeg;
+        return ofTurn(wayMm, turnDeg, DEG_PER_M);
+    }
+
+    private static double ofTurn(double wayMm, double turnDeg, double degPerM) {
+        double deg2 = degPerM * degPerM * wayMm / M + SHARE_OF_TURN * SHARE_OF_TURN * ONE_TURN * turnDeg;
         return deg2 * Math.pow(Math.toRadians(1), 2);
     }
 
@@ -94,6 +99,18 @@ public record Uncertainty(double xx, double xy, double yy, double xt, double yt,
      * @return a larger one
      */
     public Uncertainty after(double headingDeg, Pose step) {
+        return after(headingDeg, step, DEG_PER_M);
+    }
+
+    /**
+     * Returns the uncertainty after a motion as {@link #after(double, Pose)} does, for a robot that veers more.
+     *
+     * @param headingDeg the heading of the robot on the map before the motion
+     * @param step the pose afterwards, seen from the one before
+     * @param degPerM the standard deviation of the heading after one metre, deg
+     * @return a larger one
+     */
+    public Uncertainty after(double headingDeg, Pose step, double degPerM) {
         double way = Math.hypot(step.xMm(), step.yMm());
         double turn = Math.abs(step.headingDeg());
         if (!isKnown() || way == 0 && turn == 0) {
@@ -109,6 +126,6 @@ public record Uncertainty(double xx, double xy, double yy, double xt, double yt,
                 yy + 2 * dx * yt + dx * dx * tt + added,
                 xt - dy * tt,
                 yt + dx * tt,
-                tt + ofTurn(way, turn));
+                tt + ofTurn(way, turn, degPerM));
     }
 }

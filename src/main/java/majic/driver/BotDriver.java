@@ -165,8 +165,13 @@ public abstract class BotDriver extends MovingRobot {
             requireConnected();
             return DriverCode.call(this, () -> known.action().run(fitted, gate().beside(permit)));
         }
-        MotionReport report = gate().perform(
-                        until, permit, motion -> Value.text(known.action().run(fitted, motion)));
+        MotionReport report = gate().perform(until, permit, motion -> {
+            Value answer = Value.text(known.action().run(fitted, motion));
+            if (motion.guardReached()) {
+                gate().halt(motion);
+            }
+            return answer;
+        });
         return String.valueOf(report.amount());
     }
 
@@ -406,7 +411,7 @@ public abstract class BotDriver extends MovingRobot {
      * @param newState what was read
      */
     protected final void publish(BotState newState) {
-        readings.report(newState);
+        readings.report(newState, profile().veerDegPerM());
         listeners.stateChanged();
         guardAgain();
     }

@@ -27,6 +27,7 @@ public final class Motion {
     private final Permit permit;
     private final TimeSource time;
     private final long startedNanos;
+    private long partNanos;
     private long readingsSeen = -1;
     private boolean guardReached;
     private boolean guardHandedOver;
@@ -41,6 +42,7 @@ public final class Motion {
         this.permit = permit;
         this.time = bot.time();
         this.startedNanos = time.nanos();
+        this.partNanos = startedNanos;
     }
 
     /**
@@ -155,12 +157,34 @@ public final class Motion {
     }
 
     /**
-     * Returns the time since the motion began.
+     * Returns the time since the motion began, or its present part: a turn of a motion by a course is a part.
      *
      * @return seconds on the robot's clock
      */
     public double seconds() {
+        return time.secondsSince(partNanos);
+    }
+
+    /** Returns the time since the whole motion began, s. */
+    double wholeSeconds() {
         return time.secondsSince(startedNanos);
+    }
+
+    /**
+     * Makes a part of the motion, for which a driver measures its own time.
+     *
+     * @param maneuver the part
+     * @param isBlocked ends this part, and not the motion
+     */
+    void part(Runnable maneuver, BooleanSupplier isBlocked) {
+        partNanos = time.nanos();
+        ending = () -> isBlocked.getAsBoolean() ? "" : null;
+        maneuver.run();
+        ending = null;
+        if (endedBecause != null) {
+            endedBecause = null;
+            guardReached = false;
+        }
     }
 
     /**

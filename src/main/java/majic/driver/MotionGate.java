@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import majic.bot.BotControl;
 import majic.bot.BotException;
@@ -139,7 +140,7 @@ final class MotionGate {
             return watching(until, () -> {
                 motion.check();
                 Value amount = DriverCode.<@Nullable Value>call(bot, () -> maneuver.run(motion));
-                return new MotionReport(amount, motion.seconds());
+                return new MotionReport(amount, motion.wholeSeconds());
             });
         } catch (LinkLost e) {
             // A permit may have been revoked because another robot's link was lost.
@@ -305,13 +306,13 @@ final class MotionGate {
         }
 
         void reduced(double mmPerSec, double degPerSec, double seconds) {
-            askedS = motion.seconds();
+            askedS = motion.wholeSeconds();
             double endS = askedS + seconds;
             motion.pause(0);
-            while (motion.seconds() < endS && !motion.guardReached()) {
+            while (motion.wholeSeconds() < endS && !motion.guardReached()) {
                 double share = guarding.share(mmPerSec, degPerSec);
                 drive(new Course.Drive(share * mmPerSec, share * degPerSec));
-                motion.pause(Math.min(Course.PERIOD_S, endS - motion.seconds()));
+                motion.pause(Math.min(Course.PERIOD_S, endS - motion.wholeSeconds()));
             }
             stand();
         }
@@ -325,26 +326,32 @@ final class MotionGate {
                     stand();
                     return there.amount();
                 }
-                take(step);
+                take(step, course);
             }
             stand();
             return course.amount();
         }
 
-        private void take(Course.Step step) {
+        private void take(Course.Step step, Course course) {
             if (step instanceof Course.Turn turn) {
-                stand();
-                bot.turnBy(turn.degrees(), motion);
-                askedS = motion.seconds();
+                part(() -> bot.turnBy(turn.degrees(), motion), () -> false);
+            } else if (step instanceof Course.Move move) {
+                part(() -> bot.moveBy(move.mm(), motion), course::isBlocked);
             } else if (step instanceof Course.Drive drive) {
                 drive(drive);
                 motion.pause(Course.PERIOD_S);
             }
         }
 
+        private void part(Runnable maneuver, BooleanSupplier isBlocked) {
+            stand();
+            motion.part(maneuver, isBlocked);
+            askedS = motion.wholeSeconds();
+        }
+
         private void drive(Course.Drive asked) {
             double lastS = askedS;
-            askedS = motion.seconds();
+            askedS = motion.wholeSeconds();
             refuseLateRenewal(askedS - lastS);
             Course.Drive now = new Course.Drive(
                     bot.profile().speed().clamp(asked.mmPerSec()),
@@ -353,7 +360,7 @@ final class MotionGate {
                 stand();
             } else if (!now.equals(sent) || askedS - sentS >= DRIVE_RENEWAL_S) {
                 motion.send(() -> {
-                    refuseLateRenewal(motion.seconds() - lastS);
+                    refuseLateRenewal(motion.wholeSeconds() - lastS);
                     bot.driveAt(now.mmPerSec(), now.degPerSec());
                 });
                 sent = now;
@@ -369,7 +376,8 @@ final class MotionGate {
         }
     }
 
-    private void halt(Motion motion) {
+    /** Stops the robot at the end of a motion, and waits until that is confirmed. */
+    void halt(Motion motion) {
         motion.send(bot::halt);
         try {
             bot.confirmHalt();

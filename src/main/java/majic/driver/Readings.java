@@ -41,14 +41,18 @@ final class Readings {
         return state;
     }
 
-    /** Takes the state that the robot reports, whose pose is by its odometry. */
-    void report(BotState reported) {
+    /**
+     * Takes the state that the robot reports, whose pose is by its odometry.
+     *
+     * @param veerDegPerM how much it veers
+     */
+    void report(BotState reported, double veerDegPerM) {
         synchronized (this) {
             if (reconnected && start != null) {
                 origin = origin.plus(own.pose()).originOf(reported.pose());
             } else if (uncertainty.isKnown()) {
                 uncertainty = uncertainty.after(
-                        state.pose().headingDeg(), reported.pose().seenFrom(own.pose()));
+                        state.pose().headingDeg(), reported.pose().seenFrom(own.pose()), veerDegPerM);
             }
             reconnected = false;
             own = reported;

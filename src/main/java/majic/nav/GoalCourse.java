@@ -71,6 +71,12 @@ final class GoalCourse implements Course, AutoCloseable {
 
     private static final double LONGEST_TRAFFIC_S = 180;
     private static final double PROGRESS_MM = 50;
+
+    /** The straight pieces of a robot that estimates its place. */
+    private static final double PIECE_MM = 400;
+
+    private static final double LEAST_PIECE_MM = 40;
+    private static final double PIECE_DEG = 4;
     private static final double LONGEST_WHOLE_S = 300;
     private static final double TIMES_USUAL = 10;
 
@@ -124,7 +130,6 @@ final class GoalCourse implements Course, AutoCloseable {
         this.vehicle = navigator.traffic().begin(robot);
         this.progressS = now();
         this.begunS = progressS;
-        Navigator.DEBUG.put(robot, this);
         if (hasRanges) {
             robot.addScanListener(seen);
         }
@@ -166,9 +171,7 @@ final class GoalCourse implements Course, AutoCloseable {
         if (hasRanges && seen.ageS() > OLDEST_S) {
             throw new MotionFailed("no reading of its range sensors for 1 s");
         }
-        if (!hasRanges) {
-            seen.lookAhead(robot.state().pose().seenFrom(robot.odometryOrigin()));
-        }
+        look(here);
         double left = here.distanceMm(destination.pose());
         if (left <= ARRIVED_MM || left <= NEARLY_MM && turnsAtEnd > 0) {
             return arrived(here);
@@ -364,6 +367,9 @@ final class GoalCourse implements Course, AutoCloseable {
             waitFor(grant);
         }
         FreeSpace all = space.with(things(true, true));
+        if (robot.profile().estimates()) {
+            return byPieces(here, all, rest, grant.before() == null ? Double.POSITIVE_INFINITY : grant.mm());
+        }
         double[] fractions = {1, 0.5, 0.25};
         Arc best = null;
         for (double fraction : fractions) {
@@ -378,7 +384,6 @@ final class GoalCourse implements Course, AutoCloseable {
         if (best == null) {
             return stand();
         }
-        dbg = "grant " + Math.round(grant.mm()) + " by " + (grant.before() == null ? "" : grant.before().name()) + " free " + best.freeMm + " brg " + Math.round(best.bearing) + " allowed " + Math.round(allowed);
         if (Math.abs(best.bearing) > ON_THE_SPOT_DEG) {
             return onTheSpot(best.bearing, left);
         }
@@ -431,8 +436,35 @@ final class GoalCourse implements Course, AutoCloseable {
         return new PathPlanner(space, navigator.traffic().isBusy());
     }
 
-    String dbg = "";
-    String debug() { return dbg + " aside " + aside + " around " + (now() - aroundS < AROUND_S / 2) + " w " + waits; }
+    /** Turns and straight pieces, for a robot that estimates its place by the commands that it got. */
+    private Step byPieces(Pose here, FreeSpace space, Way rest, double granted) {
+        Pose target = rest.at(PIECE_MM);
+        double bearing = bearing(here, target);
+        double distance = here.distanceMm(target);
+        if (Math.abs(bearing) > PIECE_DEG && distance > NEARLY_MM) {
+            return new Turn(bearing);
+        }
+        double free = Math.min(space.freeMm(here, 0, distance), granted);
+        if (free < Math.min(distance, LEAST_PIECE_MM)) {
+            explainBlock(here);
+            return stand();
+        }
+        waits = "";
+        return new Move(Math.min(distance, free));
+    }
+
+    @Override
+    public boolean isBlocked() {
+        Pose here = robot.state().pose();
+        look(here);
+        return new FreeSpace(map, bodyMm, things(true, true)).freeMm(here, 0, LEAST_PIECE_MM) < LEAST_PIECE_MM / 2;
+    }
+
+    private void look(Pose here) {
+        if (!hasRanges) {
+            seen.lookAhead(here.seenFrom(robot.odometryOrigin()));
+        }
+    }
 
     private Step onTheSpot(double bearing, double left) {
         if (speed > 0) {

@@ -158,9 +158,6 @@ public final class Navigator {
         return traffic.reserved(robot);
     }
 
-    public static final java.util.Map<MajicBot, GoalCourse> DEBUG = new ConcurrentHashMap<>();
-    public String debug(MajicBot r) { GoalCourse c = DEBUG.get(r); return c == null ? "" : c.debug(); }
-
     /**
      * Returns why a robot stands on its way.
      *

@@ -70,7 +70,7 @@ class ReadingsTest {
     }
 
     private Pose reported(Pose odometry) {
-        readings.report(new BotState(odometry, 0, 0, false, 1));
+        readings.report(new BotState(odometry, 0, 0, false, 1), 3);
         return readings.state().pose();
     }
 

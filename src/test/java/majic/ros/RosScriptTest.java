@@ -40,8 +40,19 @@ class RosScriptTest {
         assertThat(lab.run("1 goto 0.5m 100mm 90"))
                 .singleElement()
                 .asString()
-                .startsWith("1 goto 0.5m 100mm 90: arrived at ");
-        assertThat(lab.run("1 goto 0.5m")).containsExactly("goto: takes X Y [HEADING]");
+                .startsWith("1 goto 0.5m 100mm 90: done (arrived at ");
+        assertThat(lab.run("1 goto 0.5m")).singleElement().asString().contains("a distance (mm, cm, m)");
+    }
+
+    @Test
+    void aConditionEndsAGotoOfTheRobotsOwnNavigation() throws InterruptedException {
+        Pose start = lab.truePose("ros");
+
+        assertThat(lab.run("1 goto 2m 0 until x > 300"))
+                .singleElement()
+                .asString()
+                .startsWith("1 goto 2m 0 until x > 300: done (ended at ");
+        assertThat(lab.truePose("ros").distanceMm(start)).isBetween(250.0, 600.0);
     }
 
     @Test

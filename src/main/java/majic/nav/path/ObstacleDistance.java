@@ -181,6 +181,7 @@ public final class ObstacleDistance {
      * @return whether its cell is free or occupied
      */
     public boolean isKnown(double xMm, double yMm) {
-        return grid.stateAt(xMm, yMm) != State.UNKNOWN;
+        int cell = cell(xMm, yMm);
+        return cell >= 0 && grid.state(cell % grid.width(), cell / grid.width()) != State.UNKNOWN;
     }
 }

@@ -274,8 +274,12 @@ public final class PathPlanner {
         }
 
         private boolean isAround(int node) {
+            double nearMm = space.bodyMm() + 2 * FreeSpace.MARGIN_MM;
+            if (estimate(node, start) > 2 * nearMm) {
+                return false;
+            }
             Pose there = place(node);
-            return from.distanceMm(there) <= space.bodyMm() + 2 * FreeSpace.MARGIN_MM
+            return from.distanceMm(there) <= nearMm
                     && space.mm(there.xMm(), there.yMm()) >= leastMm;
         }
 
@@ -385,7 +389,7 @@ public final class PathPlanner {
     /** What a straight piece costs; a part of it where the robot does not fit costs a hundredfold. */
     private double costOfLine(Pose from, Pose to) {
         double length = from.distanceMm(to);
-        int steps = (int) Math.ceil(length / grid.cellMm());
+        int steps = (int) Math.ceil(2 * length / grid.cellMm());
         double sum = 0;
         Pose direction = new Pose(to.xMm() - from.xMm(), to.yMm() - from.yMm(), 0)
                 .seenFrom(new Pose(0, 0, grid.origin().headingDeg()));

@@ -84,11 +84,11 @@ public final class Navigation {
     }
 
     /**
-     * Drives to a place, and returns when the robot reports its arrival.
+     * Drives to a place, and returns when the robot reports its arrival, or the guard has ended it.
      *
      * @param servers of the robot; at least one of move_base and Nav2
      * @param target where
-     * @param motion for sending and waiting; a stop cancels the goal
+     * @param motion for sending and waiting; a stop and the guard cancel the goal
      * @throws MotionFailed if the robot does not take the goal or gives it up; it is cancelled then
      * @throws LinkLost if the connection is lost; the robot may go on
      */
@@ -134,14 +134,16 @@ public final class Navigation {
         running = goal;
         try (goal) {
             motion.send(goal::send);
-            if (!motion.await(goal::isAnswered, limits.answerS())) {
+            if (!motion.await(goal::isAnswered, limits.answerS()) && !motion.guardReached()) {
                 throw new MotionFailed("the navigation of the robot did not take the goal within "
                         + Math.round(limits.answerS()) + " s; it may be starting, without a map, or blocked");
             }
-            if (!motion.await(() -> goal.result().isPresent(), limits.endS())) {
+            if (!motion.await(() -> goal.result().isPresent(), limits.endS()) && !motion.guardReached()) {
                 throw new MotionFailed("the goal was not reached within " + Math.round(limits.endS()) + " s");
             }
-            check(goal);
+            if (!motion.guardReached()) {
+                check(goal);
+            }
         } catch (LinkLost e) {
             unfinished = true;
             throw e;
