@@ -27,7 +27,7 @@ public final class BuildMap {
 
     private static CurrentMap build(MajicBot robot) {
         CurrentMap map = new CurrentMap((bot, news) -> System.out.println(bot.name() + " " + news));
-        map.start(robot, null);
+        map.start(robot);
         for (int side = 0; side < 4; side++) {
             robot.move(500);
             robot.turn(90);

@@ -9,11 +9,15 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.BiConsumer;
+import java.util.function.Function;
 import java.util.stream.Collectors;
+import majic.bot.BotControl;
 import majic.bot.BotException;
 import majic.bot.BotListener;
 import majic.bot.BotState;
+import majic.bot.Guard;
 import majic.bot.MajicBot;
+import majic.bot.MotionReport;
 import majic.bot.Pose;
 import majic.nav.file.MapFiles;
 import majic.nav.grid.LikelihoodField;
@@ -40,6 +44,7 @@ public final class CurrentMap {
     private @Nullable Path file;
     private @Nullable Distances distances;
     private final BiConsumer<MajicBot, String> news;
+    private final Function<MajicBot, Optional<Pose>> standing;
     private final Navigator navigator = new Navigator(this::get);
     private final Map<MajicBot, LiveLocalisation> localised = new ConcurrentHashMap<>();
 
@@ -70,7 +75,19 @@ public final class CurrentMap {
      *     begins with its name; on a thread of its own, and must return soon
      */
     public CurrentMap(BiConsumer<MajicBot, String> news) {
+        this(news, robot -> Optional.empty());
+    }
+
+    /**
+     * No map.
+     *
+     * @param news as in the other constructor
+     * @param standing where a robot that was not placed stands in the frame of the map; empty for where its poses have
+     *     it
+     */
+    public CurrentMap(BiConsumer<MajicBot, String> news, Function<MajicBot, Optional<Pose>> standing) {
         this.news = news;
+        this.standing = standing;
     }
 
     /**
@@ -153,7 +170,12 @@ public final class CurrentMap {
             distances = new Distances(known.grid());
         }
         LiveLocalisation begun = new LiveLocalisation(
-                robot, navigator, distances::get, search, text -> news.accept(robot, text), () -> localised.remove(robot));
+                robot,
+                navigator,
+                distances::get,
+                search,
+                text -> news.accept(robot, text),
+                () -> localised.remove(robot));
         localised.put(robot, begun);
         begun.begin();
     }
@@ -263,15 +285,15 @@ public final class CurrentMap {
      * that is followed is lost or closed.
      *
      * @param robot connected, one that is followed; a further one has to be placed on the map
-     * @param place where a robot that was not placed stands in the frame of the map; null for where its poses have it
      * @throws BotException if it has no range sensors or builds the map already, if the place of a further robot is not
      *     known, or the map there is has not been saved
      */
-    public void start(MajicBot robot, @Nullable Pose place) {
+    public void start(MajicBot robot) {
         if (robot.rangeSensors().isEmpty()) {
             throw new BotException("map start: " + robot.name()
                     + " has no range sensors; a robot with a laser scanner or sonars would be right");
         }
+        Optional<Pose> place = standing.apply(robot);
         LiveMapping begun;
         synchronized (this) {
             refuseToStart(robot, place);
@@ -284,19 +306,50 @@ public final class CurrentMap {
             stands = false;
         }
         if (robot.placedAt().isEmpty()) {
-            robot.place(place == null ? robot.state().pose() : place);
+            robot.place(place.orElse(robot.state().pose()));
         }
         begun.begin();
     }
 
-    private void refuseToStart(MajicBot robot, @Nullable Pose place) {
+    private void refuseToStart(MajicBot robot, Optional<Pose> place) {
         if (mappings.isEmpty()) {
             refuseToReplace("map start");
         } else if (mappings.containsKey(robot)) {
             throw new BotException("map start: " + robot.name() + " builds the map already");
-        } else if (place == null && !robot.uncertainty().isKnown()) {
+        } else if (place.isEmpty() && !robot.uncertainty().isKnown()) {
             throw new BotException("map start: " + builders() + " the map, and the place of " + robot.name()
                     + " on it is not known; \"set pose\" places it, or dragging it on the team map");
+        }
+    }
+
+    /**
+     * Lets a robot drive where the map that it builds is unknown, and returns when it can reach no such place. If there
+     * is no map, the robot begins one; if other robots build one, it joins them, and they share the work.
+     *
+     * @param robot as in {@link #start}
+     * @param control commands that robot
+     * @param until ends the motion early
+     * @return how many frontiers of the map were explored, and how much floor the map has
+     * @throws BotException as in {@link #start}, if there is a map that no robot builds, or as for any motion
+     */
+    public MotionReport explore(MajicBot robot, BotControl control, Guard until) {
+        if (!isMappedBy(robot)) {
+            refuseToExploreFinished(robot);
+            start(robot);
+        }
+        try (Exploration course = new Exploration(robot, navigator, () -> isMappedBy(robot))) {
+            return control.follow(course, until);
+        }
+    }
+
+    private synchronized boolean isMappedBy(MajicBot robot) {
+        return mappings.containsKey(robot);
+    }
+
+    private synchronized void refuseToExploreFinished(MajicBot robot) {
+        if (map != null && mappings.isEmpty()) {
+            throw new BotException("explore: " + robot.name()
+                    + " does not build the map that there is; \"map start ROBOT\" lets it begin a new one");
         }
     }
 

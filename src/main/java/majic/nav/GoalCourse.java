@@ -119,6 +119,15 @@ final class GoalCourse implements Course, AutoCloseable {
     private @Nullable Pose aside;
     private double asideS = Double.NEGATIVE_INFINITY;
 
+    /** The place cannot be reached at present, though the robot could drive. */
+    static final class NoWay extends MotionFailed {
+        private static final long serialVersionUID = 1;
+
+        private NoWay(String message) {
+            super(message);
+        }
+    }
+
     GoalCourse(MajicBot robot, Destination destination, Navigator navigator) {
         this.robot = robot;
         this.destination = destination;
@@ -147,8 +156,7 @@ final class GoalCourse implements Course, AutoCloseable {
 
     private boolean isKnown(double xMm, double yMm) {
         return map.mm(xMm, yMm) < WALL_MM
-                || navigator.discs(robot).stream()
-                        .anyMatch(other -> other.distanceMm(xMm, yMm) < Navigator.HULL_MM);
+                || navigator.discs(robot).stream().anyMatch(other -> other.distanceMm(xMm, yMm) < Navigator.HULL_MM);
     }
 
     @Override
@@ -333,7 +341,7 @@ final class GoalCourse implements Course, AutoCloseable {
     }
 
     private MotionFailed noWay(String why) {
-        return new MotionFailed("no way to " + destination + ": " + why);
+        return new NoWay("no way to " + destination + ": " + why);
     }
 
     private Step along(Pose here, FreeSpace space, double left) {
@@ -534,10 +542,10 @@ final class GoalCourse implements Course, AutoCloseable {
     private void refuseLongWait(double longestS) {
         String why = waits.isEmpty() ? "it makes no way" : waits;
         if (now() - progressS > longestS) {
-            throw new MotionFailed(why + " for " + Math.round(longestS) + " s");
+            throw new NoWay(why + " for " + Math.round(longestS) + " s");
         }
         if (now() - begunS > longestWholeS) {
-            throw new MotionFailed("it has not arrived after " + Math.round(longestWholeS) + " s; at last, " + why);
+            throw new NoWay("it has not arrived after " + Math.round(longestWholeS) + " s; at last, " + why);
         }
     }
 

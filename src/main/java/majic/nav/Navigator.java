@@ -1,6 +1,7 @@
 package majic.nav;
 
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -40,12 +41,16 @@ public final class Navigator {
     private static final double FARTHEST_WITHOUT_MAP_MM = 100_000;
     private static final double CELL_WITHOUT_MAP_MM = 100;
 
+    /** A frontier as near to one that another robot drives to is left to that robot, mm. */
+    private static final double SHARE_MM = 2000;
+
     /** A map that grows is looked at as often, seconds. */
     private static final double MAP_S = 2;
 
     private final Supplier<Optional<NavigationMap>> map;
     private final Set<MajicBot> robots = ConcurrentHashMap.newKeySet();
     private final TeamTraffic traffic = new TeamTraffic();
+    private final Map<MajicBot, Pose> frontiers = new ConcurrentHashMap<>();
     private @Nullable NavigationMap measured;
     private @Nullable ObstacleDistance distances;
     private long measuredNanos;
@@ -167,6 +172,27 @@ public final class Navigator {
      */
     public Optional<String> waits(MajicBot robot) {
         return traffic.waits(robot);
+    }
+
+    /** Returns whether another robot drives to a frontier, or to one that is close to it. */
+    boolean isTaken(MajicBot robot, Pose frontier) {
+        return frontiers.entrySet().stream()
+                .anyMatch(other -> other.getKey() != robot && other.getValue().distanceMm(frontier) < SHARE_MM);
+    }
+
+    /** Takes a frontier for a robot until {@link #giveUpFrontier}; returns false if another one has taken it. */
+    boolean takeFrontier(MajicBot robot, Pose frontier) {
+        synchronized (frontiers) {
+            boolean free = !isTaken(robot, frontier);
+            if (free) {
+                frontiers.put(robot, frontier);
+            }
+            return free;
+        }
+    }
+
+    void giveUpFrontier(MajicBot robot) {
+        frontiers.remove(robot);
     }
 
     TeamTraffic traffic() {

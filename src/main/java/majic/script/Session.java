@@ -11,6 +11,7 @@ import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
+import majic.bot.Pose;
 import majic.environment.Settings;
 import majic.log.Line;
 import majic.log.ParameterLog;
@@ -50,7 +51,7 @@ public final class Session {
     private final ActOffers offers;
     private final RobotConnector connector;
     private final Plotting plotting = new Plotting();
-    private final CurrentMap map = new CurrentMap(this::newsOfMap);
+    private final CurrentMap map = new CurrentMap(this::newsOfMap, this::placeInLab);
 
     /**
      * A session without listeners.
@@ -161,6 +162,13 @@ public final class Session {
         team.members().stream()
                 .filter(member -> member.bot() == bot)
                 .forEach(member -> output.send(Line.Kind.NOTICE, member.number() + ": " + member.label() + " " + text));
+    }
+
+    /** In the lab a robot that was not placed begins a map where it stands in the room, as the team map shows it. */
+    private Optional<Pose> placeInLab(MajicBot bot) {
+        return factory.lab()
+                .filter(lab -> bot.time() == lab.time())
+                .flatMap(lab -> factory.nameInLab(bot).map(lab.truePoses()::get));
     }
 
     /** Sends a line if STOP is latched, with its origin, for listeners that were added after it. */

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.Locale;
 import majic.bot.BotException;
-import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.nav.CurrentMap;
 import majic.nav.grid.NavigationMap;
@@ -14,7 +13,6 @@ import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionCommand;
-import majic.script.run.SessionState;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
@@ -136,19 +134,9 @@ final class MapCommands {
         @Override
         public void run(Execution execution) {
             Member member = execution.selection().members(robots).get(0);
-            execution.session().map().start(member.bot(), inLab(member, execution.session()));
+            execution.session().map().start(member.bot());
             execution.answer("map start " + member.number() + ": " + member.label()
                     + " builds the map while it drives; \"map stop\" ends that");
-        }
-
-        /** In the lab a robot that was not placed begins where it stands in the room, as the team map shows it. */
-        private static @Nullable Pose inLab(Member member, SessionState session) {
-            MajicBot bot = member.bot();
-            return session.factory()
-                    .lab()
-                    .filter(lab -> bot.time() == lab.time())
-                    .flatMap(lab -> session.factory().nameInLab(bot).map(lab.truePoses()::get))
-                    .orElse(null);
         }
     }
 
