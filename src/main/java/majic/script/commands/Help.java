@@ -39,6 +39,9 @@ public final class Help {
                     "goto",
                     "1 goto X Y [HEADING] [until CONDITION], 1 goto PLACE: drives to a place, around what is in the way"),
             entry(
+                    "explore",
+                    "1 explore [until CONDITION]: drives where the map that it builds is unknown, until nothing is left that it can reach"),
+            entry(
                     "stop",
                     "1 stop: ends the motion, empties the queue, ends act and script; \"stop\" alone is STOP for all"),
             entry("get", "1 get P[,P...]: reads parameters; \"get now P\" does not wait for its turn"),

@@ -180,8 +180,8 @@ public final class LineParser {
     }
 
     /**
-     * {@code command = move | turn | drive | goto | stop | get | set | log | plot | name | act | wait | localize | help
-     * | own ;}
+     * {@code command = move | turn | drive | goto | explore | stop | get | set | log | plot | name | act | wait |
+     * localize | help | own ;}
      */
     private Command command() {
         return arguments(at.consume(Kind.WORD, "a command"));
@@ -193,6 +193,7 @@ public final class LineParser {
             case "turn" -> turn(word);
             case "drive" -> drive(word);
             case "goto" -> goTo(word);
+            case "explore" -> new MotionCommands.Explore(word, until());
             case "stop" -> new MotionCommands.Stop(word);
             case "get" -> get(word);
             case "set" -> set(word);

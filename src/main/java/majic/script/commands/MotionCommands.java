@@ -29,8 +29,8 @@ final class MotionCommands {
 
     /** A motion in the robot's queue, until a condition if there is one. */
     private interface MotionCommand extends Command {
-        /** Moves the robot and returns what the answer shows in brackets. */
-        Object move(BotControl robot, Guard until);
+        /** Moves the robot of a member and returns what the answer shows in brackets. */
+        Object move(Execution execution, Member member, BotControl robot, Guard until);
 
         @Override
         default Scheduling scheduling() {
@@ -47,7 +47,8 @@ final class MotionCommands {
             String text = text();
             execution.submit(robots, member -> {
                 Guard guard = until() == null ? Guard.NEVER : new UntilGuard(until(), execution.selection(), member);
-                return new QueuedCommand(text, true, robot -> List.of(text + ": done (" + move(robot, guard) + ")"));
+                return new QueuedCommand(
+                        text, true, robot -> List.of(text + ": done (" + move(execution, member, robot, guard) + ")"));
             });
         }
     }
@@ -68,7 +69,7 @@ final class MotionCommands {
         }
 
         @Override
-        public Object move(BotControl robot, Guard guard) {
+        public Object move(Execution execution, Member member, BotControl robot, Guard guard) {
             return robot.move(distance.number(), guard);
         }
     }
@@ -87,7 +88,7 @@ final class MotionCommands {
         }
 
         @Override
-        public Object move(BotControl robot, Guard guard) {
+        public Object move(Execution execution, Member member, BotControl robot, Guard guard) {
             return robot.turn(angle.number(), guard);
         }
     }
@@ -126,7 +127,7 @@ final class MotionCommands {
         }
 
         @Override
-        public Object move(BotControl robot, Guard guard) {
+        public Object move(Execution execution, Member member, BotControl robot, Guard guard) {
             double time = seconds.orElse(until == null ? DRIVE_S : LONGEST_DRIVE_S);
             return robot.drive(speed.number(), rate.number(), time, guard);
         }
@@ -187,6 +188,24 @@ final class MotionCommands {
                             coordinates.get(1).number(),
                             withHeading ? coordinates.get(2).number() : 0),
                     withHeading);
+        }
+    }
+
+    /** Drives where the map that the robot builds is unknown, until nothing is left. */
+    record Explore(Token at, @Nullable Condition until) implements MotionCommand {
+        @Override
+        public String text() {
+            return "explore" + untilText(until);
+        }
+
+        @Override
+        public void check(Check check) {
+            check.until(until);
+        }
+
+        @Override
+        public Object move(Execution execution, Member member, BotControl robot, Guard guard) {
+            return execution.session().map().explore(member.bot(), robot, guard);
         }
     }
 

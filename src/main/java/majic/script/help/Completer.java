@@ -253,6 +253,7 @@ public final class Completer {
             case "move", "turn" -> afterMotion(behind, 1, members);
             case "drive" -> afterMotion(behind, 2, members);
             case "goto" -> afterGoTo(behind, members);
+            case "explore" -> afterMotion(behind, 0, members);
             default -> argument(tokens.get(command), values.size(), members);
         };
     }
