@@ -1,9 +1,9 @@
 package majic.act;
 
 import java.util.List;
-import java.util.Optional;
 import majic.bot.BotException;
-import majic.nav.grid.NavigationMap;
+import majic.bot.MajicBot;
+import majic.nav.CurrentMap;
 
 /** Receives the events of a running act, on the act's thread. */
 interface ActListener {
@@ -24,9 +24,17 @@ interface ActListener {
         throw new BotException("a plot needs the window of MAJIC, which is not open");
     }
 
-    /** Returns the map of the team; empty if there is none. */
-    default Optional<NavigationMap> map() {
-        return Optional.empty();
+    /** Returns the map of the team, with what sends its robots to places. */
+    CurrentMap map();
+
+    /**
+     * Returns a robot of the team, which the act only looks at.
+     *
+     * @param name its number or name
+     * @throws BotException if there is none
+     */
+    default MajicBot teamMate(String name) {
+        throw new BotException("an act that runs outside of a session has no team, so no robot " + name);
     }
 
     /** Receives the end of the act, after its clean-up; the act can no longer use a robot. */

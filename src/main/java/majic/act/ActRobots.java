@@ -2,6 +2,7 @@ package majic.act;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,6 +27,7 @@ final class ActRobots {
     private final AtomicBoolean takenBack = new AtomicBoolean();
     private final List<BotDriver> all;
     private final Map<String, List<BotControl>> robotsByRole = new LinkedHashMap<>();
+    private final Map<BotControl, MajicBot> controlled = new IdentityHashMap<>();
 
     /**
      * Creates a set of robots that the act may use from now on.
@@ -37,11 +39,23 @@ final class ActRobots {
                 .flatMap(List::stream)
                 .map(BotDriver::of)
                 .toList();
-        robots.forEach((role, its) -> robotsByRole.put(
-                role,
-                its.stream()
-                        .map(robot -> (BotControl) new PermittedControl(BotDriver.of(robot), permit))
-                        .toList()));
+        robots.forEach((role, its) ->
+                robotsByRole.put(role, its.stream().map(this::control).toList()));
+    }
+
+    private BotControl control(MajicBot robot) {
+        BotControl control = new PermittedControl(BotDriver.of(robot), permit);
+        controlled.put(control, robot);
+        return control;
+    }
+
+    /** Returns the robot that one of {@link #robots} commands. */
+    MajicBot robot(BotControl control) {
+        MajicBot robot = controlled.get(control);
+        if (robot == null) {
+            throw new BotException("the act has no robot " + control.name());
+        }
+        return robot;
     }
 
     /** Returns the clock of the act's own robot. */

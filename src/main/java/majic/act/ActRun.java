@@ -5,10 +5,9 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.BiConsumer;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
@@ -16,7 +15,7 @@ import majic.bot.MotionStopped;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.driver.Permit;
-import majic.nav.grid.NavigationMap;
+import majic.nav.CurrentMap;
 import majic.team.Member;
 import majic.team.Owner;
 import majic.time.Signal;
@@ -53,7 +52,8 @@ public final class ActRun {
     private final Permit permit;
     private final AtomicReference<Phase> phase = new AtomicReference<>(Phase.RUNNING);
     private volatile @Nullable BiConsumer<List<Member>, List<String>> plots;
-    private volatile Supplier<Optional<NavigationMap>> map = Optional::empty;
+    private volatile CurrentMap map = new CurrentMap((robot, news) -> {});
+    private volatile @Nullable Function<String, MajicBot> team;
     private volatile boolean calledOff;
     private volatile boolean halted;
     private volatile boolean over;
@@ -100,12 +100,21 @@ public final class ActRun {
     }
 
     /**
-     * Sets where the act finds the map of the team; without this call there is none.
+     * Sets the map of the team; without this call the act has one of its own, which is empty at first.
      *
-     * @param present the map as it is now; called on the act's thread
+     * @param present of the team
      */
-    public void useMap(Supplier<Optional<NavigationMap>> present) {
+    public void useMap(CurrentMap present) {
         map = present;
+    }
+
+    /**
+     * Sets where the act finds robots that it only looks at; without this call there are none.
+     *
+     * @param robots returns a robot by its number or name, or throws a {@link BotException}; called on the act's thread
+     */
+    public void useTeam(Function<String, MajicBot> robots) {
+        team = robots;
     }
 
     /**
@@ -282,8 +291,14 @@ public final class ActRun {
         }
 
         @Override
-        public Optional<NavigationMap> map() {
-            return map.get();
+        public CurrentMap map() {
+            return map;
+        }
+
+        @Override
+        public MajicBot teamMate(String name) {
+            Function<String, MajicBot> robots = team;
+            return robots == null ? ActListener.super.teamMate(name) : robots.apply(name);
         }
 
         @Override

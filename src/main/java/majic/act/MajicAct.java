@@ -6,13 +6,17 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.concurrent.CountDownLatch;
 import majic.bot.BotControl;
 import majic.bot.BotException;
+import majic.bot.Guard;
 import majic.bot.MajicBot;
+import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
+import majic.bot.Pose;
 import majic.bot.Value;
+import majic.nav.CurrentMap;
+import majic.nav.Destination;
 import majic.nav.grid.NavigationMap;
 import majic.nav.grid.OccupancyGrid;
 import majic.time.TimeSource;
@@ -29,6 +33,8 @@ import org.jspecify.annotations.Nullable;
 public abstract class MajicAct extends Thread implements Serializable {
     private static final long serialVersionUID = 1;
     private static final Logger LOG = System.getLogger(MajicAct.class.getName());
+
+    private static final String NOT_STARTED = "an act has no robots before it is started";
 
     /** Farther obstacles are not looked for. */
     private static final double OBSTACLE_MM = 10_000;
@@ -155,7 +161,7 @@ public abstract class MajicAct extends Thread implements Serializable {
     protected final List<BotControl> robots(String role) {
         ActRobots robots = actRobots;
         if (robots == null) {
-            throw new BotException("an act has no robots before it is started");
+            throw new BotException(NOT_STARTED);
         }
         return robots.robots(role);
     }
@@ -181,11 +187,7 @@ public abstract class MajicAct extends Thread implements Serializable {
      * @throws BotException if there is no window, or the act has no robots yet
      */
     protected final void plot(String... parameters) {
-        ActListener listening = listener;
-        if (listening == null) {
-            throw new BotException("an act has no robots before it is started");
-        }
-        listening.plot(List.of(parameters));
+        listening().plot(List.of(parameters));
     }
 
     /**
@@ -208,22 +210,130 @@ public abstract class MajicAct extends Thread implements Serializable {
      * @throws BotException if there is no map, or the place of the robot on it is not known
      */
     protected final double distanceToObstacle() {
-        BotControl me = robot(Role.ME);
         OccupancyGrid map = map();
-        if (me.get("placed") instanceof Value.Unknown) {
-            throw new BotException(
-                    "the place of the robot on the map is not known; \"set pose\" or \"localize\" places it");
-        }
-        return map.obstacleMm(me.get("x").number(), me.get("y").number(), OBSTACLE_MM);
+        Pose here = pose();
+        return map.obstacleMm(here.xMm(), here.yMm(), OBSTACLE_MM);
     }
 
     private OccupancyGrid map() {
-        ActListener listening = listener;
-        return (listening == null ? Optional.<NavigationMap>empty() : listening.map())
+        return teamMap()
+                .get()
                 .map(NavigationMap::grid)
                 .orElseThrow(
                         () -> new BotException(
                                 "the team has no map; \"map start 2\" builds one with robot 2, and \"map open FILE\" opens one"));
+    }
+
+    private CurrentMap teamMap() {
+        return listening().map();
+    }
+
+    private ActListener listening() {
+        ActListener listening = listener;
+        if (listening == null) {
+            throw new BotException(NOT_STARTED);
+        }
+        return listening;
+    }
+
+    /**
+     * Returns where the robot is.
+     *
+     * @return in the frame of the map of the team
+     * @throws BotException if that is not known at present
+     */
+    protected final Pose pose() {
+        return placed(robot(Role.ME));
+    }
+
+    /**
+     * Returns where another robot of the team is. The act does not command it, and others may do so meanwhile.
+     *
+     * @param robot its number or its name
+     * @return in the frame of the map of the team
+     * @throws BotException if there is no such robot, or its place is not known at present
+     */
+    protected final Pose poseOf(String robot) {
+        return placed(listening().teamMate(robot));
+    }
+
+    private static Pose placed(BotControl robot) {
+        if (robot.get("placed") instanceof Value.Unknown) {
+            throw new BotException("the place of " + robot.name()
+                    + " on the map is not known; \"set pose\" or \"localize\" places it");
+        }
+        return new Pose(
+                robot.get("x").number(),
+                robot.get("y").number(),
+                robot.get("heading").number());
+    }
+
+    private MajicBot robot(BotControl control) {
+        ActRobots robots = actRobots;
+        if (robots == null) {
+            throw new BotException(NOT_STARTED);
+        }
+        return robots.robot(control);
+    }
+
+    /**
+     * Drives to a place, around the walls of the map of the team, what the sensors see and the other robots; returns
+     * when the robot is stationary again.
+     *
+     * @param xMm in the frame of the robot's poses
+     * @param yMm in the same frame
+     * @return the place that it has reached
+     * @throws majic.bot.MotionFailed if there is no way, or something stands in the way for too long
+     */
+    protected final MotionReport goTo(double xMm, double yMm) {
+        return goTo(robot(Role.ME), new Destination(xMm, yMm), Guard.NEVER);
+    }
+
+    /**
+     * Drives to a place as {@link #goTo(double, double)} does, and turns to a heading there.
+     *
+     * @param xMm in the frame of the robot's poses
+     * @param yMm in the same frame
+     * @param headingDeg counterclockwise positive
+     * @return the place that it has reached
+     */
+    protected final MotionReport goTo(double xMm, double yMm, double headingDeg) {
+        return goTo(robot(Role.ME), new Destination(new Pose(xMm, yMm, headingDeg), true), Guard.NEVER);
+    }
+
+    /**
+     * Drives to a place of the map of the team as {@link #goTo(double, double)} does.
+     *
+     * @param place its name
+     * @return the place that it has reached
+     * @throws BotException if there is no map, or no such place
+     */
+    protected final MotionReport goTo(String place) {
+        return goTo(robot(Role.ME), new Destination(teamMap().place(place)), Guard.NEVER);
+    }
+
+    /**
+     * Lets a robot of the act drive to a place as {@link #goTo(double, double)} does.
+     *
+     * @param robot {@link #bot}, or one of {@link #robots}
+     * @param destination in the frame of the robot's poses
+     * @param until ends the motion early
+     * @return the place that it has reached
+     */
+    protected final MotionReport goTo(BotControl robot, Destination destination, Guard until) {
+        return teamMap().navigator().goTo(robot(robot), robot, destination, until);
+    }
+
+    /**
+     * Drives where the map that the robot builds is unknown, until nothing is left that it can reach. If the team has
+     * no map, the robot begins one.
+     *
+     * @return how many frontiers of the map were explored, and how much floor the map has
+     * @throws BotException if the robot has no range sensors, or there is a map that no robot builds
+     */
+    protected final MotionReport explore() {
+        BotControl me = robot(Role.ME);
+        return teamMap().explore(robot(me), me, Guard.NEVER);
     }
 
     /**
@@ -243,6 +353,13 @@ public abstract class MajicAct extends Thread implements Serializable {
             throw new BotException("the robot " + why);
         });
         start(new ActRobots(Map.of(Role.ME, List.of(robot))), new ActListener() {
+            private final CurrentMap map = new CurrentMap((bot, news) -> {});
+
+            @Override
+            public CurrentMap map() {
+                return map;
+            }
+
             @Override
             public void said(String words) {
                 LOG.log(Level.INFO, "{0}: {1}", getName(), words);

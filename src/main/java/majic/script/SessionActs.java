@@ -18,6 +18,7 @@ import majic.act.file.ActCatalog;
 import majic.act.file.ActFile;
 import majic.act.file.ActTrust;
 import majic.bot.BotException;
+import majic.bot.MajicBot;
 import majic.bot.MotionStopped;
 import majic.bot.Value;
 import majic.driver.Permit;
@@ -151,7 +152,8 @@ final class SessionActs implements ActRunner {
             MajicAct fresh = found.fresh(values);
             ActRun run = new ActRun(fresh, found.name(), found.titled(values), robots, permit);
             run.usePlots(plotting::show);
-            run.useMap(execution.session().map()::get);
+            run.useMap(execution.session().map());
+            run.useTeam(SessionActs.this::robot);
             if (fresh instanceof ScriptAct script) {
                 script.enter(execution, run.owner(), robots);
             }
@@ -171,6 +173,15 @@ final class SessionActs implements ActRunner {
                     me.number() + ": " + name + " from " + acts.folder()
                             + ", in place of the one that comes with MAJIC");
         }
+    }
+
+    private MajicBot robot(String name) {
+        return team.members().stream()
+                .filter(member -> name.equals(String.valueOf(member.number()))
+                        || !name.isEmpty() && member.name().equalsIgnoreCase(name))
+                .findFirst()
+                .map(Member::bot)
+                .orElseThrow(() -> new BotException("there is no robot " + name));
     }
 
     private Permit permit(Member member) {

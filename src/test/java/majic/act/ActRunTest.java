@@ -3,14 +3,17 @@ package majic.act;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.FakeBot;
 import majic.bot.Pose;
+import majic.nav.CurrentMap;
+import majic.nav.file.MapFiles;
 import majic.nav.grid.NavigationMap;
 import majic.nav.grid.OccupancyGrid;
 import majic.team.Member;
@@ -19,10 +22,14 @@ import majic.team.QueuedCommand;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Tests that an act has exclusive use of its robots. */
 @Tag("jdk")
 class ActRunTest {
+    @TempDir
+    private Path folder;
+
     @AutoClose
     private final TwoRobots rig = new TwoRobots();
 
@@ -134,13 +141,21 @@ class ActRunTest {
         return new ActRun(new Looks(), "Looks", Map.of(Role.ME, List.of(rig.first)), rig.first.currentPermit());
     }
 
+    private CurrentMap map(OccupancyGrid grid) throws IOException {
+        Path file = folder.resolve("map.yaml");
+        MapFiles.write(file, NavigationMap.of(grid));
+        CurrentMap map = new CurrentMap((robot, news) -> {});
+        map.open(file);
+        return map;
+    }
+
     @Test
-    void itAsksTheMapOfTheTeam() throws InterruptedException {
+    void itAsksTheMapOfTheTeam() throws InterruptedException, IOException {
         OccupancyGrid wallAhead =
                 OccupancyGrid.of(new Pose(-2000, -2000, 0), 100, 40, 40, (column, row) -> column == 39 ? 0.9 : 0.1);
         rig.first.bot().place(Pose.START);
         ActRun run = looking();
-        run.useMap(() -> Optional.of(NavigationMap.of(wallAhead)));
+        run.useMap(map(wallAhead));
         rig.submit(run);
         rig.awaitIdle();
 
@@ -148,16 +163,17 @@ class ActRunTest {
     }
 
     @Test
-    void withoutAMapOrAPlaceOnItItFailsWithWhatWouldBeRight() throws InterruptedException {
+    void withoutAMapOrAPlaceOnItItFailsWithWhatWouldBeRight() throws InterruptedException, IOException {
         rig.submit(looking());
         rig.awaitIdle();
         assertThat(rig.said).anyMatch(line -> line.contains("the team has no map; \"map start 2\" builds one"));
 
         ActRun lost = looking();
-        lost.useMap(() -> Optional.of(NavigationMap.of(OccupancyGrid.of(Pose.START, 100, 9, 9, (column, row) -> 0.1))));
+        lost.useMap(map(OccupancyGrid.of(Pose.START, 100, 9, 9, (column, row) -> 0.1)));
         rig.submit(lost);
         rig.awaitIdle();
-        assertThat(rig.said).anyMatch(line -> line.contains("the place of the robot on the map is not known"));
+        assertThat(rig.said)
+                .anyMatch(line -> line.contains("on the map is not known; \"set pose\" or \"localize\" places it"));
     }
 
     @Test
