@@ -55,9 +55,9 @@ final class ProjectTemplate {
     }
 
     static ProjectTemplate act() {
-        return new ProjectTemplate("Patrol", false)
-                .with("Patrol.java", MAIN + "patrol/Patrol.java")
-                .with("PatrolTest.java", TEST + "patrol/PatrolTest.java");
+        return new ProjectTemplate("Pacer", false)
+                .with("Pacer.java", MAIN + "pacer/Pacer.java")
+                .with("PacerTest.java", TEST + "pacer/PacerTest.java");
     }
 
     /**

@@ -115,7 +115,7 @@ class NewCommandTest {
         try (Stream<Path> files = Files.walk(folder)) {
             for (Path file : files.filter(Files::isRegularFile).toList()) {
                 assertThat(file + Files.readString(file))
-                        .doesNotContainIgnoringCase("cart", "patrol")
+                        .doesNotContainIgnoringCase("cart", "pacer")
                         .doesNotContainPattern("@[\\w.]+@");
             }
         }

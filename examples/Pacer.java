@@ -3,7 +3,7 @@ import majic.act.MajicAct;
 import majic.act.Role;
 
 /** An act of one's own: goes ahead as far as there is room, turns round, and does so again. */
-public final class Patrol extends MajicAct {
+public final class Pacer extends MajicAct {
     private static final long serialVersionUID = 1;
     private static final int LEGS = 4;
     private static final double LEG_MM = 600;

@@ -22,14 +22,14 @@ import majicsim.LabOptions;
 import org.junit.jupiter.api.Test;
 
 /** Runs the act in the simulated lab, whose time passes as fast as the computer permits. */
-class PatrolTest {
+class PacerTest {
     @Test
     void itGoesAwayAndComesBackWithoutABump() throws IOException {
         try (SimulatedLab lab = SimulatedLab.stepped(LabOptions.exactOnFreePorts());
                 Team team = new Team(lab.time())) {
             lab.time().join();
             BotFactory factory =
-                    new BotFactory(BotFactory.types(PatrolTest.class.getClassLoader()), Settings.inMemory());
+                    new BotFactory(BotFactory.types(PacerTest.class.getClassLoader()), Settings.inMemory());
             factory.useLab(lab);
             MajicBot robot = factory.create("sim:pioneer");
             robot.connect();
@@ -38,7 +38,7 @@ class PatrolTest {
             Farthest farthest = new Farthest();
             robot.addListener(farthest);
 
-            new ActRun(new Patrol(), "Patrol", Map.of(Role.ME, List.of(member)), new Permit()).run(null);
+            new ActRun(new Pacer(), "Pacer", Map.of(Role.ME, List.of(member)), new Permit()).run(null);
 
             assertTrue(farthest.mm > 300, "it has gone " + farthest.mm + " mm");
             assertTrue(start.distanceMm(pose(lab)) < 100, "it is not back at " + start + " but at " + pose(lab));
