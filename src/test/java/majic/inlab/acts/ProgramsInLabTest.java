@@ -13,6 +13,8 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.inlab.LabRig;
 import majic.nav.CurrentMap;
+import majicsim.LabOptions;
+import majicsim.world.Room;
 import org.junit.jupiter.api.Test;
 
 /** Runs the examples in MAJIC Script, and what the Java examples do with a connected robot, in the stepped lab. */
@@ -96,6 +98,25 @@ class ProgramsInLabTest {
                     .hasSize(10);
             assertThat(rig.truePose("ros").distanceMm(start)).isGreaterThan(100);
             assertThat(ActLabs.bumps(rig)).containsEntry("ros", 0).containsEntry("aibo", 0);
+        }
+    }
+
+    @Test
+    void threePioneersPatrolAnOfficeByScript() throws Exception {
+        LabOptions office = LabOptions.exactOnFreePorts()
+                .withPioneer("p3dx-sh+laser")
+                .withPioneers(3)
+                .withRoom(Room.load(Path.of("sims", "worlds", "office.map")));
+        try (LabRig rig = LabRig.of(office)) {
+            ActLabs.place(rig, "pioneer3", new Pose(0, -6000, 90));
+            List.of("pioneer", "pioneer2", "pioneer3")
+                    .forEach(name -> rig.add(name).place(rig.truePose(name)));
+
+            assertThat(run(rig, "patrol.majic"))
+                    .filteredOn(line -> line.contains("act Patrol"))
+                    .hasSize(3)
+                    .allMatch(line -> line.contains(": done ("));
+            assertThat(ActLabs.bumps(rig).values()).containsOnly(0);
         }
     }
 
