@@ -53,8 +53,8 @@ final class TrafficFigures {
         try (LabRig rig = LabRig.of(options)) {
             rig.session().map().open(WORLD);
             Navigator navigator = rig.session().map().navigator();
-            FreeSpace space = new FreeSpace(
-                    new ObstacleDistance(rig.session().map().get().orElseThrow()), 368, List.of());
+            FreeSpace space =
+                    new FreeSpace(new ObstacleDistance(rig.session().map().get().orElseThrow()), 368, List.of());
             Random random = new Random(seed);
             List<String> names = rig.lab().robots().stream()
                     .filter(name -> name.startsWith("pioneer"))
@@ -86,10 +86,13 @@ final class TrafficFigures {
                 MajicBot robot = robots.get(index);
                 String name = names.get(index);
                 Random own = new Random(seed * 1000 + index);
-                rig.lab().time().thread("driver " + name, () -> {
-                    drive(rig, robot, name, navigator, space, own, endS);
-                    left.countDown();
-                }).start();
+                rig.lab()
+                        .time()
+                        .thread("driver " + name, () -> {
+                            drive(rig, robot, name, navigator, space, own, endS);
+                            left.countDown();
+                        })
+                        .start();
             }
             int shown = 0;
             while (left.getCount() > 0) {
@@ -97,7 +100,8 @@ final class TrafficFigures {
                 int bumped = bumps(rig) - before;
                 if (bumped != shown && System.getProperty("verbose") != null) {
                     shown = bumped;
-                    System.out.println(rig.lab().time().nanos() / NANOS + " bumps " + rig.lab().bumps());
+                    System.out.println(rig.lab().time().nanos() / NANOS + " bumps "
+                            + rig.lab().bumps());
                 }
             }
             double minutes = (System.nanoTime() - beganNanos) / NANOS / 60;
@@ -149,7 +153,8 @@ final class TrafficFigures {
                     failures.merge(String.valueOf(e.getMessage()).replaceAll("-?\\d+", "N"), 1, Integer::sum);
                     if (System.getProperty("verbose") != null) {
                         System.out.println(time.nanos() / NANOS + " " + name + " to " + goal + ": " + e.getMessage()
-                                + " at " + rig.truePose(name) + " believed " + robot.state().pose());
+                                + " at " + rig.truePose(name) + " believed "
+                                + robot.state().pose());
                     }
                 }
                 time.sleep(1);

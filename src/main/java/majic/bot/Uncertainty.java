@@ -21,6 +21,7 @@ public record Uncertainty(double xx, double xy, double yy, double xt, double yt,
     private static final double MM_PER_M = 100;
     /** Of a robot with odometry: the standard deviation of the heading after one metre, deg. */
     static final double DEG_PER_M = 3;
+
     private static final double SHARE_OF_TURN = 0.1;
 
     /** A turn of 360 degrees displaces the centre by some 50 mm. */

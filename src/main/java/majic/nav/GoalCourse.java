@@ -260,7 +260,8 @@ final class GoalCourse implements Course, AutoCloseable {
         boolean due = old == null
                 || age > PLAN_S
                 || age > BLOCKED_PLAN_S && (isBlocked(old.from(here), space) || isLeft(old, here));
-        boolean isAwaited = old != null && age <= LONGEST_BLOCKED_S && navigator.traffic().isRoomMadeFor(vehicle);
+        boolean isAwaited =
+                old != null && age <= LONGEST_BLOCKED_S && navigator.traffic().isRoomMadeFor(vehicle);
         if (!due || isAwaited || aside != null && old != null && age <= PLAN_S) {
             return;
         }
@@ -424,8 +425,8 @@ final class GoalCourse implements Course, AutoCloseable {
     /** Says what keeps the robot from driving where its way is free of reservations. */
     private void explainBlock(Pose here) {
         before = navigator.others(robot).stream()
-                .filter(other -> other.state().pose().distanceMm(here)
-                        < TeamTraffic.apartMm(robot, other) + 2 * LEFT_WAY_MM)
+                .filter(other ->
+                        other.state().pose().distanceMm(here) < TeamTraffic.apartMm(robot, other) + 2 * LEFT_WAY_MM)
                 .findFirst()
                 .orElse(null);
         waits = (before == null ? "something that its sensors see" : before.name()) + " stands in the way";
@@ -611,7 +612,8 @@ final class GoalCourse implements Course, AutoCloseable {
 
     /** Whether the rest of another one's way still leads along the way that this robot would take. */
     private boolean crosses(TeamTraffic traffic, TeamTraffic.Vehicle other, Pose here) {
-        Optional<Way> own = new PathPlanner(new FreeSpace(map, bodyMm, things(false, false))).plan(here, destination.pose());
+        Optional<Way> own =
+                new PathPlanner(new FreeSpace(map, bodyMm, things(false, false))).plan(here, destination.pose());
         if (own.isEmpty()) {
             return false;
         }

@@ -15,7 +15,8 @@ import majic.bot.Value;
 import majic.time.WaitPolicy;
 
 /**
- * What the sensors of one robot have seen around it lately, as points in the frame of its odometry. A point is forgotten when a beam passes through it, or after some seconds. Thread-safe.
+ * What the sensors of one robot have seen around it lately, as points in the frame of its odometry. A point is
+ * forgotten when a beam passes through it, or after some seconds. Thread-safe.
  */
 final class SeenObstacles implements ScanListener {
     /** Farther echoes do not matter yet, and those of sonars say little of a place. */
@@ -26,6 +27,7 @@ final class SeenObstacles implements ScanListener {
 
     /** What the map has as well is kept for as long as it takes to pass it by. */
     private static final double KNOWN_KEPT_S = 1.5;
+
     private static final double CELL_MM = 50;
 
     /** The echo of a sonar is somewhere on an arc, which is taken as points of this distance. */

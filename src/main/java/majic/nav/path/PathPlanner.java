@@ -279,8 +279,7 @@ public final class PathPlanner {
                 return false;
             }
             Pose there = place(node);
-            return from.distanceMm(there) <= nearMm
-                    && space.mm(there.xMm(), there.yMm()) >= leastMm;
+            return from.distanceMm(there) <= nearMm && space.mm(there.xMm(), there.yMm()) >= leastMm;
         }
 
         List<Pose> corners(int end, Pose to) {

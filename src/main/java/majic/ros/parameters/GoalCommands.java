@@ -128,8 +128,8 @@ final class GoalCommands {
             throw new MotionFailed("the navigation of the robot reports its arrival, but the robot moves on");
         }
         Pose there = state.get().pose();
-        return (motion.guardReached() ? "ended at " : "arrived at ") + Value.of(there.xMm(), Unit.MM) + ", " + Value.of(there.yMm(), Unit.MM) + ", "
-                + Value.of(there.headingDeg(), Unit.DEG);
+        return (motion.guardReached() ? "ended at " : "arrived at ") + Value.of(there.xMm(), Unit.MM) + ", "
+                + Value.of(there.yMm(), Unit.MM) + ", " + Value.of(there.headingDeg(), Unit.DEG);
     }
 
     private DriverCommand simple(String name, String type, String action, String help) {

@@ -57,7 +57,8 @@ class PathPlannerTest {
 
     @Test
     void aStraightWayHasNoCorners() {
-        Way way = new PathPlanner(space(300)).plan(LEFT, new Pose(2000, 9000, 0)).orElseThrow();
+        Way way =
+                new PathPlanner(space(300)).plan(LEFT, new Pose(2000, 9000, 0)).orElseThrow();
 
         assertThat(way.points()).hasSize(2);
         assertThat(way.end().headingDeg()).isCloseTo(90, within(0.01));
@@ -87,8 +88,8 @@ class PathPlannerTest {
 
     @Test
     void whatIsUnknownIsNotCrossed() {
-        NavigationMap map = NavigationMap.of(floor((column, row) ->
-                isWall(column, row) ? WALL : column > 100 && column < 120 ? Double.NaN : FREE));
+        NavigationMap map = NavigationMap.of(
+                floor((column, row) -> isWall(column, row) ? WALL : column > 100 && column < 120 ? Double.NaN : FREE));
 
         assertThat(new PathPlanner(new FreeSpace(new ObstacleDistance(map), 300, List.of())).plan(LEFT, RIGHT))
                 .isEmpty();
@@ -103,8 +104,8 @@ class PathPlannerTest {
 
     @Test
     void inTrafficOppositeWaysThroughACorridorKeepApart() {
-        NavigationMap corridor = NavigationMap.of(OccupancyGrid.of(
-                Pose.START, CELL_MM, 200, 42, (column, row) -> row == 0 || row == 41 ? WALL : FREE));
+        NavigationMap corridor = NavigationMap.of(
+                OccupancyGrid.of(Pose.START, CELL_MM, 200, 42, (column, row) -> row == 0 || row == 41 ? WALL : FREE));
         FreeSpace space = new FreeSpace(new ObstacleDistance(corridor), 300, List.of());
         Pose west = new Pose(1000, 1050, 0);
         Pose east = new Pose(9000, 1050, 0);
@@ -129,8 +130,8 @@ class PathPlannerTest {
 
     @Test
     void theDistancesAreExactAlsoInATurnedMap() {
-        OccupancyGrid grid = floor((column, row) -> column == 20 && row == 30 ? WALL : FREE)
-                .movedInto(new Pose(1000, -2000, 30));
+        OccupancyGrid grid =
+                floor((column, row) -> column == 20 && row == 30 ? WALL : FREE).movedInto(new Pose(1000, -2000, 30));
         ObstacleDistance distance = new ObstacleDistance(NavigationMap.of(grid));
         Pose obstacle = grid.centre(20, 30);
         Pose away = grid.centre(50, 70);
