@@ -10,6 +10,8 @@ import majic.bot.Pose;
 import majic.bot.RangeScan;
 import majic.drivertest.DriverConformance;
 import majic.drivertest.TestedRobot;
+import majic.nav.Destination;
+import majic.nav.Navigator;
 import org.junit.jupiter.api.Test;
 
 /** Tests the driver of the cart: what every driver has to do, and what is particular to a cart. */
@@ -55,5 +57,14 @@ class CartTest extends DriverConformance {
             Pose sonar = scan.odometry().plus(scan.sensor().beams().get(0).mount());
             assertEquals(CartPeer.WALL_MM, sonar.xMm() + scan.rangeMm(0), 2);
         }
+    }
+
+    @Test
+    void aCartGoesToAPlace() {
+        cart.bot().connect();
+
+        new Navigator().goTo(cart.bot(), new Destination(800, 0));
+
+        assertEquals(800, cart.bot().state().pose().xMm(), 30);
     }
 }

@@ -19,11 +19,11 @@ import majic.shared.broker.Mosquitto;
  * Measures MAJIC, started as its launcher starts it, and prints the figures with the values they should not exceed.
  * Each figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
  * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab},
- * {@code load}, {@code crash}, {@code shared}, {@code ros}, {@code ways}, {@code mapping}, {@code localisation};
- * without arguments all are measured. {@code shared:10x100} measures one row of {@code shared}, with 10 desks and 100
- * robots, and {@code lab:500} one row of {@code lab}. The address of a robot behind a rosbridge server, such as
- * {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to 12
- * degrees.
+ * {@code load}, {@code crash}, {@code shared}, {@code ros}, {@code ways}, {@code mapping}, {@code localisation},
+ * {@code goto}; without arguments all are measured. {@code shared:10x100} measures one row of {@code shared}, with 10
+ * desks and 100 robots, and {@code lab:500} one row of {@code lab}. The address of a robot behind a rosbridge server,
+ * such as {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to
+ * 12 degrees.
  */
 public final class Figures {
     /** The robots of the window that {@code large} measures. */
@@ -60,10 +60,11 @@ public final class Figures {
             "ros",
             "ways",
             "mapping",
-            "localisation");
+            "localisation",
+            "goto");
 
     private static final List<String> WITHOUT_WINDOW =
-            List.of("lab", "load", "crash", "shared", "ros", "ways", "mapping", "localisation");
+            List.of("lab", "load", "crash", "shared", "ros", "ways", "mapping", "localisation", "goto");
 
     private final ChildProgram programs;
 
@@ -95,6 +96,7 @@ public final class Figures {
                 case "ways" -> figures.ways();
                 case "mapping" -> figures.mapping();
                 case "localisation" -> figures.localisation();
+                case "goto" -> figures.goTo();
                 default -> figures.measureNamed(name);
             }
         }
@@ -295,6 +297,16 @@ public final class Figures {
         say("  | noise | model | median / 95 of 100 / largest | of the heading | place unknown |");
         programs.linesOfBuild(OfficeFigures.class, List.of("localisation", "1", "2", "3", "7"))
                 .forEach(line -> say("  %s", line));
+    }
+
+    private void goTo() throws IOException {
+        say("goals in an office of the lab: reached (99 of 100; Aibo and Hemisson 95), contacts (0), length of the way"
+                + " (1.1; 95 of 100 within 1.3), time (1.4), error (50 mm and 5 deg)");
+        for (String kind : List.of("laser", "sonar", "ros", "aibo", "hemisson")) {
+            programs.linesOfBuild(GoToFigures.class, List.of(kind, "100", "1")).forEach(line -> say("  %s", line));
+        }
+        say("many robots with random goals in the same office: contacts (0)");
+        programs.linesOfBuild(TrafficFigures.class, List.of("20", "3600", "1")).forEach(line -> say("  %s", line));
     }
 
     private void ros() throws IOException, InterruptedException {

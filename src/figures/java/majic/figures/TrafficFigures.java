@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -35,6 +36,8 @@ final class TrafficFigures {
     private final long seed;
     private final AtomicInteger reached = new AtomicInteger();
     private final Map<String, Integer> failures = Collections.synchronizedMap(new TreeMap<>());
+    private final Map<MajicBot, Long> waitingSince = new HashMap<>();
+    private double longestWaitS;
     private final List<Double> times = Collections.synchronizedList(new ArrayList<>());
 
     private TrafficFigures(int count, double seconds, long seed) {
@@ -62,9 +65,7 @@ final class TrafficFigures {
             List<Pose> taken = new ArrayList<>(List.of(rig.truePose("aibo"), rig.truePose("hemisson")));
             List<MajicBot> robots = new ArrayList<>();
             for (String name : names) {
-                Pose place = place(random, space, taken);
-                taken.add(place);
-                rig.lab().place(name, place);
+                taken.add(placed(rig, name, random, space, taken));
             }
             rig.lab().time().sleep(0.5);
             for (String name : names) {
@@ -72,14 +73,8 @@ final class TrafficFigures {
                 robot.place(rig.truePose(name));
                 robots.add(robot);
             }
-            rig.session().addListener(line -> {
-                if (System.getProperty("verbose") != null && line.text().contains("place")) {
-                    System.out.println(rig.lab().time().nanos() / NANOS + " " + line.text());
-                }
-            });
             rig.lab().time().sleep(1);
             int before = bumps(rig);
-            long beganNanos = System.nanoTime();
             double endS = rig.lab().time().nanos() / NANOS + seconds;
             CountDownLatch left = new CountDownLatch(count);
             for (int index = 0; index < count; index++) {
@@ -89,40 +84,55 @@ final class TrafficFigures {
                 rig.lab()
                         .time()
                         .thread("driver " + name, () -> {
-                            drive(rig, robot, name, navigator, space, own, endS);
+                            drive(rig, robot, navigator, space, own, endS);
                             left.countDown();
                         })
                         .start();
             }
-            int shown = 0;
             while (left.getCount() > 0) {
-                rig.lab().time().sleep(5);
-                int bumped = bumps(rig) - before;
-                if (bumped != shown && System.getProperty("verbose") != null) {
-                    shown = bumped;
-                    System.out.println(rig.lab().time().nanos() / NANOS + " bumps "
-                            + rig.lab().bumps());
-                }
+                rig.lab().time().sleep(1);
+                robots.forEach(robot -> noteWait(navigator, robot, rig.lab().time()));
             }
-            double minutes = (System.nanoTime() - beganNanos) / NANOS / 60;
             Collections.sort(times);
             return List.of(String.format(
                     Locale.ROOT,
-                    "%d robots, %.0f s: %d goals reached, %d contacts, longest wait %.0f s, %.1f min; time of a goal %.0f s, longest %.0f s; failures %s",
+                    "%d robots, %.0f s: %d goals reached, %d contacts, longest wait %.0f s; time of a goal %.0f s, longest"
+                            + " %.0f s; failures %s",
                     count,
                     seconds,
                     reached.get(),
                     bumps(rig) - before,
-                    0.0,
-                    minutes,
+                    longestWaitS,
                     times.get(times.size() / 2),
                     times.get(times.size() - 1),
                     failures));
         }
     }
 
+    private void noteWait(Navigator navigator, MajicBot robot, TimeSource time) {
+        if (navigator.waits(robot).isEmpty()) {
+            waitingSince.remove(robot);
+        } else {
+            long since = waitingSince.computeIfAbsent(robot, waits -> time.nanos());
+            longestWaitS = Math.max(longestWaitS, time.secondsSince(since));
+        }
+    }
+
     private static int bumps(LabRig rig) {
         return rig.lab().bumps().values().stream().mapToInt(Integer::intValue).sum();
+    }
+
+    /** Puts a robot anywhere; the lab refuses a place where another one is that has not been put elsewhere yet. */
+    private static Pose placed(LabRig rig, String name, Random random, FreeSpace space, List<Pose> taken) {
+        while (true) {
+            Pose place = place(random, space, taken);
+            try {
+                rig.lab().place(name, place);
+                return place;
+            } catch (BotException e) {
+                continue;
+            }
+        }
     }
 
     private static Pose place(Random random, FreeSpace space, List<Pose> taken) {
@@ -138,8 +148,7 @@ final class TrafficFigures {
         }
     }
 
-    private void drive(
-            LabRig rig, MajicBot robot, String name, Navigator navigator, FreeSpace space, Random random, double endS) {
+    private void drive(LabRig rig, MajicBot robot, Navigator navigator, FreeSpace space, Random random, double endS) {
         TimeSource time = rig.lab().time();
         try {
             while (time.nanos() / NANOS < endS) {
@@ -151,11 +160,6 @@ final class TrafficFigures {
                     times.add(time.nanos() / NANOS - beganS);
                 } catch (BotException e) {
                     failures.merge(String.valueOf(e.getMessage()).replaceAll("-?\\d+", "N"), 1, Integer::sum);
-                    if (System.getProperty("verbose") != null) {
-                        System.out.println(time.nanos() / NANOS + " " + name + " to " + goal + ": " + e.getMessage()
-                                + " at " + rig.truePose(name) + " believed "
-                                + robot.state().pose());
-                    }
                 }
                 time.sleep(1);
             }

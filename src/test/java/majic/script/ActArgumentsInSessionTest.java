@@ -62,7 +62,7 @@ class ActArgumentsInSessionTest {
     void open() throws IOException {
         steps = steps == null ? Sources.act(folder, "Steps", STEPS) : steps;
         Path file = Files.write(folder.resolve("Steps.act"), steps);
-        Files.write(folder.resolve("patrol.majic"), PATROL);
+        Files.write(folder.resolve("rounds.majic"), PATROL);
         fixture = new ScriptFixture(new ActCatalog(folder, Sources.trusting(ActFile.read(file))));
         fixture.add(fixture.aibo);
         fixture.add(fixture.pioneer);
@@ -77,8 +77,8 @@ class ActArgumentsInSessionTest {
                 "1 act Steps length=20cm COUNT=1 | move 200",
                 "1 act Steps length = 300 count = 3 | move 300,move 300,move 300",
                 "1.act(Steps, length=300, count=1) | move 300",
-                "1 act patrol | move 500,turn 90",
-                "1 act patrol far=1m | move 1000,turn 90"
+                "1 act rounds | move 500,turn 90",
+                "1 act rounds far=1m | move 1000,turn 90"
             })
     void theActUsesTheValuesOfItsLine(String line, String sent) throws InterruptedException {
         assertThat(fixture.runPipe(line)).noneMatch(answer -> answer.contains("failed"));
@@ -98,7 +98,7 @@ class ActArgumentsInSessionTest {
             delimiter = '|',
             value = {
                 "1 act Steps lenght=200 | lenght: the act has no such argument; did you mean length?",
-                "1 act patrol speed=200 | speed: the act has no such argument; it takes far, sit",
+                "1 act rounds speed=200 | speed: the act has no such argument; it takes far, sit",
                 "1 act Steps length=5 | length 5: outside 10 … 500 mm",
                 "1 act Steps length=5deg | length 5 deg: not in mm",
                 "1 act Steps count=1.5 | count 1.5: not a whole number",
@@ -106,8 +106,8 @@ class ActArgumentsInSessionTest {
                 "1 act Steps count=1 count=2 | count: given twice",
                 "1 act Steps count= | behind \"=\" a value for count is missing",
                 "1 act Steps count==1 | ==: = is expected here",
-                "1 act patrol far=5 | far 5: outside 100 … 2000 mm",
-                "1 act patrol sit=2 | sit 2: it is yes or no",
+                "1 act rounds far=5 | far 5: outside 100 … 2000 mm",
+                "1 act rounds sit=2 | sit 2: it is yes or no",
                 "1 act Steps with 2 count=1 | count: write arguments in front of \"with\"",
                 "1 act Guard near=3 | near: the act has no such argument; it takes none"
             })
@@ -152,9 +152,9 @@ class ActArgumentsInSessionTest {
 
     @Test
     void theCommentAtTheHeadOfAScriptDescribesIt() throws InterruptedException {
-        assertThat(fixture.session.offers().find("patrol").details().description())
+        assertThat(fixture.session.offers().find("rounds").details().description())
                 .isEqualTo("Goes there and turns.");
-        assertThat(fixture.runPipe("acts")).contains("acts: patrol (me): Goes there and turns. Arguments: far, sit.");
+        assertThat(fixture.runPipe("acts")).contains("acts: rounds (me): Goes there and turns. Arguments: far, sit.");
     }
 
     @Test
@@ -169,12 +169,12 @@ class ActArgumentsInSessionTest {
 
     @Test
     void theDescriptionOfAnActListsThemAll() throws InterruptedException {
-        assertThat(fixture.runPipe("acts patrol", "acts Steps"))
+        assertThat(fixture.runPipe("acts rounds", "acts Steps"))
                 .containsSubsequence(
-                        "acts: patrol: Goes there and turns.",
-                        "acts: patrol: needs me",
-                        "acts: patrol: takes far = 500mm from 100 to 2000 \"how far it goes\"",
-                        "acts: patrol: takes sit = yes \"\"",
+                        "acts: rounds: Goes there and turns.",
+                        "acts: rounds: needs me",
+                        "acts: rounds: takes far = 500mm from 100 to 2000 \"how far it goes\"",
+                        "acts: rounds: takes sit = yes \"\"",
                         "acts: Steps: takes length = 100mm from 10 to 500 \"how far a step goes\"",
                         "acts: Steps: takes count = 2 whole from 1 \"how many steps\"");
         assertThat(fixture.refusal("acts Stops")).get().asString().contains("there is no act Stops");
@@ -187,7 +187,7 @@ class ActArgumentsInSessionTest {
                 "1 act Steps | count= length= with",
                 "1 act Steps length=200 | count= with",
                 "1 act Steps length= | 100mm",
-                "1 act patrol sit= | no yes",
+                "1 act rounds sit= | no yes",
                 "1 act Nothing  | with"
             })
     void aLineIsCompletedWithThem(String line, String words) {
