@@ -10,7 +10,6 @@ import majic.bot.DriveGuard.Room;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.Pose;
-import majic.bot.Unit;
 import majic.bot.Value;
 import majic.nav.path.FreeSpace;
 import majic.nav.path.FreeSpace.Disc;
@@ -161,9 +160,7 @@ final class GoalCourse implements Course, AutoCloseable {
 
     @Override
     public Value amount() {
-        Pose here = robot.state().pose();
-        return Value.many(List.of(
-                Value.of(here.xMm(), Unit.MM), Value.of(here.yMm(), Unit.MM), Value.of(here.headingDeg(), Unit.DEG)));
+        return Navigator.place(robot);
     }
 
     @Override

@@ -139,8 +139,15 @@ public final class Navigator {
         List<Value> values =
                 destination.withHeading() ? List.of(x, y, Value.of(pose.headingDeg(), Unit.DEG)) : List.of(x, y);
         long begunNanos = robot.time().nanos();
-        String answer = control.run(OWN, values, until);
-        return new MotionReport(Value.text(answer), robot.time().secondsSince(begunNanos));
+        control.run(OWN, values, until);
+        return new MotionReport(place(robot), robot.time().secondsSince(begunNanos));
+    }
+
+    /** Returns where a robot is, as answers show it. */
+    static Value place(MajicBot robot) {
+        Pose here = robot.state().pose();
+        return Value.many(List.of(
+                Value.of(here.xMm(), Unit.MM), Value.of(here.yMm(), Unit.MM), Value.of(here.headingDeg(), Unit.DEG)));
     }
 
     /**
