@@ -94,7 +94,7 @@ public final class Program implements AutoCloseable {
         log = SessionLog.unopened();
         ActCatalog acts = new ActCatalog(folder.file("acts"), new ActTrust(settings));
         session = new Session(team, factory, log, acts, quit::countDown);
-        sharing = new ProgramSharing(team, settings, session.map()::localize);
+        sharing = new ProgramSharing(team, settings, new SharedMap(session.map()));
         UsedSite.joinAll(team, factory.types(), sharing);
         recorder = records ? record() : null;
         if (lab != null) {

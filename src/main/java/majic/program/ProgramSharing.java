@@ -2,9 +2,7 @@ package majic.program;
 
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Consumer;
 import majic.bot.BotException;
-import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
 import majic.gui.kit.RobotSharing;
@@ -12,6 +10,7 @@ import majic.shared.broker.BrokerAddress;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerLogins;
 import majic.shared.broker.ConnectOptions;
+import majic.shared.desk.DeskMap;
 import majic.shared.desk.DeskOptions;
 import majic.shared.desk.DeskSharing;
 import majic.shared.message.DeskName;
@@ -29,7 +28,7 @@ public final class ProgramSharing implements RobotSharing {
     private static final String PERSON = "sharing.person";
 
     private final Team team;
-    private final Consumer<MajicBot> localizer;
+    private final DeskMap map;
     private final BotEnvironment environment;
     private @Nullable DeskSharing sharing;
     private @Nullable Place place;
@@ -40,11 +39,11 @@ public final class ProgramSharing implements RobotSharing {
     /**
      * Shares nothing yet.
      *
-     * @param localizer looks for a robot everywhere on the map of the team
+     * @param map the map of the team
      */
-    ProgramSharing(Team team, Settings settings, Consumer<MajicBot> localizer) {
+    ProgramSharing(Team team, Settings settings, DeskMap map) {
         this.team = team;
-        this.localizer = localizer;
+        this.map = map;
         this.environment = new BotEnvironment(TimeSource.system(), settings);
     }
 
@@ -110,7 +109,7 @@ public final class ProgramSharing implements RobotSharing {
                     options,
                     (clientId, will) -> BrokerConnection.open(
                             address, ConnectOptions.of(clientId, environment).withWill(will)),
-                    localizer);
+                    map);
             started.start();
             become(started, wanted);
         } finally {

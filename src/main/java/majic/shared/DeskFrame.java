@@ -52,6 +52,12 @@ final class DeskFrame {
         bot.place(pose);
     }
 
+    /** Returns a pose in the frame of this program as it is in that of the desk. */
+    Pose atDesk(Pose here) {
+        Pose there = origin;
+        return isAdopted() || there == null ? here : there.plus(here.seenFrom(bot.odometryOrigin()));
+    }
+
     /** Returns whether a condition in MAJIC Script means the same at the desk as here. */
     boolean hasMeaningOf(String condition) {
         return isAdopted() || !POSE.matcher(condition).find();

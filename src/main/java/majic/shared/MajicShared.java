@@ -74,6 +74,9 @@ public final class MajicShared extends BotDriver {
 
     private static final long NO_STOPS_KNOWN = -1;
 
+    /** Its desk performs it by the navigation of the robot, if that has one. */
+    private static final String GOTO = "goto";
+
     /** Parameters that the desk does not have, or that have other values there. */
     private static final Pattern ONLY_HERE = Pattern.compile("(?i)\\b(desk|holder|delay|age)\\b");
 
@@ -123,6 +126,25 @@ public final class MajicShared extends BotDriver {
         add(new DriverCommand(
                 "hold", List.of(), false, "keeps others from moving it until free", (none, motion) -> hold()));
         add(new DriverCommand("free", List.of(), false, "lets others move it", (none, motion) -> free()));
+        add(new DriverCommand(
+                GOTO,
+                List.of(
+                        Parameter.number("x", Unit.MM, "as in pose"),
+                        Parameter.number("y", Unit.MM, "as in pose")
+                                .with(Parameter.number("heading", Unit.DEG, "at the end; without it, any"))),
+                true,
+                "drives to a place, around what is in the way, by the map of its desk",
+                this::goTo));
+    }
+
+    private String goTo(List<Value> place, Motion motion) {
+        boolean withHeading = place.size() > 2;
+        Pose here = new Pose(
+                place.get(0).number(),
+                place.get(1).number(),
+                withHeading ? place.get(2).number() : 0);
+        motions.perform(motion, until -> new RequestedAction.GoTo(frame.atDesk(here), withHeading, until));
+        return "";
     }
 
     private String hold() {
@@ -190,8 +212,10 @@ public final class MajicShared extends BotDriver {
         commandNames.forEach(this::removeCommand);
         commandNames.clear();
         for (BotCommand command : found.commands()) {
-            commandNames.add(command.name());
-            add(described.command(command));
+            if (!command.name().equalsIgnoreCase(GOTO)) {
+                commandNames.add(command.name());
+                add(described.command(command));
+            }
         }
     }
 

@@ -14,6 +14,7 @@ import majic.environment.Settings;
 import majic.inlab.LabRig;
 import majic.log.Line;
 import majic.log.SessionLog;
+import majic.program.SharedMap;
 import majic.script.MajicParser;
 import majic.script.Session;
 import majic.shared.broker.BrokerConnection;
@@ -54,7 +55,7 @@ final class TwoDesks implements AutoCloseable {
                 desk2.team(),
                 new DeskOptions("lab", "desk2", "Bert", "MAJIC", Set.of(), false),
                 (id, will) -> opened(ofDesk2, ConnectOptions.of(id, environment).withWill(will)),
-                desk2.session().map()::localize);
+                new SharedMap(desk2.session().map()));
         sharing.start();
     }
 

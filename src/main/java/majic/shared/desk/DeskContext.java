@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.bot.BotException;
-import majic.bot.MajicBot;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.PublicationRefused;
@@ -22,7 +21,7 @@ import majic.team.Team;
  * @param connection with the broker
  * @param clock in which senders state how long something is valid
  * @param worker does what the thread of the connection must not wait for
- * @param localizer looks for a robot everywhere on the map of this program
+ * @param map the map of this program
  * @param wake makes the timer of the desk look for work at once
  */
 record DeskContext(
@@ -32,7 +31,7 @@ record DeskContext(
         BrokerConnection connection,
         DeskClock clock,
         DeskWorker worker,
-        Consumer<MajicBot> localizer,
+        DeskMap map,
         Runnable wake) {
 
     /** Publishes a message if there is a connection; without one nothing is kept for later. */

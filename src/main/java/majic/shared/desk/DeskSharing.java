@@ -6,11 +6,9 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.function.Consumer;
 import java.util.function.Predicate;
 import majic.bot.BotException;
 import majic.bot.ConnectFailed;
-import majic.bot.MajicBot;
 import majic.shared.broker.BrokerConnection;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.MessageLimit;
@@ -75,9 +73,7 @@ public final class DeskSharing implements AutoCloseable {
      * @param opener makes the connection with the broker
      */
     public DeskSharing(Team team, DeskOptions options, ConnectionOpener opener) {
-        this(team, options, opener, robot -> {
-            throw new BotException("localize: there is no map");
-        });
+        this(team, options, opener, new DeskMap() {});
     }
 
     /**
@@ -86,9 +82,9 @@ public final class DeskSharing implements AutoCloseable {
      * @param team the robots
      * @param options what is shared, and under which name
      * @param opener makes the connection with the broker
-     * @param localizer looks for a robot everywhere on the map of the team; throws a {@link BotException} if it cannot
+     * @param map the map of the team
      */
-    public DeskSharing(Team team, DeskOptions options, ConnectionOpener opener, Consumer<MajicBot> localizer) {
+    public DeskSharing(Team team, DeskOptions options, ConnectionOpener opener, DeskMap map) {
         Sender self = Sender.ofThisRun(options.desk(), options.person());
         SiteTopics topics = new SiteTopics(options.site());
         Presence here = new Presence(Presence.State.ONLINE, self, options.program(), List.of());
@@ -97,7 +93,7 @@ public final class DeskSharing implements AutoCloseable {
         this.worker = new DeskWorker(connection.time(), "desk " + self.desk() + " requests");
         this.timer = new DeskTimer(connection.time(), "desk " + self.desk() + " timer", this::tick);
         this.desk = new DeskContext(
-                team, self, topics, connection, new DeskClock(connection.time()), worker, localizer, timer::wake);
+                team, self, topics, connection, new DeskClock(connection.time()), worker, map, timer::wake);
         this.presence = new DeskPresence(desk, options.program(), this::robots, this::withdraw);
         this.fleet = options.vda5050() ? new DeskFleet(desk, options.site(), opener) : null;
         this.shared = new SharedTeam(desk, options.robots(), robots, presence, fleet);

@@ -5,6 +5,7 @@ import java.util.OptionalLong;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import majic.bot.BotCommand;
 import majic.bot.BotControl;
@@ -12,6 +13,7 @@ import majic.bot.BotException;
 import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
+import majic.bot.MotionReport;
 import majic.bot.MotionStopped;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.message.Request;
@@ -119,8 +121,11 @@ final class RequestRunner {
     }
 
     private void begin(IncomingRequest incoming, RequestedAction action) {
-        if (action instanceof RequestedAction.Motion motion) {
-            move(incoming, motion);
+        if (action instanceof RequestedAction.Maneuver maneuver) {
+            maneuver.check(robot.bot());
+            move(incoming, maneuver, maneuver::perform);
+        } else if (action instanceof RequestedAction.GoTo place) {
+            move(incoming, place, (control, until) -> desk.map().goTo(robot.bot(), control, place, until));
         } else if (action instanceof RequestedAction.Get get) {
             get(incoming, get);
         } else if (action instanceof RequestedAction.Set set) {
@@ -141,10 +146,10 @@ final class RequestRunner {
         }
     }
 
-    private void move(IncomingRequest incoming, RequestedAction.Motion motion) {
+    private void move(
+            IncomingRequest incoming, RequestedAction.Motion motion, BiFunction<BotControl, Guard, MotionReport> work) {
         Guard until = UntilText.guard(motion.until(), desk.team(), robot.member());
-        motion.check(robot.bot());
-        submit(incoming, true, control -> RequestReply.done(motion.perform(control, until)));
+        submit(incoming, true, control -> RequestReply.done(work.apply(control, until)));
     }
 
     private void get(IncomingRequest incoming, RequestedAction.Get get) {
@@ -167,7 +172,7 @@ final class RequestRunner {
 
     private void localize(IncomingRequest incoming) {
         beside(incoming, control -> {
-            desk.localizer().accept(robot.bot());
+            desk.map().localize(robot.bot());
             incoming.answer(RequestReply.done(""));
         });
     }

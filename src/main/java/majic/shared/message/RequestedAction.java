@@ -9,6 +9,7 @@ import majic.bot.BotControl;
 import majic.bot.Guard;
 import majic.bot.MajicBot;
 import majic.bot.MotionReport;
+import majic.bot.Pose;
 import majic.bot.Value;
 
 /** What a request asks a robot to do. Immutable; {@code toString()} is how answers repeat it. */
@@ -23,7 +24,10 @@ public sealed interface RequestedAction {
          * @return MAJIC Script; empty for none
          */
         String until();
+    }
 
+    /** A motion that a robot makes alone, without a map. */
+    sealed interface Maneuver extends Motion {
         /**
          * Checks the arguments; nothing is sent.
          *
@@ -49,7 +53,7 @@ public sealed interface RequestedAction {
      * @param mm ahead positive
      * @param until MAJIC Script; empty for none
      */
-    record Move(double mm, String until) implements Motion {
+    record Move(double mm, String until) implements Maneuver {
         @Override
         public String toString() {
             return "move " + Value.plain(mm) + behind(until);
@@ -72,7 +76,7 @@ public sealed interface RequestedAction {
      * @param degrees counterclockwise positive
      * @param until MAJIC Script; empty for none
      */
-    record Turn(double degrees, String until) implements Motion {
+    record Turn(double degrees, String until) implements Maneuver {
         @Override
         public String toString() {
             return "turn " + Value.plain(degrees) + behind(until);
@@ -97,7 +101,7 @@ public sealed interface RequestedAction {
      * @param seconds for how long
      * @param until MAJIC Script; empty for none
      */
-    record Drive(double mmPerSec, double degPerSec, double seconds, String until) implements Motion {
+    record Drive(double mmPerSec, double degPerSec, double seconds, String until) implements Maneuver {
         @Override
         public String toString() {
             return "drive " + Value.plain(mmPerSec) + " " + Value.plain(degPerSec) + " for " + Value.plain(seconds)
@@ -112,6 +116,21 @@ public sealed interface RequestedAction {
         @Override
         public MotionReport perform(BotControl control, Guard guard) {
             return control.drive(mmPerSec, degPerSec, seconds, guard);
+        }
+    }
+
+    /**
+     * Drives to a place, by the map and the navigation of the desk.
+     *
+     * @param pose in the frame of the desk; its heading counts only if {@code withHeading}
+     * @param withHeading whether the robot turns to the heading there
+     * @param until MAJIC Script; empty for none
+     */
+    record GoTo(Pose pose, boolean withHeading, String until) implements Motion {
+        @Override
+        public String toString() {
+            return "goto " + Value.plain(pose.xMm()) + " " + Value.plain(pose.yMm())
+                    + (withHeading ? " " + Value.plain(pose.headingDeg()) : "") + behind(until);
         }
     }
 
@@ -211,6 +230,13 @@ public sealed interface RequestedAction {
         } else if (action instanceof Drive drive) {
             to.put("do", "drive").put("mmPerSec", drive.mmPerSec()).put("degPerSec", drive.degPerSec());
             to.put("seconds", drive.seconds());
+        } else if (action instanceof GoTo place) {
+            to.put("do", "goto")
+                    .put("x", place.pose().xMm())
+                    .put("y", place.pose().yMm());
+            if (place.withHeading()) {
+                to.put("heading", place.pose().headingDeg());
+            }
         } else if (action instanceof Get get) {
             to.put("do", "get").put("parameter", get.parameter());
         } else if (action instanceof Set set) {
@@ -237,6 +263,11 @@ public sealed interface RequestedAction {
             case "turn" -> new Turn(from.number("degrees"), until);
             case "drive" ->
                 new Drive(from.number("mmPerSec"), from.number("degPerSec", 0), from.number("seconds", 1), until);
+            case "goto" ->
+                new GoTo(
+                        new Pose(from.number("x"), from.number("y"), from.number("heading", 0)),
+                        from.has("heading"),
+                        until);
             case "get" -> new Get(from.text("parameter"));
             case "set" -> new Set(from.text("parameter"), from.list("values", ValueJson::given));
             case "run" -> new Run(from.text("command"), from.list("arguments", ValueJson::given));
@@ -247,7 +278,8 @@ public sealed interface RequestedAction {
             case "localize" -> new Localize();
             default ->
                 throw from.wrong(
-                        "do", "it is one of move, turn, drive, get, set, run, hold, free, picture, scans, localize");
+                        "do",
+                        "it is one of move, turn, drive, goto, get, set, run, hold, free, picture, scans, localize");
         };
     }
 }

@@ -9,6 +9,8 @@ import majic.driver.BotDriver;
 import majic.drivertest.TestClock;
 import majic.environment.BotEnvironment;
 import majic.environment.Settings;
+import majic.nav.CurrentMap;
+import majic.program.SharedMap;
 import majic.shared.broker.BrokerMessage;
 import majic.shared.broker.ConnectOptions;
 import majic.shared.broker.FakeBroker;
@@ -60,7 +62,11 @@ final class SharingRig implements AutoCloseable {
 
     /** Another desk with a team of its own, or the same desk once more. */
     DeskSharing sharing(String desk, Team of) {
-        return new DeskSharing(of, new DeskOptions(SITE, desk, "Bob", "MAJIC test", Set.of(), false), this::open);
+        return new DeskSharing(
+                of,
+                new DeskOptions(SITE, desk, "Bob", "MAJIC test", Set.of(), false),
+                this::open,
+                new SharedMap(new CurrentMap((robot, news) -> {})));
     }
 
     FakeConnection open(String clientId, BrokerMessage will) {

@@ -119,6 +119,8 @@ class SchemasTest {
                         new RequestedAction.Move(-300.5, "distanceFront < 300 mm"),
                         new RequestedAction.Turn(90, ""),
                         new RequestedAction.Drive(200, -10, 2.5, "bumped"),
+                        new RequestedAction.GoTo(new Pose(1500, -300, 90), true, "bumped"),
+                        new RequestedAction.GoTo(new Pose(1500, -300, 0), false, ""),
                         new RequestedAction.Get("voltage"),
                         new RequestedAction.Set("headPan", List.of(Value.of(30, Unit.NONE), Value.text("500ms"))),
                         new RequestedAction.Run("wag", List.of(Value.yesNo(true))),
