@@ -1,6 +1,7 @@
 package majic.figures;
 
 import java.io.IOException;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -30,7 +31,8 @@ import majicsim.world.Room;
 /**
  * Sends one robot of the lab to many places of the office, with the usual noise, on the stepped clock: how many it
  * reaches, contacts, the length of its ways against the planned ones, the time against these at cruising speed, and how
- * far it is from the goal by its true place; each as median, the value that 95 of 100 do not exceed, and the largest.
+ * far it is from the goal by its true place, mm and deg, and what the thread of the motion takes of a core, percent;
+ * each as median, the value that 95 of 100 do not exceed, and the largest.
  */
 final class GoToFigures {
     private static final Path WORLD = Path.of("sims", "worlds", "office.map");
@@ -46,6 +48,7 @@ final class GoToFigures {
     private final List<Double> times = new ArrayList<>();
     private final List<Double> errors = new ArrayList<>();
     private final List<Double> turns = new ArrayList<>();
+    private final List<Double> loads = new ArrayList<>();
     private final Map<String, Integer> failures = new TreeMap<>();
     private int reached;
 
@@ -90,7 +93,8 @@ final class GoToFigures {
                                     reached,
                                     goals,
                                     rig.lab().bumps().getOrDefault(name, 0))
-                            + String.join(" | ", spread(lengths), spread(times), spread(errors), spread(turns))
+                            + String.join(
+                                    " | ", spread(lengths), spread(times), spread(errors), spread(turns), spread(loads))
                             + " |",
                     "failures: " + failures);
         }
@@ -158,10 +162,15 @@ final class GoToFigures {
         } while (shortest == null || shortest.lengthMm() < LEAST_MM || shortest.lengthMm() > mostMm());
         driven.take();
         double beganS = rig.lab().time().nanos() / NANOS;
+        long beganOfCore = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
         try {
             navigator.goTo(robot, new Destination(to, true));
             reached++;
             double tookS = rig.lab().time().nanos() / NANOS - beganS;
+            loads.add(100
+                    * (ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime() - beganOfCore)
+                    / NANOS
+                    / tookS);
             rig.lab().time().sleep(0.5);
             Pose there = rig.truePose(name);
             lengths.add(driven.take() / shortest.lengthMm());

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
@@ -145,6 +146,48 @@ class GoToInLabTest {
         assertThat(rig.run("1 goto -6300 -5800")).last().asString().contains("done (");
         assertThat(rig.truePose("pioneer").distanceMm(new Pose(-6300, -5800, 0)))
                 .isLessThan(60);
+        assertThat(contacts()).isZero();
+    }
+
+    /** Puts the second Pioneer somewhere, and into the team. */
+    private void addOther(Pose place) throws InterruptedException {
+        rig.lab().place("pioneer2", place);
+        rig.lab().time().sleep(0.5);
+        rig.add("pioneer2").place(rig.truePose("pioneer2"));
+    }
+
+    @Test
+    void twoThatComeFromTheEndsOfACorridorPassEachOther() throws InterruptedException {
+        addOther(new Pose(7000, -6000, 180));
+
+        List<String> answers = rig.run("1 goto 7000 -6000", "2 goto -7000 -6000", "1,2 wait");
+
+        assertThat(answers).filteredOn(answer -> answer.contains(": done (")).hasSize(2);
+        assertThat(rig.truePose("pioneer").distanceMm(new Pose(7000, -6000, 0))).isLessThan(50);
+        assertThat(rig.truePose("pioneer2").distanceMm(new Pose(-7000, -6000, 0)))
+                .isLessThan(50);
+        assertThat(contacts()).isZero();
+    }
+
+    @Test
+    void oneThatStandsInTheOnlyDoorIsNamed() throws InterruptedException {
+        addOther(new Pose(-3000, 4900, 90));
+
+        assertThat(rig.run("1 goto -3000 3600"))
+                .last()
+                .asString()
+                .contains("failed: robot 2 (Pioneer) stands in the way for 20 s");
+        assertThat(contacts()).isZero();
+    }
+
+    @Test
+    void anotherRobotThatDrivesAheadIsNotTakenForAWall() throws InterruptedException {
+        addOther(new Pose(-7500, -6300, 0));
+        rig.say("2 goto 7000 -6300");
+        rig.run("1 goto 5500 -6300", "1 wait");
+
+        assertThat(robot.uncertainty().isKnown()).isTrue();
+        assertThat(robot.state().pose().distanceMm(rig.truePose("pioneer"))).isLessThan(60);
         assertThat(contacts()).isZero();
     }
 }
