@@ -95,6 +95,9 @@ final class GoalCourse implements Course, AutoCloseable {
 
     private static final double AGAIN_ASIDE_S = 5;
 
+    /** How often it looks whether the other one has passed. */
+    private static final double LOOK_S = 0.5;
+
     private final MajicBot robot;
     private final Destination destination;
     private final Navigator navigator;
@@ -103,6 +106,7 @@ final class GoalCourse implements Course, AutoCloseable {
     private final boolean hasRanges;
     private final double bodyMm;
     private ObstacleDistance map;
+    private boolean onMap;
     private @Nullable Way way;
     private double plannedS = Double.NEGATIVE_INFINITY;
     private double progressS;
@@ -117,6 +121,7 @@ final class GoalCourse implements Course, AutoCloseable {
     private TeamTraffic.@Nullable Vehicle roomFor;
     private @Nullable Pose aside;
     private double asideS = Double.NEGATIVE_INFINITY;
+    private double lookedS = Double.NEGATIVE_INFINITY;
 
     /** The place cannot be reached at present, though the robot could drive. */
     static final class NoWay extends MotionFailed {
@@ -133,6 +138,7 @@ final class GoalCourse implements Course, AutoCloseable {
         this.navigator = navigator;
         this.bodyMm = robot.profile().bodyMm();
         this.hasRanges = !robot.rangeSensors().isEmpty();
+        this.onMap = navigator.hasMap();
         this.map = navigator.distances(robot, destination);
         this.seen = new SeenObstacles(robot, this::isKnown);
         this.vehicle = navigator.traffic().begin(robot);
@@ -181,10 +187,19 @@ final class GoalCourse implements Course, AutoCloseable {
         if (left <= ARRIVED_MM || left <= NEARLY_MM && turnsAtEnd > 0) {
             return arrived(here);
         }
-        map = navigator.distances(robot, destination);
+        lookAtMap();
         FreeSpace space = new FreeSpace(map, bodyMm, things(false, false));
         plan(here, space);
         return along(here, space, left);
+    }
+
+    /** The plain of a robot without a map stays as it is until there is one. */
+    private void lookAtMap() {
+        boolean hasMap = navigator.hasMap();
+        if (hasMap || onMap) {
+            map = navigator.distances(robot, destination);
+            onMap = hasMap;
+        }
     }
 
     private void refuseUncertain(Pose here) {
@@ -254,9 +269,8 @@ final class GoalCourse implements Course, AutoCloseable {
     private void plan(Pose here, FreeSpace space) {
         Way old = way;
         double age = now() - plannedS;
-        boolean due = old == null
-                || age > PLAN_S
-                || age > BLOCKED_PLAN_S && (isBlocked(old.from(here), space) || isLeft(old, here));
+        boolean due = age > PLAN_S
+                || age > BLOCKED_PLAN_S && (old == null || isBlocked(old.from(here), space) || isLeft(old, here));
         boolean isAwaited =
                 old != null && age <= LONGEST_BLOCKED_S && navigator.traffic().isRoomMadeFor(vehicle);
         if (!due || isAwaited || aside != null && old != null && age <= PLAN_S) {
@@ -277,8 +291,7 @@ final class GoalCourse implements Course, AutoCloseable {
                 longestWholeS = LONGEST_WHOLE_S + TIMES_USUAL * way.lengthMm() / cruise();
             }
         } else if (aside != null) {
-            aside = null;
-            plannedS = Double.NEGATIVE_INFINITY;
+            goOn();
         } else {
             way = null;
             holdOrFail(here, space);
@@ -350,7 +363,7 @@ final class GoalCourse implements Course, AutoCloseable {
             return stand();
         }
         Way rest = planned.from(here);
-        makeRoom(here, space, rest);
+        makeRoom(here, space);
         if (aside != null && here.distanceMm(aside) < ARRIVED_MM * 2) {
             return standAside(here);
         }
@@ -414,9 +427,14 @@ final class GoalCourse implements Course, AutoCloseable {
         if (allowed < SLOW_MM_PER_S) {
             return stand();
         }
+        goesOn();
+        return roll(allowed, best);
+    }
+
+    private void goesOn() {
         waits = "";
         before = null;
-        return roll(allowed, best);
+        navigator.traffic().waits(vehicle, false);
     }
 
     /** Says what keeps the robot from driving where its way is free of reservations. */
@@ -453,9 +471,10 @@ final class GoalCourse implements Course, AutoCloseable {
         double free = Math.min(space.freeMm(here, 0, distance), granted);
         if (free < Math.min(distance, LEAST_PIECE_MM)) {
             explainBlock(here);
+            navigator.traffic().waits(vehicle, before != null);
             return stand();
         }
-        waits = "";
+        goesOn();
         return new Move(Math.min(distance, free));
     }
 
@@ -554,7 +573,7 @@ final class GoalCourse implements Course, AutoCloseable {
     }
 
     /** Makes room for a robot that goes first, waits, and needs the place where this one is. */
-    private void makeRoom(Pose here, FreeSpace space, Way rest) {
+    private void makeRoom(Pose here, FreeSpace space) {
         if (aside != null || now() - asideS < AGAIN_ASIDE_S) {
             return;
         }
@@ -569,10 +588,10 @@ final class GoalCourse implements Course, AutoCloseable {
         Optional<Way> found = new PathPlanner(space.with(things(true, false)))
                 .planToNearest(here, MAKE_ROOM_MM, isAside)
                 .or(() -> new PathPlanner(space).planToNearest(here, MAKE_ROOM_MM, isAside));
+        asideS = now();
         found.ifPresent(there -> {
             way = there;
             aside = there.end();
-            asideS = now();
             plannedS = now();
             roomFor = first;
             traffic.standIn(vehicle, first);
@@ -586,6 +605,10 @@ final class GoalCourse implements Course, AutoCloseable {
         TeamTraffic.Vehicle other = roomFor;
         waits = "it makes room for "
                 + (other == null ? "another robot" : other.robot().name());
+        if (now() - lookedS < LOOK_S) {
+            return stand();
+        }
+        lookedS = now();
         boolean passed = other == null
                 || !traffic.isUnderWay(other)
                 || traffic.leadsThrough(other, robot, here, MAKE_ROOM_MM)
