@@ -55,7 +55,8 @@ class ExamplesTest {
                 "Wanderer",
                 "RosWander",
                 "PrintScans",
-                "BuildMap"
+                "BuildMap",
+                "GoThere"
             })
     void withoutAnAddressItPrintsItsUsage(String example) throws Exception {
         PrintStream errors = System.err;

@@ -156,6 +156,16 @@ class ProgramsInLabTest {
         }
     }
 
+    @Test
+    void aPioneerGoesThereAndBackByJava() throws Exception {
+        try (LabRig rig = LabRig.exactWithPioneer("p3dx-sh")) {
+            Pose start = rig.truePose("pioneer");
+            call("GoThere", "drive", rig.add("pioneer"));
+
+            assertThat(rig.truePose("pioneer").distanceMm(start)).isLessThan(60);
+        }
+    }
+
     /** Runs a script with the robots of the lab in place of those that it names. */
     private static List<String> run(LabRig rig, String script) throws Exception {
         return rig.run(Files.readString(Path.of("examples", script))
