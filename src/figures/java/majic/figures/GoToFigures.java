@@ -88,7 +88,7 @@ final class GoToFigures {
             return List.of(
                     String.format(
                                     Locale.ROOT,
-                                    "| %s | %d of %d | %d |",
+                                    "| %s | %d of %d | %d | ",
                                     kind,
                                     reached,
                                     goals,
