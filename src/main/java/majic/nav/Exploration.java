@@ -117,17 +117,20 @@ final class Exploration implements Course, AutoCloseable {
         if (!builds.getAsBoolean()) {
             throw new MotionFailed("it builds the map no longer");
         }
-        if (!navigator.hasMap()) {
+        Optional<ObstacleDistance> map = navigator.distances(robot);
+        if (map.isEmpty()) {
             if (now() - begunS > FIRST_MAP_S) {
                 throw new MotionFailed("its scans gave no map for " + Math.round(FIRST_MAP_S) + " s");
             }
             return Drive.STAND;
         }
-        if (!robot.uncertainty().isKnown()
-                || robot.time().secondsSince(robot.state().atNanos()) > OLDEST_S) {
+        if (!robot.uncertainty().isKnown()) {
             throw new MotionFailed("its place on the map is not known at present");
         }
-        Known known = look();
+        if (robot.time().secondsSince(robot.state().atNanos()) > OLDEST_S) {
+            throw new MotionFailed("no report of the robot for 1 s");
+        }
+        Known known = look(map.get());
         Goal present = goal;
         if (present != null && known.frontiers().isNear(present.frontier(), SAME_MM)) {
             return follow(present);
@@ -140,8 +143,7 @@ final class Exploration implements Course, AutoCloseable {
     }
 
     /** Finds the frontiers again if the map has changed. */
-    private Known look() {
-        ObstacleDistance map = navigator.distances(robot, new Destination(0, 0));
+    private Known look(ObstacleDistance map) {
         Known before = newest;
         if (before != null && before.map() == map) {
             return before;
