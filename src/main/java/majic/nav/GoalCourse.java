@@ -104,6 +104,11 @@ final class GoalCourse implements Course, AutoCloseable {
     private final SeenObstacles seen;
     private final TeamTraffic.Vehicle vehicle;
     private final boolean hasRanges;
+    private final boolean looksAhead;
+
+    /** The other robots at the present decision; also read by the thread of the scans. */
+    private volatile List<Disc> others;
+
     private final double bodyMm;
     private ObstacleDistance map;
     private boolean onMap;
@@ -138,6 +143,8 @@ final class GoalCourse implements Course, AutoCloseable {
         this.navigator = navigator;
         this.bodyMm = robot.profile().bodyMm();
         this.hasRanges = !robot.rangeSensors().isEmpty();
+        this.looksAhead = SeenObstacles.looksAhead(robot);
+        this.others = navigator.discs(robot);
         this.onMap = navigator.hasMap();
         this.map = navigator.distances(robot, destination);
         this.seen = new SeenObstacles(robot, this::isKnown);
@@ -161,7 +168,7 @@ final class GoalCourse implements Course, AutoCloseable {
 
     private boolean isKnown(double xMm, double yMm) {
         return map.mm(xMm, yMm) < WALL_MM
-                || navigator.discs(robot).stream().anyMatch(other -> other.distanceMm(xMm, yMm) < Navigator.HULL_MM);
+                || others.stream().anyMatch(other -> other.distanceMm(xMm, yMm) < Navigator.HULL_MM);
     }
 
     @Override
@@ -172,17 +179,18 @@ final class GoalCourse implements Course, AutoCloseable {
     @Override
     public Step next() {
         Step step = decide();
-        navigator.traffic().waits(vehicle, step == Drive.STAND ? waits : "");
+        navigator.traffic().explain(vehicle, step == Drive.STAND ? waits : "");
         return step;
     }
 
     private Step decide() {
         Pose here = robot.state().pose();
+        others = navigator.discs(robot);
         refuseUncertain(here);
-        if (hasRanges && seen.ageS() > OLDEST_S) {
+        look(here);
+        if ((hasRanges || looksAhead) && seen.ageS() > OLDEST_S) {
             throw new MotionFailed("no reading of its range sensors for 1 s");
         }
-        look(here);
         double left = here.distanceMm(destination.pose());
         if (left <= ARRIVED_MM || left <= NEARLY_MM && turnsAtEnd > 0) {
             return arrived(here);
@@ -415,7 +423,7 @@ final class GoalCourse implements Course, AutoCloseable {
             }
             explainBlock(here);
         }
-        double waitedS = navigator.traffic().waits(vehicle, allowed < SLOW_MM_PER_S && before != null);
+        double waitedS = navigator.traffic().noteWait(vehicle, allowed < SLOW_MM_PER_S && before != null);
         if (aside != null && waitedS > OTHER_WAY_S) {
             goOn();
             return stand();
@@ -434,7 +442,7 @@ final class GoalCourse implements Course, AutoCloseable {
     private void goesOn() {
         waits = "";
         before = null;
-        navigator.traffic().waits(vehicle, false);
+        navigator.traffic().noteWait(vehicle, false);
     }
 
     /** Says what keeps the robot from driving where its way is free of reservations. */
@@ -471,7 +479,7 @@ final class GoalCourse implements Course, AutoCloseable {
         double free = Math.min(space.freeMm(here, 0, distance), granted);
         if (free < Math.min(distance, LEAST_PIECE_MM)) {
             explainBlock(here);
-            navigator.traffic().waits(vehicle, before != null);
+            navigator.traffic().noteWait(vehicle, before != null);
             return stand();
         }
         goesOn();
@@ -486,7 +494,7 @@ final class GoalCourse implements Course, AutoCloseable {
     }
 
     private void look(Pose here) {
-        if (!hasRanges) {
+        if (looksAhead) {
             seen.lookAhead(here.seenFrom(robot.odometryOrigin()));
         }
     }

@@ -5,7 +5,6 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import majic.bot.Beam;
-import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
@@ -38,6 +37,9 @@ final class SeenObstacles implements ScanListener {
 
     /** The middle part of a sonar's beam, in which it would have seen a point. */
     private static final double SURE_PART = 0.6;
+
+    /** What a robot without described range sensors measures, if it has that parameter. */
+    private static final String AHEAD = "distanceFront";
 
     private final MajicBot robot;
     private final Known known;
@@ -78,6 +80,13 @@ final class SeenObstacles implements ScanListener {
      */
     static SeenObstacles ofAll(MajicBot robot) {
         return new SeenObstacles(robot, (xMm, yMm) -> false, 0);
+    }
+
+    /** Returns whether a robot without described range sensors measures what is ahead of it. */
+    static boolean looksAhead(MajicBot robot) {
+        return robot.rangeSensors().isEmpty()
+                && robot.parameters().stream()
+                        .anyMatch(parameter -> parameter.name().equals(AHEAD));
     }
 
     /** Returns how far the sensors of a robot see at most, as far as it counts here. */
@@ -164,24 +173,24 @@ final class SeenObstacles implements ScanListener {
         }
     }
 
-    /** Adds what a robot without described range sensors measures ahead of its hull. */
+    /**
+     * Adds what a robot without described range sensors measures ahead of its hull. A value that is not current is no
+     * reading.
+     */
     void lookAhead(Pose odometry) {
         Value[] ahead = {Value.CLEAR};
-        WaitPolicy.without(() -> {
-            try {
-                ahead[0] = robot.get("distanceFront");
-            } catch (BotException e) {
-                ahead[0] = Value.CLEAR;
-            }
-        });
-        if (ahead[0] instanceof Value.Number number && number.amount() < FARTHEST_OF_SONAR_MM) {
+        WaitPolicy.without(() -> ahead[0] = robot.get(AHEAD));
+        if (!(ahead[0] instanceof Value.Unknown)) {
+            lookAhead(odometry, ahead[0]);
+        }
+    }
+
+    private synchronized void lookAhead(Pose odometry, Value ahead) {
+        scannedNanos = robot.time().nanos();
+        if (ahead instanceof Value.Number number && number.amount() < FARTHEST_OF_SONAR_MM) {
             List<Point> echoes = new ArrayList<>();
-            double hull = robot.profile().bodyMm();
-            synchronized (this) {
-                scannedNanos = robot.time().nanos();
-                addEcho(echoes, odometry, hull + number.amount(), 0);
-                echoes.forEach(point -> points.put(point.cell(), point));
-            }
+            addEcho(echoes, odometry, robot.profile().bodyMm() + number.amount(), 0);
+            echoes.forEach(point -> points.put(point.cell(), point));
         }
     }
 }

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The robots of one frame, and what each of them has reserved: where it stands, and the piece of its way on which it
- * may drive. A robot drives only on what it has reserved, and nobody reserves what another one has, so that no two of
+ * may drive. A robot drives only on what it has reserved, and reserves nothing that another one has, so that no two of
  * them meet. Thread-safe.
  */
 final class TeamTraffic {
@@ -26,10 +26,12 @@ final class TeamTraffic {
     static final class Vehicle {
         private final MajicBot robot;
 
-        /** Who began earlier goes first. One that stands aside counts as the one for which it does. */
+        /** A lower number goes first: that of the motion that began earlier. */
         private final long order;
 
+        /** The order of the robot for which it makes room; its own otherwise. */
         private long rank;
+
         private Way rest;
         private List<Pose> reserved;
         private @Nullable Long waitingNanos;
@@ -50,7 +52,7 @@ final class TeamTraffic {
         }
     }
 
-    /** How much of its way a robot got, and who has the rest; null if it got all. */
+    /** How much of its way a robot got, and which robot has the rest; null if it got all. */
     record Grant(double mm, @Nullable MajicBot before) {}
 
     /** A robot begins to drive by itself. */
@@ -82,7 +84,7 @@ final class TeamTraffic {
     }
 
     /** Keeps why a robot stands; empty while it drives. */
-    synchronized void waits(Vehicle vehicle, String why) {
+    synchronized void explain(Vehicle vehicle, String why) {
         vehicle.waits = why;
     }
 
@@ -106,13 +108,13 @@ final class TeamTraffic {
         double end = Math.min(mostMm, rest.lengthMm());
         double granted = end;
         Vehicle other = null;
-        for (double mm = Math.min(STEP_MM, end); mm <= end && other == null; mm += STEP_MM) {
-            Pose next = rest.at(mm);
+        for (double mm = 0; mm < end && other == null; mm += STEP_MM) {
+            Pose next = rest.at(Math.min(end, mm + STEP_MM));
             other = holder(vehicle, next, free.get(0));
             if (other == null) {
                 free.add(next);
             } else {
-                granted = Math.max(0, mm - STEP_MM);
+                granted = mm;
             }
         }
         vehicle.reserved = free;
@@ -124,7 +126,7 @@ final class TeamTraffic {
      *
      * @return for how long it has waited, s
      */
-    synchronized double waits(Vehicle vehicle, boolean now) {
+    synchronized double noteWait(Vehicle vehicle, boolean now) {
         if (!now) {
             vehicle.waitingNanos = null;
         } else if (vehicle.waitingNanos == null) {
