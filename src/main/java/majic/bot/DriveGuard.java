@@ -13,7 +13,7 @@ public interface DriveGuard {
 
     /**
      * Returns how far the robot can go on at some speeds. Reads what it needs from now on, for some seconds. Called on
-     * the thread of a motion, of listeners or of who drives, never under a lock of the driver; must not wait.
+     * the thread of a motion, of listeners or of a drive by hand, never under a lock of the driver; must not wait.
      *
      * @param mmPerSec the speed, ahead positive; 0 for a turn on the spot
      * @param degPerSec the turn rate, counterclockwise positive

@@ -13,8 +13,8 @@ import majic.team.Member;
 import majic.time.TimeSource;
 
 /**
- * Publishes what the range sensors of one robot measure while somebody asks for it, at most five times a second for
- * each. Who asks does so again and again: a desk that is gone costs nothing any more after some seconds. Thread-safe.
+ * Publishes what the range sensors of one robot measure while another desk asks for it, at most five times a second for
+ * each. A desk repeats its request: one that is gone costs nothing any more after some seconds. Thread-safe.
  */
 final class RobotScans implements ScanListener {
     /** How long a request holds, seconds. */
@@ -48,14 +48,14 @@ final class RobotScans implements ScanListener {
         }
     }
 
-    /** Ends it if nobody asks any more. Called by the timer of the desk, and with each scan. */
+    /** Ends it if no desk asks any more. Called by the timer of the desk, and with each scan. */
     synchronized void tick() {
         if (asked && time.secondsSince(askedNanos) > ASKED_S) {
             end();
         }
     }
 
-    /** Publishes no more scans until somebody asks. */
+    /** Publishes no more scans until a desk asks. */
     synchronized void end() {
         asked = false;
         member.bot().removeScanListener(this);

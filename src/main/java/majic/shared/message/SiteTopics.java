@@ -26,7 +26,7 @@ public record SiteTopics(String site) {
         STATE,
         /** What has changed in the reports of the robot since its last state. */
         CHANGES,
-        /** What the range sensors of the robot measure, while somebody asks for it. */
+        /** What the range sensors of the robot measure, while another desk asks for it. */
         SCANS,
         /** Messages, answers and alarms of the robot. */
         MESSAGES,
