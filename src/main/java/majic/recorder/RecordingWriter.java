@@ -212,16 +212,17 @@ final class RecordingWriter {
     }
 
     private void flushIfDue() {
-        if (nanos.getAsLong() - flushNanos > FLUSH_NANOS) {
+        long now = nanos.getAsLong();
+        if (now - flushNanos > FLUSH_NANOS) {
             flush();
-            retry();
-            flushNanos = nanos.getAsLong();
+            retry(now);
+            flushNanos = now;
         }
     }
 
     /** After a failure, another file is begun a minute later. */
-    private void retry() {
-        if (failing && nanos.getAsLong() - failedNanos > RETRY_NANOS) {
+    private void retry(long now) {
+        if (failing && now - failedNanos > RETRY_NANOS) {
             partIsOver = true;
         }
     }
