@@ -438,6 +438,20 @@ public final class CurrentMap {
     }
 
     /**
+     * Looks a place of the map up.
+     *
+     * @param name whatever the case
+     * @return empty if there is no map, or no such place
+     */
+    public synchronized Optional<NavigationMap.Place> findPlace(String name) {
+        return map == null
+                ? Optional.empty()
+                : map.places().stream()
+                        .filter(place -> place.name().equalsIgnoreCase(name))
+                        .findFirst();
+    }
+
+    /**
      * Returns a place of the map.
      *
      * @param name whatever the case

@@ -15,8 +15,12 @@ import majic.script.lines.Dispatcher;
 import majic.script.lines.LineSource;
 import majic.script.lines.PreparedLine;
 import majic.script.run.CommandTrait;
+import majic.script.run.Procedures;
+import majic.script.run.Scope;
 import majic.script.run.Statement;
+import majic.script.run.Types;
 import majic.script.syntax.Mistake;
+import majic.script.syntax.Operand;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -28,7 +32,11 @@ final class LineChecker {
     private final LineSource source;
     private final Dispatcher dispatcher;
     private final Set<String> givenNames = ConcurrentHashMap.newKeySet();
+    private final Procedures procedures = new Procedures();
+    private final Scope<Operand> promptNames = new Scope<>();
     private @Nullable TypedBlock block;
+    private @Nullable Types blockTypes;
+    private @Nullable Procedures blockProcedures;
 
     /**
      * What a line lets be done now.
@@ -54,7 +62,7 @@ final class LineChecker {
         if (line.length() > LineParser.LONGEST_LINE) {
             throw new BotException(LineParser.TOO_LONG);
         }
-        LineParser parser = new LineParser(line, robotWords());
+        LineParser parser = new LineParser(line, robotWords(), procedures(), new Types(null, names()));
         if (parser.isBlank()) {
             return new Accepted(List.of(), line);
         }
@@ -68,8 +76,18 @@ final class LineChecker {
         return words;
     }
 
+    /** What is known of the names that the next line may use. */
+    private Scope<Operand> names() {
+        return blockTypes == null ? promptNames : blockTypes.scope();
+    }
+
+    /** The procedures that the next line may call: also the one that it belongs to. */
+    private Procedures procedures() {
+        return blockProcedures == null ? procedures : blockProcedures;
+    }
+
     private Accepted acceptCommand(Statement statement, String line) {
-        PreparedLine prepared = dispatcher.prepare(statement, line);
+        PreparedLine prepared = dispatcher.prepare(statement, line, names());
         if (statement instanceof Statement.ForRobots named
                 && named.command() instanceof TeamCommands.Name command
                 && command.name() != null) {
@@ -80,7 +98,7 @@ final class LineChecker {
             block.add(line);
             return new Accepted(List.of(), line);
         }
-        block = null;
+        endBlock();
         return new Accepted(List.of(prepared), line);
     }
 
@@ -103,31 +121,59 @@ final class LineChecker {
     }
 
     private Accepted acceptBlockLine(String line) {
-        Optional<Statement> head = ScriptParser.blockLine(line);
-        head.ifPresent(dispatcher::checkHead);
+        Types types = blockTypes == null ? new Types(null, promptNames.copy()) : blockTypes;
+        Optional<Statement> head = ScriptParser.blockLine(line, types);
+        head.ifPresent(statement -> dispatcher.checkHead(statement, types.scope()));
         TypedBlock open = block == null ? new TypedBlock() : block;
         open.add(line, head);
-        block = open.isOpen() ? open : null;
-        return block == null ? acceptBlock(open.text()) : new Accepted(List.of(), line);
+        if (!open.isOpen()) {
+            endBlock();
+            return acceptBlock(open.text());
+        }
+        block = open;
+        blockTypes = types;
+        enter(head, types);
+        return new Accepted(List.of(), line);
+    }
+
+    /** Names that are new in a block end with it, or with an {@code else}. */
+    private void enter(Optional<Statement> head, Types types) {
+        if (head.isEmpty()) {
+            types.end();
+        }
+        types.begin();
+        if (head.isPresent() && head.get() instanceof Statement.ProcedureDefinition definition) {
+            definition.procedure().arguments().forEach(argument -> types.argument(argument, Operand.ANY));
+            blockProcedures = procedures.copy();
+            blockProcedures.add(definition.procedure());
+        }
+    }
+
+    private void endBlock() {
+        block = null;
+        blockTypes = null;
+        blockProcedures = null;
     }
 
     private Accepted acceptBlock(String text) {
         List<Mistake> mistakes = new ArrayList<>();
-        List<Statement> script = ScriptParser.parse(text, robotWords(), mistakes);
+        Procedures known = procedures.copy();
+        List<Statement> script =
+                ScriptParser.parse(text, robotWords(), known, new Types(null, promptNames.copy()), mistakes);
         if (!mistakes.isEmpty()) {
             throw new BotException(mistakes.get(0).message());
         }
-        return new Accepted(
-                script.stream()
-                        .map(statement -> dispatcher.prepare(statement, text))
-                        .toList(),
-                text);
+        List<PreparedLine> lines = script.stream()
+                .map(statement -> dispatcher.prepare(statement, text, promptNames))
+                .toList();
+        procedures.addAll(known);
+        return new Accepted(lines, text);
     }
 
     /** Ends the open block, if there is one; returns its lines. */
     synchronized String dropBlock() {
         TypedBlock dropped = block;
-        block = null;
+        endBlock();
         return dropped == null ? "" : dropped.text();
     }
 
@@ -136,10 +182,11 @@ final class LineChecker {
     }
 
     /** Parses a line; empty for a blank one and for one that belongs to a block. */
-    Optional<Statement> parse(String line) {
-        LineParser parser = new LineParser(line, robotWords());
+    synchronized Optional<Statement> parse(String line) {
+        Types types = new Types(null, names().copy());
+        LineParser parser = new LineParser(line, robotWords(), procedures(), types);
         if (parser.isBlockLine()) {
-            ScriptParser.blockLine(line);
+            ScriptParser.blockLine(line, types);
             return Optional.empty();
         }
         return parser.isBlank() ? Optional.empty() : Optional.of(parser.line());

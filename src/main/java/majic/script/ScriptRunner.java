@@ -17,6 +17,7 @@ import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
 import majic.script.run.RobotsIn;
+import majic.script.run.Scope;
 import majic.script.run.ScriptControl;
 import majic.script.run.ScriptSource;
 import majic.script.run.Statement;
@@ -125,7 +126,7 @@ public final class ScriptRunner {
     public ScriptControl run(ScriptSource source, boolean paused) {
         session.output().send(Line.Kind.COMMAND, source.title(), this);
         ScriptControl control = new ScriptControl(session.team().changes(), paused);
-        Execution.Origin origin = new Execution.Origin(session.state(), new SubmittedCommands(), this);
+        Execution.Origin origin = new Execution.Origin(session.state(), new SubmittedCommands(), this, new Scope<>());
         Execution line = new Execution(origin, selection, Execution.Manner.TYPED, Map.of(), () -> false);
         boolean begun = session.team()
                 .time()

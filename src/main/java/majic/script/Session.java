@@ -6,6 +6,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
+import java.util.Random;
 import java.util.function.BiConsumer;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
@@ -26,6 +27,7 @@ import majic.script.conditions.Selection;
 import majic.script.help.Completer;
 import majic.script.record.SessionRecord;
 import majic.script.run.Plotting;
+import majic.script.run.Questions;
 import majic.script.run.RobotConnector;
 import majic.script.run.SessionState;
 import majic.team.Answer;
@@ -75,7 +77,19 @@ public final class Session {
         Sampling sampling = new Sampling(readings, team.time(), notice -> output.send(Line.Kind.NOTICE, notice));
         SessionActs runner = new SessionActs(team, output, acts, offers, plotting);
         this.state = new SessionState(
-                team, output, record, factory, connector, runner, readings, sampling, plotting, map, quit);
+                team,
+                output,
+                record,
+                factory,
+                connector,
+                runner,
+                readings,
+                sampling,
+                plotting,
+                map,
+                new Questions(team.changes()),
+                new Random(),
+                quit);
         log.onTrouble(this::alarm);
         team.addListener(new TeamRelay());
     }

@@ -21,7 +21,7 @@ class CompletionTest {
             delimiter = '|',
             value = {
                 "re | release remove repeat",
-                "a | acts add aibo all",
+                "a | acts add aibo all answer ask",
                 "1 mo | move",
                 "1,2 w | wag wait",
                 "1 bark s | sadly",

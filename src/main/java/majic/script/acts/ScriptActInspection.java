@@ -16,7 +16,9 @@ import majic.script.run.Command;
 import majic.script.run.Inspection;
 import majic.script.run.Statement;
 import majic.script.syntax.Condition;
+import majic.script.syntax.Cursor;
 import majic.script.syntax.EachComparison;
+import majic.script.syntax.Late;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
@@ -88,8 +90,16 @@ final class ScriptActInspection extends Inspection {
     }
 
     @Override
-    public void inspect(Condition condition) {
-        inspect(condition, null);
+    public void inspect(Late<Condition> condition) {
+        inspect(condition.sample(), null);
+    }
+
+    @Override
+    public void readings(List<Cursor.Reading> readings) {
+        readings.forEach(reading -> {
+            robots(reading.robots());
+            need(parameters, reading.robots(), reading.parameter().text());
+        });
     }
 
     private void inspect(Condition condition, @Nullable Robots own) {

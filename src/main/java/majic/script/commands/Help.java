@@ -80,6 +80,14 @@ public final class Help {
             entry(
                     "map",
                     "map start ROBOT, map stop: a robot builds the map while it drives; map save FILE, map open FILE, map close; map rows lists its cells; map place NAME X Y [HEADING], map place NAME as OTHER, map place NAME off; map alone describes it"),
+            entry(
+                    "let",
+                    "let NAME = VALUE: gives a value a name, as in let n = $n + 1; in a line $NAME or an expression in brackets stands for a value: 1 move ($n * 100)"),
+            entry("print", "print TEXT and values: shows them, as in print \"left\" $left (1 distanceFront / 2)"),
+            entry(
+                    "ask",
+                    "ask NAME = DEFAULT [from MIN to MAX] [\"QUESTION\"] [for TIME]: asks a person for a value; without an answer in time it is the default"),
+            entry("answer", "answer VALUE: answers the question of a script"),
             entry("quit", "quit: stops and closes all robots and ends MAJIC")));
 
     /** The words of the commands that every robot has. */
@@ -94,6 +102,8 @@ public final class Help {
     private static final Map<String, String> BLOCKS = new TreeMap<>(Map.of(
             "repeat", "repeat [N] ... end: N times, or for ever",
             "while", "while CONDITION ... end: as long as it holds, as in while 1 distanceFront > 300",
+            "on", "on CONDITION ... end: each time it becomes true, while the script runs",
+            "to", "to NAME [ARGUMENT...] ... end: a procedure; NAME and a value for each argument runs it",
             "if", "if CONDITION ... [else ...] end: conditions take and, or, not and brackets"));
 
     /** Each word of the language with its line, in the order in which {@code help} shows them. */

@@ -7,14 +7,19 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
 import majic.script.run.ActCall;
 import majic.script.run.Command;
+import majic.script.run.Procedure;
+import majic.script.run.Procedures;
 import majic.script.run.Statement;
+import majic.script.run.Types;
 import majic.script.syntax.Condition;
 import majic.script.syntax.ConditionParser;
 import majic.script.syntax.Cursor;
+import majic.script.syntax.Late;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Literal.Quantity;
 import majic.script.syntax.Robots;
@@ -62,6 +67,7 @@ public final class LineParser {
 
     private final Cursor at;
     private final Collection<String> robotWords;
+    private final Procedures procedures;
     private boolean inCall;
 
     /**
@@ -71,11 +77,22 @@ public final class LineParser {
      * @param robotWords the words that stand for robots: types, names
      */
     public LineParser(String line, Collection<String> robotWords) {
-        this(new Cursor(Scanner.scan(line)), robotWords);
+        this(line, robotWords, new Procedures(), new Types(null));
+    }
+
+    /**
+     * A parser for one line behind others.
+     *
+     * @param procedures those that it may call
+     * @param types what is known of the names that it may use; a name of the line is added
+     */
+    public LineParser(String line, Collection<String> robotWords, Procedures procedures, Types types) {
+        this(new Cursor(Scanner.scan(line), 0, types), robotWords, procedures);
     }
 
     /** A parser for lines of a script; each starts where the cursor is. */
-    LineParser(Cursor at, Collection<String> robotWords) {
+    LineParser(Cursor at, Collection<String> robotWords, Procedures procedures) {
+        this.procedures = procedures;
         this.at = at;
         this.robotWords = new HashSet<>();
         robotWords.forEach(word -> this.robotWords.add(word.toLowerCase(Locale.ROOT)));
@@ -103,8 +120,19 @@ public final class LineParser {
         return at.peekSecond().kind() == Kind.LEFT;
     }
 
-    /** Parses the line: {@code line = sessionCommand | place | robots ( command | call ) ;}. */
+    /**
+     * Parses the line: {@code line = sessionCommand | place | procedureCall | robots ( command | call ) ;}. One with a
+     * value that is not known before it runs is parsed again then.
+     */
     public Statement line() {
+        Token first = at.peek();
+        Collection<String> words = Set.copyOf(robotWords);
+        Late<Statement> line =
+                Late.parse(at, cursor -> (cursor == at ? this : new LineParser(cursor, words, procedures)).lineNow());
+        return line.isOpen() ? new Statement.Computed(first, line) : line.sample();
+    }
+
+    private Statement lineNow() {
         Token first = at.peek();
         if (first.is("argument")) {
             throw new ScriptException(
@@ -118,6 +146,10 @@ public final class LineParser {
     private Statement statement(Token first) {
         if (first.is("lab") && at.peekSecond().isOneOf(List.of("place", "carry"))) {
             return place(first);
+        }
+        Optional<Procedure> procedure = procedures.find(first);
+        if (procedure.isPresent() && at.peekSecond().kind() != Kind.DOT) {
+            return procedureCall(at.advance(), procedure.get());
         }
         return first.isOneOf(SessionParser.WORDS)
                 ? new Statement.ForSession(first, new SessionParser(at).sessionCommand())
@@ -137,10 +169,28 @@ public final class LineParser {
     private Statement forRobots(Token first) {
         requireRobots(first);
         Robots robots = Robots.parse(at);
+        at.setOwnRobots(robots);
         Command command = at.match(Kind.DOT) ? call() : command();
+        at.setOwnRobots(null);
         return robots.isAll() && command instanceof MotionCommands.Stop
                 ? new Statement.ForSession(first, new TeamCommands.StopAll())
                 : new Statement.ForRobots(first, robots, command);
+    }
+
+    /** {@code procedureCall = NAME { value } ;} with a value for each argument. */
+    private Statement procedureCall(Token word, Procedure procedure) {
+        List<Literal> given = new ArrayList<>();
+        for (Token argument : procedure.arguments()) {
+            if (at.peek().isEnd()) {
+                throw at.unexpected("a value for " + argument.text() + " (" + procedure + ")");
+            }
+            given.add(at.value("a value for " + argument.text(), false));
+        }
+        if (!at.peek().isEnd()) {
+            throw new ScriptException(
+                    at.peek(), at.peek().written() + ": nothing more is expected here (" + procedure + ")");
+        }
+        return new Statement.Call(word, procedure, List.copyOf(given));
     }
 
     /** A word that cannot be a robot gets a better message than that a command is missing behind it. */
@@ -165,6 +215,7 @@ public final class LineParser {
         words.addAll(ScriptParser.BLOCK_WORDS);
         words.addAll(robotWords);
         words.add("all");
+        words.addAll(procedures.names());
         return words;
     }
 
@@ -240,7 +291,7 @@ public final class LineParser {
         separator();
         numbers.add(at.number(Quantity.DISTANCE));
         separator();
-        if (at.check(Kind.NUMBER) || at.check(Kind.VARIABLE)) {
+        if (at.check(Kind.NUMBER) || at.startsComputed()) {
             numbers.add(at.number(Quantity.ANGLE));
         }
         return new MotionCommands.GoTo(word, null, List.copyOf(numbers), until());
@@ -304,11 +355,24 @@ public final class LineParser {
     }
 
     private static void requireName(Token name) {
-        boolean taken = Stream.of(SessionParser.WORDS, ScriptParser.BLOCK_WORDS, COMMAND_WORDS, OTHER_WORDS)
-                .anyMatch(name::isOneOf);
-        if (taken) {
+        if (isOfLanguage(name)) {
             throw new ScriptException(
                     name, name.text() + ": a word of MAJIC Script cannot be the name of a robot; take another word");
+        }
+    }
+
+    private static boolean isOfLanguage(Token name) {
+        return Stream.of(SessionParser.WORDS, ScriptParser.BLOCK_WORDS, COMMAND_WORDS, OTHER_WORDS)
+                .anyMatch(name::isOneOf);
+    }
+
+    /** Checks that a procedure may have a name. */
+    void requireProcedureName(Token name) {
+        if (isOfLanguage(name) || robotWords.contains(name.text().toLowerCase(Locale.ROOT))) {
+            throw new ScriptException(
+                    name,
+                    name.text()
+                            + ": a word of MAJIC Script or a robot has that name; take another one for the procedure");
         }
     }
 

@@ -9,6 +9,7 @@ import majic.script.conditions.Selection;
 import majic.script.run.Checker;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
+import majic.script.run.Scope;
 import majic.script.run.ScriptControl;
 import majic.script.run.ScriptExecution;
 import majic.script.run.ScriptSource;
@@ -48,7 +49,8 @@ public record ScriptFiles(SessionState session) {
      */
     public void run(ScriptSource source, Execution execution, @Nullable ScriptControl control) {
         List<Statement> script = checked(source, execution);
-        ScriptExecution alone = ScriptExecution.ofLine(execution, source.name(), source.replay(), true, control);
+        ScriptExecution alone =
+                ScriptExecution.ofLine(execution, source.name(), source.replay(), true, new Scope<>(), true, control);
         if (!alone.run(script, source.title(), source.file(), true)) {
             execution.fail(source.title());
         }

@@ -1,12 +1,15 @@
 package majic.script.commands;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.OptionalInt;
+import majic.bot.Value;
 import majic.script.run.SessionCommand;
 import majic.script.syntax.Cursor;
 import majic.script.syntax.Literal;
 import majic.script.syntax.Literal.Quantity;
+import majic.script.syntax.Operand;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
@@ -24,8 +27,8 @@ public final class SessionParser {
     }
 
     /**
-     * {@code sessionCommand = add | remove | probe | run | save | acts | trust | map | help | stop | wait | "bots" |
-     * "release" | "lab" | "quit" ;}
+     * {@code sessionCommand = add | remove | probe | run | save | acts | trust | map | help | stop | wait | let | print
+     * | ask | answer | "bots" | "release" | "lab" | "quit" ;}
      */
     SessionCommand sessionCommand() {
         Token word = at.advance();
@@ -45,6 +48,10 @@ public final class SessionParser {
             case "release" -> new TeamCommands.Release();
             case "lab" -> new LabCommands.Lab();
             case "quit" -> new HelpCommands.Quit();
+            case "let" -> let();
+            case "print" -> print();
+            case "ask" -> ask();
+            case "answer" -> new ValueCommands.Answer(at.value("the answer", false));
             default -> throw new IllegalStateException("not in WORDS: " + word.text());
         };
     }
@@ -137,6 +144,43 @@ public final class SessionParser {
         throw at.unexpected("\"start\", \"stop\", \"open\", \"save\", \"close\", \"rows\" or \"place\"");
     }
 
+    /** {@code let = "let" NAME "=" expression ;} */
+    private SessionCommand let() {
+        Token name = ArgumentParser.name(at, "a name for the value");
+        at.equalsSign("= and the value");
+        Operand value = at.expression();
+        at.values().declare(name, value);
+        at.markOpen();
+        return new ValueCommands.Let(name, value.value());
+    }
+
+    /** {@code print = "print" printed { printed } ;} */
+    private SessionCommand print() {
+        List<Value> values = new ArrayList<>();
+        do {
+            values.add(printed());
+        } while (!at.peek().isEnd());
+        return new ValueCommands.Print(values);
+    }
+
+    /** {@code printed = QUOTED | NUMBER | WORD | VARIABLE | "(" expression ")" ;} */
+    private Value printed() {
+        return at.startsComputed()
+                ? at.simple().value()
+                : at.value("a text in quotes, or a value", false).computable();
+    }
+
+    /** {@code ask = "ask" NAME "=" described [ "for" TIME ] ;} */
+    private SessionCommand ask() {
+        Token name = ArgumentParser.name(at, "a name for the answer");
+        at.equalsSign("= and the answer that is taken if none comes");
+        ArgumentParser.Described asked = ArgumentParser.described(at, name, initial -> {});
+        Literal time = at.match("for") ? at.number(Quantity.TIME) : null;
+        at.values().declare(name, Operand.of(asked.initial()));
+        at.markOpen();
+        return new ValueCommands.Ask(name, asked.parameter(), asked.initial(), time);
+    }
+
     /** {@code help = "help" [ WORD ] ;} */
     private SessionCommand help() {
         return new HelpCommands.LanguageHelp(at.check(Kind.WORD) ? at.advance() : null);
@@ -157,7 +201,8 @@ public final class SessionParser {
         Token number = at.peek();
         Literal time = at.number(Quantity.TIME);
         at.refuseDecimalComma();
-        if (Character.isDigit(number.text().charAt(number.text().length() - 1))) {
+        if (!number.open()
+                && Character.isDigit(number.text().charAt(number.text().length() - 1))) {
             throw new ScriptException(
                     number, number.text() + ": the unit is required, for instance \"wait " + number.text() + "s\"");
         }

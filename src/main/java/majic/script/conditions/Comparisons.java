@@ -70,7 +70,7 @@ public final class Comparisons {
         return Truth.of(holds(actual, comparison.operator(), wanted));
     }
 
-    private static boolean holds(Value actual, Operator operator, Value wanted) {
+    static boolean holds(Value actual, Operator operator, Value wanted) {
         if (actual instanceof Value.Text || actual instanceof Value.Many || wanted instanceof Value.Text) {
             boolean equal = actual.toString().equalsIgnoreCase(wanted.toString());
             return operator.isEquality() && equal == (operator == Operator.EQUAL);

@@ -55,6 +55,12 @@ public final class ConditionEvaluator implements Condition.Visitor<Truth> {
         return all;
     }
 
+    @Override
+    public Truth known(Condition.Known known) {
+        return Truth.of(Comparisons.holds(
+                known.left().computable(), known.operator(), known.right().computable()));
+    }
+
     private Truth ask(Condition.Comparison comparison, Member member) {
         String robot = member == own ? "" : member.number() + " ";
         try {

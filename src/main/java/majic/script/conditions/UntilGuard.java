@@ -76,5 +76,10 @@ public final class UntilGuard implements Guard {
         public Condition comparison(Condition.Comparison comparison) {
             return new Condition.Comparison(null, comparison.parameter(), comparison.operator(), comparison.value());
         }
+
+        @Override
+        public Condition known(Condition.Known known) {
+            return known;
+        }
     }
 }

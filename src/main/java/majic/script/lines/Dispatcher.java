@@ -14,9 +14,11 @@ import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
 import majic.script.run.InternalError;
 import majic.script.run.Scheduling;
+import majic.script.run.Scope;
 import majic.script.run.SessionState;
 import majic.script.run.Statement;
 import majic.script.run.SubmittedCommands;
+import majic.script.syntax.Operand;
 import majic.script.syntax.ScriptException;
 import majic.team.Answer;
 import majic.team.Member;
@@ -56,7 +58,7 @@ public final class Dispatcher {
         this.output = session.output();
         this.source = source;
         this.selection = new Selection(team);
-        this.origin = new Execution.Origin(session, commands, asker);
+        this.origin = new Execution.Origin(session, commands, asker, new Scope<>());
         this.queue = new LineQueue(team, "script lines", this::inTurn);
         this.adding = new LineQueue(team, "adding robots", this::runInTurn);
     }
@@ -70,12 +72,13 @@ public final class Dispatcher {
      * Resolves a line, takes the permissions to move its robots, and checks it as far as that needs no file. Never
      * waits. Behind a line that changes the team the check waits for the line's turn.
      *
+     * @param names what is known of the names that it may use; a name that it makes is added
      * @throws BotException if it cannot be done now
      * @throws ScriptException if it cannot be done with the robots that are there
      */
-    public PreparedLine prepare(Statement statement, String text) {
+    public PreparedLine prepare(Statement statement, String text, Scope<Operand> names) {
         boolean check = !queue.teamMayChange();
-        PreparedLine line = PreparedLine.of(statement, text, session, selection, check);
+        PreparedLine line = PreparedLine.of(statement, text, session, selection, names, check);
         line.typedAfter(stops(line));
         if (check) {
             line.check();
@@ -84,8 +87,8 @@ public final class Dispatcher {
     }
 
     /** Checks the head of a block that is still being typed; throws as {@link #prepare}. */
-    public void checkHead(Statement head) {
-        prepare(head, "");
+    public void checkHead(Statement head, Scope<Operand> names) {
+        prepare(head, "", names);
     }
 
     /** Whether a statement stops robots. */

@@ -1,5 +1,6 @@
 package majic.script.lines;
 
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.EnumSet;
 import java.util.HashMap;
@@ -10,6 +11,7 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.bot.BotException;
 import majic.driver.Permit;
+import majic.script.commands.ScriptParser;
 import majic.script.conditions.Selection;
 import majic.script.run.Checker;
 import majic.script.run.Command;
@@ -17,11 +19,14 @@ import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
 import majic.script.run.RobotsIn;
 import majic.script.run.Scheduling;
+import majic.script.run.Scope;
 import majic.script.run.ScriptExecution;
 import majic.script.run.SessionCommand;
 import majic.script.run.SessionState;
 import majic.script.run.Statement;
+import majic.script.run.Types;
 import majic.script.syntax.Mistake;
+import majic.script.syntax.Operand;
 import majic.team.Member;
 
 /**
@@ -32,6 +37,7 @@ import majic.team.Member;
 public final class PreparedLine {
     private final SessionState session;
     private final Selection selection;
+    private final Scope<Operand> names;
     private final Statement statement;
     private final Scheduling scheduling;
     private final String text;
@@ -48,12 +54,14 @@ public final class PreparedLine {
     private PreparedLine(
             SessionState session,
             Selection selection,
+            Scope<Operand> names,
             Statement statement,
             String text,
             Collection<CommandTrait> traits,
             List<Member> robots) {
         this.session = session;
         this.selection = selection;
+        this.names = names;
         this.statement = statement;
         this.scheduling = statement.scheduling();
         this.text = text;
@@ -61,7 +69,7 @@ public final class PreparedLine {
         this.robots = robots;
         if (has(CommandTrait.COMMANDS_ROBOTS)) {
             robots.forEach(robot -> permits.put(robot, robot.currentPermit()));
-            if (statement instanceof Statement.ForRobots line) {
+            if (sample() instanceof Statement.ForRobots line) {
                 selection.present(line.command().others()).forEach(robot -> permits.put(robot, robot.currentPermit()));
             }
         }
@@ -71,23 +79,49 @@ public final class PreparedLine {
     /**
      * Resolves a line and takes the permissions to move the robots that it commands. Reads no file and never waits.
      *
+     * @param names what is known of the names that it may use; a name that it makes is added when it is checked
      * @param complete whether all robots that it names by number have to be there; if not, those are left out that are
      *     not there
      * @throws majic.script.syntax.ScriptException if robots have to be there and are not
      */
     static PreparedLine of(
-            Statement statement, String text, SessionState session, Selection selection, boolean complete) {
-        if (statement instanceof Statement.ForRobots line) {
+            Statement statement,
+            String text,
+            SessionState session,
+            Selection selection,
+            Scope<Operand> names,
+            boolean complete) {
+        Statement sample = sample(statement);
+        if (sample instanceof Statement.ForRobots line) {
             List<Member> robots = complete ? selection.members(line.robots()) : selection.present(line.robots());
             return new PreparedLine(
-                    session, selection, line, text, line.command().traits(), robots);
+                    session, selection, names, statement, text, line.command().traits(), robots);
         }
-        if (statement instanceof Statement.ForSession line) {
+        if (sample instanceof Statement.ForSession line) {
             return new PreparedLine(
-                    session, selection, line, text, line.command().traits(), List.of());
+                    session, selection, names, statement, text, line.command().traits(), List.of());
         }
         RobotsIn block = RobotsIn.of(List.of(statement), selection);
-        return new PreparedLine(session, selection, statement, text, traits(block), List.copyOf(block.commanded()));
+        return new PreparedLine(
+                session, selection, names, statement, text, traits(block), List.copyOf(block.commanded()));
+    }
+
+    /** A line as far as it is known before it runs. */
+    private static Statement sample(Statement statement) {
+        return statement instanceof Statement.Computed computed
+                ? computed.line().sample()
+                : statement;
+    }
+
+    private Statement sample() {
+        return sample(statement);
+    }
+
+    /** The line as far as it is known now: of a name or a reading the kind of its value. */
+    private Statement known() {
+        return statement instanceof Statement.Computed computed
+                ? computed.line().with(new Types(selection, names))
+                : statement;
     }
 
     private static Set<CommandTrait> traits(RobotsIn block) {
@@ -106,28 +140,30 @@ public final class PreparedLine {
      */
     void check() {
         boolean readsFiles = has(CommandTrait.READS_FILES);
-        if (statement instanceof Statement.ForRobots line) {
+        Statement known = known();
+        if (known instanceof Statement.ForRobots line) {
             check(line.command(), false);
             isChecked = !readsFiles;
-        } else if (statement instanceof Statement.ForSession line) {
+        } else if (known instanceof Statement.ForSession line) {
             if (!readsFiles) {
                 check(line.command());
             }
         } else {
-            requireNone(Checker.checkWithoutFiles(List.of(statement), session, selection));
+            requireNone(Checker.check(List.of(statement), session, selection, names, false));
         }
     }
 
     /** Checks the line in its turn, with its files, so it may block; throws as {@link #check}. */
     void checkWithFiles() {
-        if (statement instanceof Statement.ForRobots line) {
+        Statement known = known();
+        if (known instanceof Statement.ForRobots line) {
             robots = selection.members(line.robots());
             check(line.command(), true);
             isChecked = true;
-        } else if (statement instanceof Statement.ForSession line) {
+        } else if (known instanceof Statement.ForSession line) {
             check(line.command());
         } else {
-            requireNone(Checker.check(List.of(statement), session, selection));
+            requireNone(Checker.check(List.of(statement), session, selection, names, true));
         }
     }
 
@@ -161,21 +197,45 @@ public final class PreparedLine {
                 checkWithFiles();
             }
         }
-        if (statement instanceof Statement.ForRobots line) {
-            line.command().perform(execution, robots);
-        } else if (statement instanceof Statement.ForSession line) {
-            line.command().run(execution);
-        } else {
+        if (statement.isBlock()) {
             runBlock(execution);
+        } else if (statement instanceof Statement.Computed line) {
+            run(execution, execution.withValues(line));
+        } else {
+            run(execution, statement);
+        }
+    }
+
+    private void run(Execution execution, Statement line) {
+        if (line instanceof Statement.ForRobots forRobots) {
+            if (line != statement) {
+                check(forRobots.command(), true);
+            }
+            forRobots.command().perform(execution, robots);
+        } else if (line instanceof Statement.ForSession forSession) {
+            if (line != statement) {
+                check(forSession.command());
+            }
+            forSession.command().run(execution);
         }
     }
 
     private void runBlock(Execution execution) {
         boolean waits = execution.isTyped();
-        ScriptExecution script = ScriptExecution.ofLine(execution, title(), text.strip(), waits, null);
+        ScriptExecution script =
+                ScriptExecution.ofLine(execution, title(), text.strip(), waits, execution.scope(), isAlone(), null);
         if (!script.run(List.of(statement), title(), "", waits)) {
             execution.fail(title());
         }
+    }
+
+    /** Whether the block names no value and calls no procedure of other lines. */
+    private boolean isAlone() {
+        List<String> robotWords = new ArrayList<>(selection.names());
+        session.factory().types().forEach(type -> robotWords.add(type.name()));
+        List<Mistake> missing = new ArrayList<>();
+        ScriptParser.parse(text, robotWords, missing);
+        return missing.isEmpty();
     }
 
     /** Sets how often the robots that it commands had been stopped when it was typed. */

@@ -17,6 +17,7 @@ public final class RecordedBlock {
     private final boolean waits;
     private long endedNanos = Long.MAX_VALUE;
     private boolean completed;
+    private boolean dependent;
     private int commands;
 
     /**
@@ -38,6 +39,11 @@ public final class RecordedBlock {
         completed = byItself;
     }
 
+    /** Sets that its text alone does not do it again, since it uses what other lines have defined. */
+    public void dependsOnOthers() {
+        dependent = true;
+    }
+
     /** Counts one more of its commands; false when there are too many to be kept. */
     boolean hasRoom() {
         return ++commands <= MOST_COMMANDS;
@@ -54,7 +60,7 @@ public final class RecordedBlock {
 
     /** Whether its own text does again what it did. */
     boolean standsForItself(List<SessionRecord.Event> all) {
-        return completed && all.stream().noneMatch(this::isBeside);
+        return completed && !dependent && all.stream().noneMatch(this::isBeside);
     }
 
     private boolean isBeside(SessionRecord.Event other) {

@@ -6,7 +6,9 @@ import java.util.Set;
 import majic.script.conditions.Comparisons;
 import majic.script.conditions.Selection;
 import majic.script.syntax.Condition;
+import majic.script.syntax.Late;
 import majic.script.syntax.Mistake;
+import majic.script.syntax.Operand;
 import majic.team.Member;
 import org.jspecify.annotations.Nullable;
 
@@ -18,24 +20,37 @@ public final class Checker extends Inspection {
     private final SessionState session;
     private final Selection selection;
     private final Set<Member> limitsSet = new HashSet<>();
+    private final Set<List<Object>> checkedCalls = new HashSet<>();
+    private final Types types;
     private final boolean readsFiles;
     private boolean teamMayChange;
     private boolean filesMayAppear;
 
-    private Checker(SessionState session, Selection selection, boolean readsFiles) {
+    private Checker(SessionState session, Selection selection, Types types, boolean readsFiles) {
         this.session = session;
         this.selection = selection;
         this.readsFiles = readsFiles;
+        this.types = types;
     }
 
     /** Everything wrong in a script, in its order. Reads the files it names, so it may block. */
     public static List<Mistake> check(List<Statement> script, SessionState session, Selection selection) {
-        return check(script, new Checker(session, selection, true));
+        return check(script, new Checker(session, selection, new Types(selection), true));
     }
 
-    /** Everything wrong in a script except for what only its files show. Reads no file. */
-    public static List<Mistake> checkWithoutFiles(List<Statement> script, SessionState session, Selection selection) {
-        return check(script, new Checker(session, selection, false));
+    /**
+     * Everything wrong in a block of a prompt, in its order.
+     *
+     * @param names what is known of the names at the prompt
+     * @param readsFiles whether the files that it names are read, which may block
+     */
+    public static List<Mistake> check(
+            List<Statement> script,
+            SessionState session,
+            Selection selection,
+            Scope<Operand> names,
+            boolean readsFiles) {
+        return check(script, new Checker(session, selection, new Types(selection, names.inner()), readsFiles));
     }
 
     private static List<Mistake> check(List<Statement> script, Checker checker) {
@@ -44,10 +59,66 @@ public final class Checker extends Inspection {
     }
 
     @Override
-    public void inspect(Condition condition) {
+    public void inspect(Late<Condition> condition) {
+        Condition known = condition.with(types);
         if (!teamMayChange) {
-            Comparisons.check(condition, selection, null);
+            Comparisons.check(known, selection, null);
         }
+    }
+
+    @Override
+    void block(List<Statement> body) {
+        types.begin();
+        walk(body);
+        types.end();
+    }
+
+    @Override
+    public @Nullable Void repeat(Statement.Repeat repeat) {
+        repeat.times().with(types);
+        return super.repeat(repeat);
+    }
+
+    @Override
+    public @Nullable Void argument(Statement.Argument argument) {
+        types.argument(argument.name(), Operand.of(argument.value()));
+        return null;
+    }
+
+    /** What is known of its values now shows more than when it was parsed. */
+    @Override
+    public @Nullable Void computed(Statement.Computed line) {
+        return line.line().with(types).accept(this);
+    }
+
+    /** A procedure is checked for each kind of values that it is called with, and once if it is not called. */
+    @Override
+    public @Nullable Void call(Statement.Call call) {
+        List<Operand> given = call.given().stream().map(Operand::kindOf).toList();
+        checkBody(call.procedure(), given);
+        return null;
+    }
+
+    @Override
+    public @Nullable Void procedure(Statement.ProcedureDefinition definition) {
+        checkBody(
+                definition.procedure(),
+                definition.procedure().arguments().stream()
+                        .map(argument -> Operand.ANY)
+                        .toList());
+        return null;
+    }
+
+    private void checkBody(Procedure procedure, List<Operand> given) {
+        if (!checkedCalls.add(List.of(procedure, given))) {
+            return;
+        }
+        types.inProcedure(() -> {
+            for (int index = 0; index < given.size(); index++) {
+                types.argument(procedure.arguments().get(index), given.get(index));
+            }
+            walk(procedure.body());
+        });
     }
 
     @Override
@@ -62,7 +133,7 @@ public final class Checker extends Inspection {
             if (line.command().has(CommandTrait.CHANGES_LIMIT)) {
                 limitsSet.addAll(robots);
             }
-            teamMayChange = line.command().has(CommandTrait.CHANGES_TEAM);
+            mayChangeTeam(line.command().has(CommandTrait.CHANGES_TEAM));
         }
         return null;
     }
@@ -73,7 +144,14 @@ public final class Checker extends Inspection {
             line.command().check(new SessionCommand.Check(session, selection, filesMayAppear));
         }
         filesMayAppear |= line.command().has(CommandTrait.WRITES_FILE);
-        teamMayChange |= line.command().has(CommandTrait.CHANGES_TEAM);
+        mayChangeTeam(line.command().has(CommandTrait.CHANGES_TEAM));
         return null;
+    }
+
+    private void mayChangeTeam(boolean mayChange) {
+        if (mayChange) {
+            teamMayChange = true;
+            types.forgetRobots();
+        }
     }
 }

@@ -7,6 +7,10 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import java.util.function.IntFunction;
 import java.util.function.Predicate;
+import majic.bot.Parameter;
+import majic.bot.Range;
+import majic.bot.Unit;
+import majic.bot.Value;
 import majic.driver.Permit;
 import majic.log.Line;
 import majic.script.conditions.Selection;
@@ -51,11 +55,12 @@ public class Execution {
      * @param session what they act on
      * @param commands receives what they submit
      * @param asker what their answers carry
+     * @param scope the names that the lines have given values to
      */
-    public record Origin(SessionState session, SubmittedCommands commands, Object asker) {
+    public record Origin(SessionState session, SubmittedCommands commands, Object asker, Scope<Value> scope) {
         /** The same, where other commands do not count. */
         Origin withoutOthers() {
-            return new Origin(session, new SubmittedCommands(), asker);
+            return new Origin(session, new SubmittedCommands(), asker, scope);
         }
     }
 
@@ -120,6 +125,65 @@ public class Execution {
     /** Finds the robots that its commands name. */
     public final Selection selection() {
         return selection;
+    }
+
+    /** The names that have values here. */
+    public Scope<Value> scope() {
+        return origin.scope;
+    }
+
+    /**
+     * A line with the values of this moment. A robot that its values are read from finishes its commands before, unless
+     * the line was typed and commands no robot: then it is read at once, as {@code get} does.
+     *
+     * @throws majic.script.syntax.ScriptException if a value cannot be had
+     */
+    public final Statement withValues(Statement.Computed line) {
+        boolean waits = !isTyped() || line.line().sample() instanceof Statement.ForRobots;
+        return line.line().with(new LiveValues(this, waits));
+    }
+
+    /**
+     * Asks a person for a value, and waits for the answer.
+     *
+     * @param question what is asked
+     * @param wanted what answers there may be
+     * @param otherwise the answer if none comes in time
+     * @param seconds how long to wait
+     * @return the answer
+     */
+    public final Value ask(String question, Parameter wanted, Value otherwise, double seconds) {
+        Questions questions = session().questions();
+        Questions.Question asked = questions.ask(question, wanted, otherwise);
+        try {
+            send(
+                    Line.Kind.NOTICE,
+                    question + " (" + answers(wanted) + "; \"answer VALUE\", or " + otherwise + " after "
+                            + Value.of(seconds, Unit.S) + ")");
+            await(() -> asked.answer() != null, seconds);
+        } finally {
+            questions.close(asked);
+        }
+        Value answer = asked.answer();
+        if (answer == null) {
+            answer(question + " no answer, " + otherwise);
+            return otherwise;
+        }
+        return answer;
+    }
+
+    private static String answers(Parameter wanted) {
+        String range = wanted.range().equals(Range.ANY) ? "" : wanted.range() + " ";
+        return switch (wanted.kind()) {
+            case NUMBER ->
+                (range + wanted.unit().symbol()).isBlank()
+                        ? "a number"
+                        : (range + wanted.unit().symbol()).strip();
+            case YES_NO -> "yes or no";
+            case ON_OFF -> "on or off";
+            case CHOICE -> String.join(", ", wanted.choices());
+            case TEXT, LIST -> "a text";
+        };
     }
 
     /** Whether its commands are submitted as typed at a prompt. */
@@ -345,7 +409,7 @@ public class Execution {
         checkAlive();
     }
 
-    private void awaitOrEnd(BooleanSupplier condition, double seconds) {
+    void awaitOrEnd(BooleanSupplier condition, double seconds) {
         try {
             team().changes().await(() -> condition.getAsBoolean() || isOver(), seconds);
         } catch (InterruptedException e) {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import majic.bot.BotException;
 import majic.script.syntax.Condition;
+import majic.script.syntax.Late;
 import majic.script.syntax.Mistake;
 import majic.script.syntax.ScriptException;
 
@@ -21,25 +22,32 @@ public abstract class Inspection extends StatementWalk {
      *
      * @throws ScriptException if it is wrong; the block behind it is looked at all the same
      */
-    public abstract void inspect(Condition condition);
+    public abstract void inspect(Late<Condition> condition);
 
     @Override
     public final void visit(Statement statement) {
         try {
             super.visit(statement);
         } catch (ScriptException e) {
-            mistakes.add(e.mistake());
+            add(e.mistake());
         } catch (BotException e) {
-            mistakes.add(new ScriptException(statement.at(), String.valueOf(e.getMessage())).mistake());
+            add(new ScriptException(statement.at(), String.valueOf(e.getMessage())).mistake());
         }
     }
 
     @Override
-    public final void head(Condition condition) {
+    public final void head(Late<Condition> condition) {
         try {
             inspect(condition);
         } catch (ScriptException e) {
-            mistakes.add(e.mistake());
+            add(e.mistake());
+        }
+    }
+
+    /** A procedure that is called several times has its mistakes once. */
+    private void add(Mistake mistake) {
+        if (!mistakes.contains(mistake)) {
+            mistakes.add(mistake);
         }
     }
 }

@@ -5,11 +5,13 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
 import majic.bot.BotException;
 import majic.bot.MotionStopped;
+import majic.bot.Value;
 import majic.driver.Permit;
 import majic.log.Line;
 import majic.script.conditions.Comparisons;
@@ -19,6 +21,7 @@ import majic.script.conditions.Truth;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
 import majic.script.syntax.Condition;
+import majic.script.syntax.Late;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
 import majic.team.Answer;
@@ -35,7 +38,11 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ScriptExecution extends Execution implements Statement.Visitor<@Nullable Void> {
     private static final int MOST_FILES = 8;
+    private static final int MOST_CALLS = 50;
     private static final String STOPPED = "stopped";
+
+    /** How often the conditions of {@code on} are looked at, seconds. */
+    private static final double WATCH_PERIOD_S = 0.05;
 
     /**
      * A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on.
@@ -50,13 +57,19 @@ public final class ScriptExecution extends Execution implements Statement.Visito
     private final @Nullable ScriptControl control;
     private volatile boolean ended;
     private int files;
+    private int calls;
+    private boolean inWatch;
+    private final List<Watch> watches = new ArrayList<>();
+    private Scope<Value> scope;
     private ScriptControl.@Nullable Turn turn;
     private IntFunction<String> replayLine = number -> "";
 
-    private ScriptExecution(Execution line, String name, RecordedBlock block, @Nullable ScriptControl control) {
+    private ScriptExecution(
+            Execution line, String name, RecordedBlock block, Scope<Value> names, @Nullable ScriptControl control) {
         super(line, line.origin(), line.selection(), line.wasStoppedSinceTyped());
         this.owner = new Owner(Owner.Kind.SCRIPT, name, this::end);
         this.claims = true;
+        this.scope = names;
         this.block = block;
         this.control = control;
         if (control != null) {
@@ -68,6 +81,7 @@ public final class ScriptExecution extends Execution implements Statement.Visito
         super(line, line.origin().withoutOthers(), robots, () -> false);
         this.owner = act;
         this.claims = false;
+        this.scope = new Scope<>();
         this.block = null;
         this.control = null;
     }
@@ -78,11 +92,23 @@ public final class ScriptExecution extends Execution implements Statement.Visito
      * @param name what messages call it
      * @param text the lines that run it again
      * @param waits whether it ends only when its robots have finished
+     * @param names that have values when it begins
+     * @param alone whether the text does the same wherever it stands: it uses no name or procedure of other lines
      * @param control pauses and ends it; null if nothing does
      */
     public static ScriptExecution ofLine(
-            Execution line, String name, String text, boolean waits, @Nullable ScriptControl control) {
-        return new ScriptExecution(line, name, line.session().record().begin(text, waits), control);
+            Execution line,
+            String name,
+            String text,
+            boolean waits,
+            Scope<Value> names,
+            boolean alone,
+            @Nullable ScriptControl control) {
+        RecordedBlock block = line.session().record().begin(text, waits);
+        if (!alone) {
+            block.dependsOnOthers();
+        }
+        return new ScriptExecution(line, name, block, names, control);
     }
 
     /**
@@ -153,17 +179,30 @@ public final class ScriptExecution extends Execution implements Statement.Visito
     private void interpret(List<Statement> statements) {
         for (Statement statement : statements) {
             checkAlive();
+            runDueWatches();
             statement.accept(this);
         }
     }
 
     @Override
     public @Nullable Void repeat(Statement.Repeat repeat) {
-        for (int round = 0; repeat.times().isEmpty() || round < repeat.times().getAsInt(); round++) {
+        OptionalInt times = times(repeat);
+        for (int round = 0; times.isEmpty() || round < times.getAsInt(); round++) {
             reach(repeat.at().line());
             round(repeat.body());
         }
         return null;
+    }
+
+    private OptionalInt times(Statement.Repeat repeat) {
+        if (repeat.times().isOpen()) {
+            reach(repeat.at().line());
+        }
+        return repeat.times().with(values());
+    }
+
+    private LiveValues values() {
+        return new LiveValues(this, true);
     }
 
     @Override
@@ -179,7 +218,7 @@ public final class ScriptExecution extends Execution implements Statement.Visito
     @Override
     public @Nullable Void choice(Statement.If choice) {
         reach(choice.at().line());
-        interpret(holds(choice.condition(), choice.at()) ? choice.body() : choice.otherwise());
+        interpretBlock(holds(choice.condition(), choice.at()) ? choice.body() : choice.otherwise());
         return null;
     }
 
@@ -206,21 +245,134 @@ public final class ScriptExecution extends Execution implements Statement.Visito
 
     @Override
     public @Nullable Void argument(Statement.Argument argument) {
+        scope.declare(argument.parameter().name(), argument.value());
         return null;
+    }
+
+    @Override
+    public @Nullable Void computed(Statement.Computed line) {
+        reach(line.at().line());
+        return line.line().with(values()).accept(this);
+    }
+
+    @Override
+    public @Nullable Void on(Statement.On on) {
+        reach(on.at().line());
+        watches.add(new Watch(on, scope));
+        return null;
+    }
+
+    @Override
+    public @Nullable Void procedure(Statement.ProcedureDefinition definition) {
+        return null;
+    }
+
+    @Override
+    public @Nullable Void call(Statement.Call call) {
+        reach(call.at().line());
+        if (calls == MOST_CALLS) {
+            throw new ScriptException(
+                    call.at(), call.at().text() + ": procedures call each other too deeply (" + MOST_CALLS + ")");
+        }
+        Scope<Value> caller = scope;
+        scope = caller.outermost().inner();
+        for (int index = 0; index < call.given().size(); index++) {
+            scope.declare(
+                    call.procedure().arguments().get(index).text(),
+                    call.given().get(index).computable());
+        }
+        calls++;
+        try {
+            interpret(call.procedure().body());
+        } finally {
+            calls--;
+            scope = caller;
+        }
+        return null;
+    }
+
+    /** Runs the statements of a block, whose own names end with it. */
+    private void interpretBlock(List<Statement> body) {
+        scope = scope.inner();
+        try {
+            interpret(body);
+        } finally {
+            scope = scope.around();
+        }
+    }
+
+    /** A block that waits for its condition, with the names it knows. */
+    private static final class Watch {
+        private final Statement.On block;
+        private final Scope<Value> scope;
+        private boolean held;
+
+        private Watch(Statement.On block, Scope<Value> scope) {
+            this.block = block;
+            this.scope = scope;
+        }
+    }
+
+    /** Runs the blocks whose conditions have become true, unless one of them runs. */
+    private void runDueWatches() {
+        if (inWatch || isOver()) {
+            return;
+        }
+        inWatch = true;
+        Scope<Value> interrupted = scope;
+        try {
+            for (Watch watch : List.copyOf(watches)) {
+                scope = watch.scope;
+                boolean holds = truth(watch.block.condition(), watch.block.at(), new LiveValues(this, false));
+                boolean due = holds && !watch.held;
+                watch.held = holds;
+                if (due) {
+                    interpretBlock(watch.block.body());
+                }
+            }
+        } finally {
+            scope = interrupted;
+            inWatch = false;
+        }
+    }
+
+    /** Looks at the conditions of {@code on} while it waits. */
+    @Override
+    void awaitOrEnd(BooleanSupplier condition, double seconds) {
+        long began = time().nanos();
+        while (!watches.isEmpty() && !inWatch && !isOver() && !condition.getAsBoolean()) {
+            runDueWatches();
+            double left = seconds - time().secondsSince(began);
+            if (left <= 0) {
+                return;
+            }
+            super.awaitOrEnd(condition, Math.min(left, WATCH_PERIOD_S));
+        }
+        super.awaitOrEnd(condition, Math.max(0, seconds - time().secondsSince(began)));
+    }
+
+    @Override
+    public Scope<Value> scope() {
+        return scope;
     }
 
     private void round(List<Statement> body) {
         long motionsBefore = motions();
         long began = time().nanos();
-        interpret(body);
+        interpretBlock(body);
         if (motions() == motionsBefore && time().secondsSince(began) < SHORTEST_ROUND_S) {
             pause(SHORTEST_ROUND_S);
         }
     }
 
-    private boolean holds(Condition condition, Token at) {
-        Collection<Member> asked = new ArrayList<>(ConditionEvaluator.allAsked(condition, selection(), null));
+    private boolean holds(Late<Condition> condition, Token at) {
+        Collection<Member> asked = new ArrayList<>(ConditionEvaluator.allAsked(condition.sample(), selection(), null));
         awaitReadable(asked);
+        return truth(condition, at, values());
+    }
+
+    private boolean truth(Late<Condition> written, Token at, LiveValues values) {
+        Condition condition = written.with(values);
         Comparisons.check(condition, selection(), null);
         Truth truth = condition.accept(new ConditionEvaluator(selection(), null));
         if (truth.undecided() != null) {
@@ -264,11 +416,14 @@ public final class ScriptExecution extends Execution implements Statement.Visito
             throw new ExecutionEnded(Answer.Outcome.FAILED, file + ": files run each other too deeply");
         }
         files++;
+        Scope<Value> caller = scope;
+        scope = new Scope<>();
         try {
             interpret(script);
         } catch (ScriptException e) {
             throw new ExecutionEnded(Answer.Outcome.FAILED, e.mistake().in(file));
         } finally {
+            scope = caller;
             files--;
         }
     }

@@ -1,5 +1,6 @@
 package majic.script.run;
 
+import java.util.Random;
 import majic.log.ParameterLog;
 import majic.log.Sampling;
 import majic.log.SessionOutput;
@@ -21,6 +22,8 @@ import majic.team.Team;
  * @param sampling takes readings for the log
  * @param plotting shows plots
  * @param map of the team
+ * @param questions of scripts that wait for an answer
+ * @param random of all scripts
  * @param quit ends MAJIC; returns at once
  */
 public record SessionState(
@@ -34,4 +37,6 @@ public record SessionState(
         Sampling sampling,
         Plotting plotting,
         CurrentMap map,
+        Questions questions,
+        Random random,
         Runnable quit) {}

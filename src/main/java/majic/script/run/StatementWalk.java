@@ -1,11 +1,17 @@
 package majic.script.run;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import majic.script.syntax.Condition;
+import majic.script.syntax.Cursor;
+import majic.script.syntax.Late;
 import org.jspecify.annotations.Nullable;
 
 /** Goes through all commands of a script, one behind the other, into every block. Runs none of them. */
 public abstract class StatementWalk implements Statement.Visitor<@Nullable Void> {
+    private final Set<Procedure> walked = new HashSet<>();
+
     /** Goes through some statements. */
     public final void walk(List<Statement> statements) {
         statements.forEach(this::visit);
@@ -16,27 +22,70 @@ public abstract class StatementWalk implements Statement.Visitor<@Nullable Void>
         statement.accept(this);
     }
 
-    /** Looks at what a block begins with; nothing unless overridden. */
-    public void head(Condition condition) {}
+    /** Looks at the condition that a block begins with; nothing unless overridden. */
+    public void head(Late<Condition> condition) {}
+
+    /** Looks at the readings in the values of a line or a condition; nothing unless overridden. */
+    public void readings(List<Cursor.Reading> readings) {}
+
+    /** Goes through the statements of a block. */
+    void block(List<Statement> body) {
+        walk(body);
+    }
 
     @Override
-    public final @Nullable Void repeat(Statement.Repeat repeat) {
-        walk(repeat.body());
+    public @Nullable Void repeat(Statement.Repeat repeat) {
+        readings(repeat.times().readings());
+        block(repeat.body());
         return null;
     }
 
     @Override
     public final @Nullable Void whileLoop(Statement.While loop) {
-        head(loop.condition());
-        walk(loop.body());
+        headed(loop.condition(), loop.body());
         return null;
     }
 
     @Override
     public final @Nullable Void choice(Statement.If choice) {
-        head(choice.condition());
-        walk(choice.body());
-        walk(choice.otherwise());
+        headed(choice.condition(), choice.body());
+        block(choice.otherwise());
+        return null;
+    }
+
+    @Override
+    public final @Nullable Void on(Statement.On on) {
+        headed(on.condition(), on.body());
+        return null;
+    }
+
+    private void headed(Late<Condition> condition, List<Statement> body) {
+        readings(condition.readings());
+        head(condition);
+        block(body);
+    }
+
+    /** Goes through a line as far as it is known before it runs. */
+    @Override
+    public @Nullable Void computed(Statement.Computed line) {
+        readings(line.line().readings());
+        return line.line().sample().accept(this);
+    }
+
+    @Override
+    public @Nullable Void procedure(Statement.ProcedureDefinition definition) {
+        if (walked.add(definition.procedure())) {
+            block(definition.procedure().body());
+        }
+        return null;
+    }
+
+    /** A procedure is gone through once. */
+    @Override
+    public @Nullable Void call(Statement.Call call) {
+        if (walked.add(call.procedure())) {
+            block(call.procedure().body());
+        }
         return null;
     }
 

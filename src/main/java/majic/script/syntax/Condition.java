@@ -15,6 +15,8 @@ public sealed interface Condition {
         R not(Not not);
 
         R comparison(Comparison comparison);
+
+        R known(Known known);
     }
 
     /** True if one of two conditions is. */
@@ -52,7 +54,7 @@ public sealed interface Condition {
 
         @Override
         public String toString() {
-            return inner instanceof Comparison ? "not " + inner : "not (" + inner + ")";
+            return inner instanceof Comparison || inner instanceof Known ? "not " + inner : "not (" + inner + ")";
         }
     }
 
@@ -67,6 +69,20 @@ public sealed interface Condition {
         public String toString() {
             String what = parameter.text() + " " + operator + " " + value.text();
             return robots == null ? what : robots.text() + " " + what;
+        }
+    }
+
+    /** A value compared with another one; both were computed when the line was parsed. */
+    record Known(Literal left, Operator operator, Literal right) implements Condition {
+        @Override
+        public <R> R accept(Visitor<R> visitor) {
+            return visitor.known(this);
+        }
+
+        @Override
+        public String toString() {
+            boolean isWord = left.at().kind() == Token.Kind.WORD;
+            return (isWord ? '"' + left.text() + '"' : left.text()) + " " + operator + " " + right.text();
         }
     }
 

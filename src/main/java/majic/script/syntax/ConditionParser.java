@@ -48,8 +48,11 @@ public final class ConditionParser {
         return left;
     }
 
-    /** {@code negation = "not" negation | "(" condition ")" | comparison ;} */
+    /** {@code negation = "not" negation | "(" condition ")" | comparison | known ;} */
     private Condition negation() {
+        if (startsKnown()) {
+            return known();
+        }
         if (!at.check("not") && !at.check(Kind.LEFT)) {
             return comparison();
         }
@@ -76,6 +79,24 @@ public final class ConditionParser {
         return new Condition.Comparison(robots, parameter, operator, literal());
     }
 
+    private boolean startsKnown() {
+        boolean compared = at.peekSecond().kind() == Kind.OPERATOR;
+        return switch (at.peek().kind()) {
+            case VARIABLE -> true;
+            case NUMBER, QUOTED -> compared;
+            case LEFT -> Expression.isInBrackets(at);
+            default -> false;
+        };
+    }
+
+    /** {@code known = ( NUMBER | QUOTED | VARIABLE | "(" expression ")" ) operator literal ;} */
+    private Condition known() {
+        Literal left = literal();
+        Operator operator = operator();
+        Literal right = literal();
+        return Arithmetic.compared(left, operator, right);
+    }
+
     private @Nullable Robots robots() {
         if (at.check("any")) {
             Token any = at.advance();
@@ -93,7 +114,7 @@ public final class ConditionParser {
         return Operator.of(token.text()).orElseThrow(() -> new ScriptException(token, "=: write == to compare"));
     }
 
-    /** {@code literal = NUMBER | WORD | QUOTED ;} */
+    /** {@code literal = NUMBER | WORD | QUOTED | VARIABLE | "(" expression ")" ;} */
     private Literal literal() {
         at.fillIn();
         if (!at.check(Kind.NUMBER) && !at.check(Kind.WORD) && !at.check(Kind.QUOTED)) {

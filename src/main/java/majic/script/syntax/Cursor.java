@@ -1,69 +1,151 @@
 package majic.script.syntax;
 
-import java.util.HashMap;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import majic.bot.Value;
 import majic.script.syntax.Literal.Quantity;
 import majic.script.syntax.Token.Kind;
+import org.jspecify.annotations.Nullable;
 
-/** A place in a list of tokens that moves forward: the four helpers that every grammar rule is written with. */
+/**
+ * A place in a list of tokens that moves forward: the helpers that every grammar rule is written with. Where a value
+ * stands that has to be computed, the cursor shows a token with the value in place of its tokens.
+ */
 public final class Cursor {
     private final List<Token> tokens;
-    private Map<String, Value> variables = Map.of();
+    private final Values values;
+    private final int start;
     private int next;
+    private int behindComputed;
+    private @Nullable Token computed;
+    private Token previous;
+    private @Nullable Robots ownRobots;
+    private int lastOpen = -1;
+    private final List<Reading> readings = new ArrayList<>();
 
-    /** The last token is an END. */
+    /** A reading in an expression: the parameter of a robot. */
+    public record Reading(Robots robots, Token parameter) {}
+
+    /** For a text without names and readings; the last token is an END. */
     public Cursor(List<Token> tokens) {
-        this.tokens = tokens;
+        this(tokens, 0, Values.NONE);
     }
 
     /**
-     * Lets a name stand for a value from now on: {@code $name}.
+     * For a text from one of its tokens on.
      *
-     * @param name in lower case
+     * @param tokens the last one is an END
+     * @param start index of the first token
+     * @param values what names and readings stand for
      */
-    public void define(String name, Value value) {
-        if (variables.isEmpty()) {
-            variables = new HashMap<>();
-        }
-        variables.put(name, value);
+    public Cursor(List<Token> tokens, int start, Values values) {
+        this.tokens = tokens;
+        this.values = values;
+        this.start = start;
+        this.next = start;
+        this.previous = tokens.get(Math.max(0, start - 1));
     }
 
-    public boolean isDefined(String name) {
-        return variables.containsKey(name);
+    /** What the names and readings of the text stand for. */
+    public Values values() {
+        return values;
+    }
+
+    List<Token> tokens() {
+        return tokens;
+    }
+
+    /** The tokens that begin lines with a word. */
+    public List<Token> firstWords(String word) {
+        List<Token> found = new ArrayList<>();
+        for (int index = 0; index < tokens.size(); index++) {
+            if (tokens.get(index).is(word)
+                    && (index == 0 || tokens.get(index - 1).isEnd())) {
+                found.add(tokens.get(index));
+            }
+        }
+        return found;
+    }
+
+    /** Another cursor in the same text, at one of its tokens. */
+    public Cursor from(Token token) {
+        return new Cursor(tokens, tokens.indexOf(token), values);
+    }
+
+    /** The index of the next token. */
+    int place() {
+        return next;
+    }
+
+    /** Whether a value that was not known has stood at a place or behind it. */
+    boolean isOpenSince(int place) {
+        return lastOpen >= place;
+    }
+
+    /** The readings in expressions so far. */
+    List<Reading> readings() {
+        return readings;
+    }
+
+    /** Takes notice that what stands here has to be parsed again when it runs, whatever its values are. */
+    public void markOpen() {
+        lastOpen = next;
+    }
+
+    /** Sets the robots of the line, whose parameters an expression may name alone; null behind the line. */
+    public void setOwnRobots(@Nullable Robots robots) {
+        ownRobots = robots;
+    }
+
+    @Nullable
+    Robots ownRobots() {
+        return ownRobots;
     }
 
     public Token peek() {
-        return tokens.get(next);
+        return computed == null ? tokens.get(next) : computed;
     }
 
     public Token peekSecond() {
-        return tokens.get(Math.min(next + 1, tokens.size() - 1));
+        return peek(1);
+    }
+
+    /** A token some places ahead. */
+    Token peek(int ahead) {
+        if (ahead == 0) {
+            return peek();
+        }
+        int from = computed == null ? next : behindComputed - 1;
+        return tokens.get(Math.min(from + ahead, tokens.size() - 1));
     }
 
     public Token previous() {
-        return tokens.get(Math.max(0, next - 1));
+        return previous;
     }
 
     public Token advance() {
-        Token token = tokens.get(next);
-        if (token.kind() != Kind.END) {
+        Token token = peek();
+        if (computed != null) {
+            computed = null;
+            next = behindComputed;
+            previous = token;
+        } else if (token.kind() != Kind.END) {
             next++;
+            previous = token;
         }
         return token;
     }
 
     public boolean check(Kind kind) {
-        return tokens.get(next).kind() == kind;
+        return peek().kind() == kind;
     }
 
     public boolean check(String word) {
-        return tokens.get(next).is(word);
+        return peek().is(word);
     }
 
     public boolean match(Kind kind) {
-        boolean matches = tokens.get(next).kind() == kind;
+        boolean matches = check(kind);
         if (matches) {
             advance();
         }
@@ -71,21 +153,19 @@ public final class Cursor {
     }
 
     public boolean match(String word) {
-        boolean matches = tokens.get(next).is(word);
+        boolean matches = check(word);
         if (matches) {
-            next++;
+            advance();
         }
         return matches;
     }
 
     /** Takes a token of a kind, or complains that something else was expected, as in "a distance". */
     public Token consume(Kind kind, String expected) {
-        Token token = tokens.get(next);
-        if (token.kind() != kind) {
+        if (!check(kind)) {
             throw unexpected(expected);
         }
-        next += kind == Kind.END ? 0 : 1;
-        return token;
+        return advance();
     }
 
     /** Takes an equals sign, or complains that something else was expected. */
@@ -98,38 +178,128 @@ public final class Cursor {
 
     /** A number of some quantity. */
     public Literal number(Quantity quantity) {
-        Token written = tokens.get(next);
-        if (written.kind() == Kind.NUMBER) {
-            next++;
-            return quantity.read(written);
-        }
+        String written = startsComputed() ? computedText() : "";
+        fillIn();
         String expected = quantity.what() + " (" + quantity.symbols() + ")";
-        if (written.kind() != Kind.VARIABLE) {
+        if (written.isEmpty()) {
             return quantity.read(consume(Kind.NUMBER, expected));
         }
-        fillIn();
-        if (!check(Kind.NUMBER)) {
+        Token token = peek();
+        if (token.kind() != Kind.NUMBER) {
             throw new ScriptException(
-                    written, written.text() + " is " + peek().text() + ": " + expected + " is expected here");
+                    token,
+                    written + (token.open() ? " is a word: " : " is " + token.text() + ": ") + expected
+                            + " is expected here");
         }
         try {
             return quantity.read(advance());
         } catch (ScriptException e) {
-            throw new ScriptException(written, written.text() + " is " + e.getMessage());
+            throw new ScriptException(
+                    token,
+                    token.open() ? written + ": " + expected + " is expected here" : written + " is " + e.getMessage());
         }
     }
 
-    /** Puts the value of a variable in its place; leaves any other token as it is. */
-    public void fillIn() {
-        if (tokens.get(next).kind() == Kind.VARIABLE) {
-            tokens.set(next, Variables.fillIn(peek(), variables));
+    /** Whether a value that has to be computed begins here: a name, or a bracket. */
+    public boolean startsComputed() {
+        return computed == null && (check(Kind.VARIABLE) || check(Kind.LEFT));
+    }
+
+    /** What is written there, as messages repeat it. */
+    private String computedText() {
+        if (check(Kind.VARIABLE)) {
+            return peek().text();
         }
+        StringBuilder text = new StringBuilder();
+        int open = 0;
+        int index = next;
+        do {
+            Token token = tokens.get(index);
+            boolean apart = index > next && !tokens.get(index - 1).touches(token);
+            text.append(apart ? " " : "").append(token.written());
+            open += token.kind() == Kind.LEFT ? 1 : token.kind() == Kind.RIGHT ? -1 : 0;
+            index++;
+        } while (open > 0 && !tokens.get(index).isEnd());
+        return text.toString();
+    }
+
+    /** Puts the value of a name or of an expression in brackets in its place; leaves any other token as it is. */
+    public void fillIn() {
+        if (!startsComputed()) {
+            return;
+        }
+        int first = next;
+        Token place = peek();
+        Operand value = simple();
+        computed = value.token(place, previous.end());
+        behindComputed = next;
+        next = first;
+        previous = tokens.get(Math.max(0, first - 1));
+    }
+
+    /** A name or an expression in brackets. */
+    public Operand simple() {
+        return check(Kind.VARIABLE) ? variable() : Expression.inBrackets(this);
+    }
+
+    /** An expression up to the end of the line or the bracket. */
+    public Operand expression() {
+        return Expression.parse(this);
+    }
+
+    /** Takes a name and returns its value, the opposite of it for {@code -$name}. */
+    Operand variable() {
+        int place = next;
+        Token written = advance();
+        boolean negative = written.text().startsWith("-");
+        Token name = new Token(
+                Kind.VARIABLE,
+                written.text().substring(negative ? 1 : 0),
+                written.line(),
+                written.column(),
+                written.end());
+        Operand value = noted(values.named(name), place);
+        return negative ? Arithmetic.negate(value, written) : value;
+    }
+
+    /** The value of a parameter of one robot. */
+    Operand reading(Robots robots, Token parameter) {
+        readings.add(new Reading(robots, parameter));
+        lastOpen = next;
+        return values.reading(robots, parameter);
+    }
+
+    /** The distance or the bearing between two robots or places. */
+    Operand between(Token function, List<Token> ends) {
+        for (Token end : ends) {
+            if (end.kind() == Kind.NUMBER) {
+                readings.add(
+                        new Reading(Robots.of(end), new Token(Kind.WORD, "x", end.line(), end.column(), end.end())));
+            }
+        }
+        lastOpen = next;
+        return values.between(function, ends);
+    }
+
+    Operand random(Operand from, Operand to, Token name) {
+        lastOpen = next;
+        return Arithmetic.random(from, to, name, values.random());
+    }
+
+    private Operand noted(Operand value, int place) {
+        if (value.open()) {
+            lastOpen = place;
+        }
+        return value;
     }
 
     /** A whole number without unit. */
     public int count(String expected) {
         fillIn();
         Token token = consume(Kind.NUMBER, expected);
+        if (token.open()) {
+            return 0;
+        }
         try {
             return Integer.parseInt(token.text());
         } catch (NumberFormatException e) {
@@ -142,31 +312,36 @@ public final class Cursor {
         if (peek().isEnd() || check(Kind.OPEN_QUOTE) || endsValue(peek(), inCall)) {
             throw unexpected(expected);
         }
-        int start = next;
+        if (check(Kind.LEFT)) {
+            fillIn();
+        } else if (check(Kind.VARIABLE) && !stands(1, inCall)) {
+            fillIn();
+        }
+        if (computed != null) {
+            Token token = advance();
+            return token.kind() == Kind.NUMBER
+                    ? Quantity.readAny(token)
+                    : new Literal(token, Value.text(token.text()), token.written());
+        }
         Token first = advance();
         StringBuilder all = new StringBuilder(first.written());
-        while (previous().touches(peek()) && !endsValue(peek(), inCall) && !check(Kind.OPEN_QUOTE)) {
+        boolean alone = true;
+        while (previous.touches(peek()) && !endsValue(peek(), inCall) && !check(Kind.OPEN_QUOTE)) {
             all.append(advance().written());
-        }
-        boolean alone = next == start + 1;
-        if (alone && first.kind() == Kind.VARIABLE) {
-            next = start;
-            fillIn();
-            return value(expected, inCall);
+            alone = false;
         }
         if (alone && first.kind() == Kind.NUMBER) {
             return Quantity.readAny(first);
         }
         String text = alone ? first.text() : all.toString();
-        Token at = alone
-                ? first
-                : new Token(
-                        Kind.OTHER,
-                        text,
-                        first.line(),
-                        first.column(),
-                        previous().end());
+        Token at = alone ? first : new Token(Kind.OTHER, text, first.line(), first.column(), previous.end());
         return new Literal(at, Value.text(text), all.toString());
+    }
+
+    /** Whether a token some places ahead touches the one before it, as part of the same value. */
+    private boolean stands(int ahead, boolean inCall) {
+        Token token = peek(ahead);
+        return peek(ahead - 1).touches(token) && !endsValue(token, inCall) && token.kind() != Kind.OPEN_QUOTE;
     }
 
     private static boolean endsValue(Token token, boolean inCall) {
@@ -238,13 +413,14 @@ public final class Cursor {
         }
         if (found.kind() == Kind.VARIABLE) {
             return new ScriptException(
-                    found, found.text() + ": an argument stands for a value, and " + expected + " is expected here");
+                    found, found.text() + ": a name with $ stands for a value, and " + expected + " is expected here");
         }
         if (!found.isEnd()) {
             return new ScriptException(found, found.written() + ": " + expected + " is expected here", expected);
         }
-        String where =
-                next == 0 || previous().isEnd() ? "" : "behind \"" + previous().written() + "\" ";
+        String where = next == start || previous.isEnd()
+                ? ""
+                : "behind \"" + previous().written() + "\" ";
         return new ScriptException(found, where + expected + " is missing", expected);
     }
 }

@@ -27,4 +27,9 @@ public record EachComparison(Consumer<Condition.Comparison> task) implements Con
         task.accept(comparison);
         return null;
     }
+
+    @Override
+    public @Nullable Void known(Condition.Known known) {
+        return null;
+    }
 }

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.bot.Parameter;
+import majic.bot.Range;
 import majic.bot.Unit;
 import majic.bot.Value;
 
@@ -21,6 +22,11 @@ public record Literal(Token at, Value value, String text) {
     /** The number that is the value. */
     public double number() {
         return value.number();
+    }
+
+    /** The value as an expression has it: the word {@code clear} is greater than any number. */
+    public Value computable() {
+        return at.kind() == Token.Kind.WORD && text.equalsIgnoreCase(Value.CLEAR.toString()) ? Value.CLEAR : value;
     }
 
     /** The written characters without quotes, even if they look like a number. */
@@ -45,9 +51,14 @@ public record Literal(Token at, Value value, String text) {
      * The value for a parameter. Wherever else a script has a time without a unit, it is in seconds, so one that would
      * be in milliseconds needs its unit.
      *
+     * <p>Before a run, a value that is known only when the line runs is replaced by one that the parameter takes.
+     *
      * @throws ScriptException if it is a time in milliseconds without its unit
      */
     public Value valueFor(Parameter parameter) {
+        if (at.open()) {
+            return sampleFor(parameter);
+        }
         if (parameter.unit() == Unit.MS
                 && value instanceof Value.Number number
                 && number.unit() == Unit.NONE
@@ -56,6 +67,26 @@ public record Literal(Token at, Value value, String text) {
                     at, text + ": the unit of the time is missing; write " + text + "ms or " + text + "s");
         }
         return value;
+    }
+
+    /** A number keeps its unit, so that a wrong one is found. */
+    private Value sampleFor(Parameter parameter) {
+        Range range = parameter.range();
+        double inRange = Math.max(range.min(), Math.min(range.max(), 0));
+        boolean bare = value instanceof Value.Number number && number.unit() == Unit.NONE;
+        return switch (parameter.kind()) {
+            case NUMBER ->
+                value instanceof Value.Number number
+                        ? Value.of(inRange, bare ? parameter.unit() : number.unit())
+                        : value;
+            case YES_NO -> bare || !(value instanceof Value.Number) ? Value.yesNo(true) : value;
+            case ON_OFF -> bare || !(value instanceof Value.Number) ? Value.onOff(true) : value;
+            case CHOICE ->
+                bare || !(value instanceof Value.Number)
+                        ? Value.text(parameter.choices().get(0))
+                        : value;
+            case TEXT, LIST -> value;
+        };
     }
 
     /** What a number in a script counts: each quantity has the unit answers use, and further ones that may be typed. */

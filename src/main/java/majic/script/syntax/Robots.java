@@ -45,6 +45,15 @@ public record Robots(Token at, List<Item> items) {
         return new Robots(first, items);
     }
 
+    /**
+     * One robot by its number or a word.
+     *
+     * @throws ScriptException if the token cannot name a robot
+     */
+    public static Robots of(Token named) {
+        return parse(new Cursor(List.of(named, new Token(Kind.END, "", named.line(), named.end(), named.end()))));
+    }
+
     /** {@code robot = NUMBER | SPAN | "all" | "me" | TYPE | NAME ;} */
     private static Item robot(Cursor at) {
         Token token = at.peek();

@@ -13,8 +13,13 @@ import majic.bot.BotException;
  * @param line counted from 1
  * @param column of its first character, counted from 1
  * @param end the column behind its last character
+ * @param open whether the text is only a sample of a value that is known when the line runs
  */
-public record Token(Kind kind, String text, int line, int column, int end) {
+public record Token(Kind kind, String text, int line, int column, int end, boolean open) {
+    public Token(Kind kind, String text, int line, int column, int end) {
+        this(kind, text, line, column, end, false);
+    }
+
     /** What a token can be. */
     public enum Kind {
         /** A number with or without a unit: {@code -3}, {@code 2.5m}. */
@@ -23,7 +28,7 @@ public record Token(Kind kind, String text, int line, int column, int end) {
         SPAN,
         /** A letter, then letters and digits. */
         WORD,
-        /** The name of an argument, which stands for its value: {@code $speed}, {@code -$speed}. */
+        /** A name that stands for a value: {@code $speed}, {@code -$speed}. */
         VARIABLE,
         /** Text in quotes. */
         QUOTED,

@@ -81,8 +81,8 @@ class ScriptParserTest {
     void andBindsCloserThanOr() {
         Statement.While loop = (Statement.While)
                 parse("while 1 a < 1 or 1 b < 1 and not 1 c < 1\nend").get(0);
-        assertThat(loop.condition()).isInstanceOf(Condition.Or.class);
-        assertThat(((Condition.Or) loop.condition()).right()).isInstanceOf(Condition.And.class);
+        assertThat(loop.condition().sample()).isInstanceOf(Condition.Or.class);
+        assertThat(((Condition.Or) loop.condition().sample()).right()).isInstanceOf(Condition.And.class);
     }
 
     @Test
@@ -120,7 +120,7 @@ class ScriptParserTest {
         ScriptParser.parse("1 move\nrepeat x\n  2 trun(\nend\nend\n3.turn()\nwhile\nend", TYPES, mistakes);
         assertThat(mistakes)
                 .extracting(mistake -> mistake.line() + ":" + mistake.column())
-                .containsExactly("1:7", "2:8", "5:1", "6:8", "7:6");
+                .containsExactly("1:7", "2:8", "3:10", "5:1", "6:8", "7:6");
     }
 
     @Test

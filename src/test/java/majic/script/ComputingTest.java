@@ -1,0 +1,159 @@
+package majic.script;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Values with names, expressions, procedures. */
+class ComputingTest {
+    @AutoClose
+    private final ScriptFixture fixture = ScriptFixture.withTwo();
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    1 + 2 * 3                    | 7
+                    (1 + 2) * 3                  | 9
+                    10 - 4 - 3                   | 3
+                    10 -4                        | 6
+                    7 / 2                        | 3.5
+                    -3 + 1                       | -2
+                    2m + 30cm                    | 2300 mm
+                    300mm - 100                  | 200 mm
+                    600mm / 2                    | 300 mm
+                    600mm / 200mm                | 3
+                    200mm/s * 3s                 | 600 mm
+                    600mm / 3s                   | 200 mm/s
+                    600mm / 200mm/s              | 3 s
+                    min 3 2                      | 2
+                    max 3mm (1m / 2)             | 500 mm
+                    abs (2 - 5)                  | 3
+                    clear                        | clear
+                    clear + 5mm                  | clear
+                    min clear 300mm              | 300 mm
+                    max clear 300mm              | clear
+                    searching                    | searching
+                    "two words"                  | two words
+                    1 x                          | 0 mm
+                    1 x + 500                    | 500 mm
+                    distance 1 2                 | 0 mm
+                    random 3 3                   | 3
+                    """)
+    void anExpressionIsComputed(String expression, String value) throws InterruptedException {
+        fixture.prompt.parseText("let n = " + expression);
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers()).containsExactly("n = " + value);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    let n = 1mm + 1deg           | +: mm and deg cannot be added
+                    let n = 1mm * 1mm            | *: mm times mm has no unit here
+                    let n = 1 / 0                | /: nothing can be divided by 0
+                    let n = 1 / (1 - 1)          | /: nothing can be divided by 0
+                    let n = yes + 1              | +: yes is not a number
+                    let n = $m                   | $m: there is no value of that name; "let m = VALUE" makes one
+                    let n = 5 - clear            | -: clear, nothing in range, cannot be subtracted
+                    let n = 5-3                  | 5-3: write blanks around a minus, as in 5 - 3
+                    let n =                      | behind "=" a value (a number, $name, a robot and its parameter, a bracket) is missing
+                    let n = (1                   | behind "1" ")" is missing
+                    let n = 1 sonarr             | sonarr: robot 1 (Aibo) has no such parameter
+                    let n = all x                | all: a value is read from one robot; write its number in front
+                    1 move (1 x + 90deg)         | +: mm and deg cannot be added
+                    1 move (90deg)               | (90deg) is 90deg: a distance is expected here (mm, cm, m)
+                    """)
+    void whatCannotBeComputedIsSaid(String line, String message) throws InterruptedException {
+        assertThat(fixture.refusal(line)).get().asString().startsWith(message);
+    }
+
+    @Test
+    void aNameKeepsItsValueForTheLinesBehind() throws InterruptedException {
+        assertThat(fixture.runPipe("let side = 200mm", "1 move ($side + 100)", "1 move -$side", "1 get x"))
+                .containsExactly(
+                        "1 move 300mm: done (300 mm, 1.0 s)", "1 move -200mm: done (-200 mm, 0.7 s)", "1 x = 100 mm");
+    }
+
+    @Test
+    void aReadingIsReadWhenTheLineRuns() throws InterruptedException {
+        assertThat(fixture.runPipe("1 move 300", "1 move (600 - 1 x)", "1 move (x / 2)"))
+                .containsExactly(
+                        "1 move 300: done (300 mm, 1.0 s)",
+                        "1 move 300mm: done (300 mm, 1.0 s)",
+                        "1 move 300mm: done (300 mm, 1.0 s)");
+    }
+
+    @Test
+    void aLoopCounts() throws InterruptedException {
+        assertThat(fixture.runPipe(
+                        "let n = 0",
+                        "while $n < 3",
+                        "let n = $n + 1",
+                        "1 move (100 * $n)",
+                        "end",
+                        "print done with $n"))
+                .contains(
+                        "1 move 100: done (100 mm, 0.3 s)",
+                        "1 move 200: done (200 mm, 0.7 s)",
+                        "1 move 300: done (300 mm, 1.0 s)",
+                        "done with 3");
+    }
+
+    @Test
+    void aProcedureHasArguments() throws InterruptedException {
+        assertThat(fixture.runPipe(
+                        "to corner side angle",
+                        "1 move $side",
+                        "1 turn $angle",
+                        "end",
+                        "corner 300 90",
+                        "corner (100 + 50) -45"))
+                .contains(
+                        "1 move 300: done (300 mm, 1.0 s)",
+                        "1 turn 90: done (90 deg, 1.0 s)",
+                        "1 move 150: done (150 mm, 0.5 s)");
+    }
+
+    @Test
+    void aProcedureThatCallsItselfForEverIsEnded() throws InterruptedException {
+        assertThat(fixture.runPipe("to again", "again", "end", "again"))
+                .anyMatch(line -> line.contains("procedures call each other too deeply (50)"));
+    }
+
+    @Test
+    void aQuestionIsAnswered() throws InterruptedException {
+        fixture.prompt.parseText("ask far = 300mm from 0 to 2000 \"How far?\" for 10s");
+        fixture.pause(1);
+        assertThat(fixture.prompt.parseText("answer 3m")).contains("far 3000 mm: outside 0 … 2000 mm");
+        fixture.prompt.parseText("answer 50cm");
+        fixture.prompt.awaitAll();
+        fixture.prompt.parseText("1 move $far");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers()).contains("1 move 500mm: done (500 mm, 1.7 s)");
+    }
+
+    @Test
+    void aQuestionWithoutAnAnswerTakesTheDefault() throws InterruptedException {
+        assertThat(fixture.runPipe("ask far = 300mm \"How far?\" for 10s", "1 move $far"))
+                .contains("How far? no answer, 300 mm", "1 move 300mm: done (300 mm, 1.0 s)");
+    }
+
+    @Test
+    void aBlockRunsEachTimeItsConditionBecomesTrue() throws InterruptedException {
+        assertThat(fixture.runPipe(
+                        "repeat 1",
+                        "on 1 x > 150",
+                        "print passed",
+                        "end",
+                        "1 move 300",
+                        "wait",
+                        "1 move -300",
+                        "wait",
+                        "1 move 300",
+                        "wait",
+                        "end"))
+                .filteredOn("passed"::equals)
+                .hasSize(2);
+    }
+}
