@@ -26,6 +26,8 @@ public:
 class ArPose {
 public:
   double findDistanceTo(ArPose other) const;
+  double getX() const;
+  double getY() const;
 };
 
 class ArArgumentParser {
@@ -79,6 +81,8 @@ public:
   void move(double mm);
   void stop();
   void setDeltaHeading(double degrees);
+  void setVel(double mmPerSec);
+  void setRotVel(double degPerSec);
   bool isMoveDone() const;
   bool isHeadingDone() const;
   bool isStopped() const;

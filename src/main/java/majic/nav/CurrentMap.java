@@ -438,16 +438,17 @@ public final class CurrentMap {
     }
 
     /**
-     * Looks a place of the map up.
+     * Looks up where a place of the map is.
      *
      * @param name whatever the case
      * @return empty if there is no map, or no such place
      */
-    public synchronized Optional<NavigationMap.Place> findPlace(String name) {
+    public synchronized Optional<Pose> whereIs(String name) {
         return map == null
                 ? Optional.empty()
                 : map.places().stream()
                         .filter(place -> place.name().equalsIgnoreCase(name))
+                        .map(NavigationMap.Place::pose)
                         .findFirst();
     }
 

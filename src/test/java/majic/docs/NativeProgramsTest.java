@@ -118,7 +118,7 @@ class NativeProgramsTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"GreatRace.cpp", "Wanderer.cpp", "Actions.cpp"})
+    @ValueSource(strings = {"GreatRace.cpp", "Wanderer.cpp", "Actions.cpp", "ToAndFro.cpp", "Wall.cpp", "Spiral.cpp"})
     void theProgramsWithAriaCompile(String program) throws Exception {
         Tool.require("g++");
         assertThat(compiled(program, "-fsyntax-only")).isEmpty();

@@ -67,7 +67,21 @@ class ResultsPageTest {
             new Task(
                     "Aibo wanders",
                     new Program("URBI", "native/WanderDog.u"),
-                    List.of(new Program("Java with MAJIC", "WanderDog.java"))),
+                    List.of(
+                            new Program("Java with MAJIC", "WanderDog.java"),
+                            new Program("MAJIC Script", "wander_dog.majic"))),
+            new Task(
+                    "patrol of a team",
+                    new Program("C++ with ARIA", "native/ToAndFro.cpp"),
+                    List.of(new Program("MAJIC Script", "to_and_fro.majic"))),
+            new Task(
+                    "Pioneer follows a wall",
+                    new Program("C++ with ARIA", "native/Wall.cpp"),
+                    List.of(new Program("MAJIC Script", "wall.majic"))),
+            new Task(
+                    "Pioneer searches in a spiral",
+                    new Program("C++ with ARIA", "native/Spiral.cpp"),
+                    List.of(new Program("MAJIC Script", "spiral.majic"))),
             new Task(
                     "Aibo walks half a metre",
                     new Program("URBI", "native/Walk.u"),
@@ -86,6 +100,14 @@ class ResultsPageTest {
     void aProgramOfSeveralRobotsOrOfAPioneerIsAThirdAsLongWithMajic() throws IOException {
         assertThat(lines("MajicRace.java")).isLessThanOrEqualTo(lines("native/GreatRace.cpp") / 3);
         assertThat(lines("Wanderer.java")).isLessThanOrEqualTo(lines("native/Wanderer.cpp") / 3);
+    }
+
+    @Test
+    void aScriptHasAThirdOfTheLinesAndForTheAiboNotMore() throws IOException {
+        assertThat(lines("to_and_fro.majic")).isLessThanOrEqualTo(lines("native/ToAndFro.cpp") / 3);
+        assertThat(lines("wall.majic")).isLessThanOrEqualTo(lines("native/Wall.cpp") / 3);
+        assertThat(lines("spiral.majic")).isLessThanOrEqualTo(lines("native/Spiral.cpp") / 3);
+        assertThat(lines("wander_dog.majic")).isLessThanOrEqualTo(lines("native/WanderDog.u"));
     }
 
     private static int lines(String file) throws IOException {

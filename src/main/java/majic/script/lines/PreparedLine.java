@@ -17,6 +17,7 @@ import majic.script.run.Checker;
 import majic.script.run.Command;
 import majic.script.run.CommandTrait;
 import majic.script.run.Execution;
+import majic.script.run.LiveValues;
 import majic.script.run.RobotsIn;
 import majic.script.run.Scheduling;
 import majic.script.run.Scope;
@@ -200,7 +201,7 @@ public final class PreparedLine {
         if (statement.isBlock()) {
             runBlock(execution);
         } else if (statement instanceof Statement.Computed line) {
-            run(execution, execution.withValues(line));
+            run(execution, line.line().with(LiveValues.ofLine(execution, sample())));
         } else {
             run(execution, statement);
         }

@@ -133,17 +133,6 @@ public class Execution {
     }
 
     /**
-     * A line with the values of this moment. A robot that its values are read from finishes its commands before, unless
-     * the line was typed and commands no robot: then it is read at once, as {@code get} does.
-     *
-     * @throws majic.script.syntax.ScriptException if a value cannot be had
-     */
-    public final Statement withValues(Statement.Computed line) {
-        boolean waits = !isTyped() || line.line().sample() instanceof Statement.ForRobots;
-        return line.line().with(new LiveValues(this, waits));
-    }
-
-    /**
      * Asks a person for a value, and waits for the answer.
      *
      * @param question what is asked

@@ -6,7 +6,6 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Unit;
 import majic.bot.Value;
-import majic.nav.grid.NavigationMap;
 import majic.script.syntax.Operand;
 import majic.script.syntax.Robots;
 import majic.script.syntax.ScriptException;
@@ -20,8 +19,16 @@ import majic.team.Member;
  * @param execution whose names are meant, and which finds the robots
  * @param waits whether a robot finishes its commands before it is read
  */
-record LiveValues(Execution execution, boolean waits) implements Values {
+public record LiveValues(Execution execution, boolean waits) implements Values {
     private static final double MS_IN_A_SECOND = 1000;
+
+    /**
+     * The values of a line of its own. A robot finishes its commands before it is read, unless the line was typed and
+     * commands no robot: then it is read at once, as {@code get} does.
+     */
+    public static LiveValues ofLine(Execution execution, Statement sample) {
+        return new LiveValues(execution, !execution.isTyped() || sample instanceof Statement.ForRobots);
+    }
 
     @Override
     public Operand named(Token name) {
@@ -78,9 +85,9 @@ record LiveValues(Execution execution, boolean waits) implements Values {
     }
 
     private End end(Token named) {
-        Optional<NavigationMap.Place> place = execution.session().map().findPlace(named.text());
+        Optional<Pose> place = execution.session().map().whereIs(named.text());
         if (place.isPresent()) {
-            return new End(place.get().pose(), false, false);
+            return new End(place.get(), false, false);
         }
         Member member = Types.one(Robots.of(named), execution.selection());
         Value x = read(member, named, "x");

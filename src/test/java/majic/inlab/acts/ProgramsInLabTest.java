@@ -80,6 +80,47 @@ class ProgramsInLabTest {
     }
 
     @Test
+    void theDogWandersByScript() throws Exception {
+        try (LabRig rig = LabRig.exact()) {
+            ActLabs.place(rig, "aibo", NEAR_THE_WALL);
+            assertThat(run(rig, "wander_dog.majic")).noneMatch(line -> line.contains("failed"));
+            assertThat(rig.truePose("aibo").distanceMm(NEAR_THE_WALL)).isGreaterThan(100);
+            assertThat(ActLabs.bumps(rig)).containsEntry("aibo", 0);
+        }
+    }
+
+    @Test
+    void threeUnlikeRobotsGoToAndFroByScript() throws Exception {
+        try (LabRig rig = LabRig.exact()) {
+            assertThat(run(rig, "to_and_fro.majic"))
+                    .noneMatch(line -> line.contains("failed"))
+                    .filteredOn(line -> line.contains("turn 180: done"))
+                    .hasSize(18);
+            assertThat(ActLabs.bumps(rig).values()).containsOnly(0);
+        }
+    }
+
+    @Test
+    void thePioneerFollowsTheWallByScript() throws Exception {
+        try (LabRig rig = LabRig.exact()) {
+            ActLabs.place(rig, "pioneer", NEAR_THE_WALL);
+            assertThat(run(rig, "wall.majic")).noneMatch(line -> line.contains("failed"));
+            assertThat(rig.team().member(1).bot().get("distanceRight").number()).isBetween(300.0, 800.0);
+            assertThat(ActLabs.bumps(rig)).containsEntry("pioneer", 0);
+        }
+    }
+
+    @Test
+    void thePioneerSearchesInASpiralByScript() throws Exception {
+        try (LabRig rig = LabRig.exact()) {
+            assertThat(run(rig, "spiral.majic"))
+                    .noneMatch(line -> line.contains("failed"))
+                    .anyMatch(line -> line.matches("the search ended at -?[0-9.]+ mm -?[0-9.]+ mm"));
+            assertThat(ActLabs.bumps(rig)).containsEntry("pioneer", 0);
+        }
+    }
+
+    @Test
     void theDogWalksHalfAMetreByScript() throws Exception {
         try (LabRig rig = LabRig.exact()) {
             Pose start = rig.truePose("aibo");
