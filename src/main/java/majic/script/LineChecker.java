@@ -34,6 +34,7 @@ final class LineChecker {
     private final Set<String> givenNames = ConcurrentHashMap.newKeySet();
     private final Procedures procedures = new Procedures();
     private final Scope<Operand> promptNames = new Scope<>();
+    private final Types promptTypes = new Types(null, promptNames);
     private @Nullable TypedBlock block;
     private @Nullable Types blockTypes;
     private @Nullable Procedures blockProcedures;
@@ -62,7 +63,8 @@ final class LineChecker {
         if (line.length() > LineParser.LONGEST_LINE) {
             throw new BotException(LineParser.TOO_LONG);
         }
-        LineParser parser = new LineParser(line, robotWords(), procedures(), new Types(null, names()));
+        LineParser parser =
+                new LineParser(line, robotWords(), procedures(), blockTypes == null ? promptTypes : blockTypes);
         if (parser.isBlank()) {
             return new Accepted(List.of(), line);
         }
@@ -98,7 +100,9 @@ final class LineChecker {
             block.add(line);
             return new Accepted(List.of(), line);
         }
-        endBlock();
+        if (block != null) {
+            endBlock();
+        }
         return new Accepted(List.of(prepared), line);
     }
 

@@ -126,10 +126,14 @@ public final class LineParser {
      */
     public Statement line() {
         Token first = at.peek();
+        int start = at.place();
+        Statement line = lineNow();
+        if (!at.isOpenSince(start)) {
+            return line;
+        }
         Collection<String> words = Set.copyOf(robotWords);
-        Late<Statement> line =
-                Late.parse(at, cursor -> (cursor == at ? this : new LineParser(cursor, words, procedures)).lineNow());
-        return line.isOpen() ? new Statement.Computed(first, line) : line.sample();
+        return new Statement.Computed(
+                first, Late.again(at, start, line, cursor -> new LineParser(cursor, words, procedures).lineNow()));
     }
 
     private Statement lineNow() {
@@ -147,7 +151,7 @@ public final class LineParser {
         if (first.is("lab") && at.peekSecond().isOneOf(List.of("place", "carry"))) {
             return place(first);
         }
-        Optional<Procedure> procedure = procedures.find(first);
+        Optional<Procedure> procedure = first.kind() == Kind.WORD ? procedures.find(first) : Optional.empty();
         if (procedure.isPresent() && at.peekSecond().kind() != Kind.DOT) {
             return procedureCall(at.advance(), procedure.get());
         }

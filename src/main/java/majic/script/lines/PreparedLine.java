@@ -40,6 +40,10 @@ public final class PreparedLine {
     private final Selection selection;
     private final Scope<Operand> names;
     private final Statement statement;
+
+    /** The same, as far as it is known before it runs. */
+    private final Statement sample;
+
     private final Scheduling scheduling;
     private final String text;
     private final Collection<CommandTrait> traits;
@@ -57,6 +61,7 @@ public final class PreparedLine {
             Selection selection,
             Scope<Operand> names,
             Statement statement,
+            Statement sample,
             String text,
             Collection<CommandTrait> traits,
             List<Member> robots) {
@@ -64,13 +69,14 @@ public final class PreparedLine {
         this.selection = selection;
         this.names = names;
         this.statement = statement;
+        this.sample = sample;
         this.scheduling = statement.scheduling();
         this.text = text;
         this.traits = traits;
         this.robots = robots;
         if (has(CommandTrait.COMMANDS_ROBOTS)) {
             robots.forEach(robot -> permits.put(robot, robot.currentPermit()));
-            if (sample() instanceof Statement.ForRobots line) {
+            if (sample instanceof Statement.ForRobots line) {
                 selection.present(line.command().others()).forEach(robot -> permits.put(robot, robot.currentPermit()));
             }
         }
@@ -92,30 +98,35 @@ public final class PreparedLine {
             Selection selection,
             Scope<Operand> names,
             boolean complete) {
-        Statement sample = sample(statement);
+        Statement sample = statement instanceof Statement.Computed computed
+                ? computed.line().sample()
+                : statement;
         if (sample instanceof Statement.ForRobots line) {
             List<Member> robots = complete ? selection.members(line.robots()) : selection.present(line.robots());
             return new PreparedLine(
-                    session, selection, names, statement, text, line.command().traits(), robots);
+                    session,
+                    selection,
+                    names,
+                    statement,
+                    sample,
+                    text,
+                    line.command().traits(),
+                    robots);
         }
         if (sample instanceof Statement.ForSession line) {
             return new PreparedLine(
-                    session, selection, names, statement, text, line.command().traits(), List.of());
+                    session,
+                    selection,
+                    names,
+                    statement,
+                    sample,
+                    text,
+                    line.command().traits(),
+                    List.of());
         }
         RobotsIn block = RobotsIn.of(List.of(statement), selection);
         return new PreparedLine(
-                session, selection, names, statement, text, traits(block), List.copyOf(block.commanded()));
-    }
-
-    /** A line as far as it is known before it runs. */
-    private static Statement sample(Statement statement) {
-        return statement instanceof Statement.Computed computed
-                ? computed.line().sample()
-                : statement;
-    }
-
-    private Statement sample() {
-        return sample(statement);
+                session, selection, names, statement, sample, text, traits(block), List.copyOf(block.commanded()));
     }
 
     /** The line as far as it is known now: of a name or a reading the kind of its value. */
@@ -201,7 +212,7 @@ public final class PreparedLine {
         if (statement.isBlock()) {
             runBlock(execution);
         } else if (statement instanceof Statement.Computed line) {
-            run(execution, line.line().with(LiveValues.ofLine(execution, sample())));
+            run(execution, line.line().with(LiveValues.ofLine(execution, sample)));
         } else {
             run(execution, statement);
         }

@@ -30,7 +30,7 @@ public final class Procedures {
 
     /** The procedure that a word calls. */
     public Optional<Procedure> find(Token word) {
-        return word.kind() == Token.Kind.WORD ? Optional.ofNullable(all.get(key(word))) : Optional.empty();
+        return Optional.ofNullable(all.get(key(word)));
     }
 
     /** The names, in lower case. */

@@ -16,15 +16,20 @@ public final class Cursor {
     private final Values values;
     private final int start;
     private int next;
-    private int behindComputed;
-    private @Nullable Token computed;
+    private Token current;
     private Token previous;
+
+    /** Where to go on behind a computed value that is shown in place of its tokens; else -1. */
+    private int behindComputed = -1;
+
     private @Nullable Robots ownRobots;
     private int lastOpen = -1;
-    private final List<Reading> readings = new ArrayList<>();
+    private final List<PlacedReading> readings = new ArrayList<>();
 
     /** A reading in an expression: the parameter of a robot. */
     public record Reading(Robots robots, Token parameter) {}
+
+    private record PlacedReading(int place, Reading reading) {}
 
     /** For a text without names and readings; the last token is an END. */
     public Cursor(List<Token> tokens) {
@@ -43,6 +48,7 @@ public final class Cursor {
         this.values = values;
         this.start = start;
         this.next = start;
+        this.current = tokens.get(start);
         this.previous = tokens.get(Math.max(0, start - 1));
     }
 
@@ -73,18 +79,21 @@ public final class Cursor {
     }
 
     /** The index of the next token. */
-    int place() {
+    public int place() {
         return next;
     }
 
     /** Whether a value that was not known has stood at a place or behind it. */
-    boolean isOpenSince(int place) {
+    public boolean isOpenSince(int place) {
         return lastOpen >= place;
     }
 
-    /** The readings in expressions so far. */
-    List<Reading> readings() {
-        return readings;
+    /** The readings in expressions at a place and behind it. */
+    List<Reading> readingsSince(int place) {
+        return readings.stream()
+                .filter(placed -> placed.place >= place)
+                .map(PlacedReading::reading)
+                .toList();
     }
 
     /** Takes notice that what stands here has to be parsed again when it runs, whatever its values are. */
@@ -103,7 +112,7 @@ public final class Cursor {
     }
 
     public Token peek() {
-        return computed == null ? tokens.get(next) : computed;
+        return current;
     }
 
     public Token peekSecond() {
@@ -113,9 +122,9 @@ public final class Cursor {
     /** A token some places ahead. */
     Token peek(int ahead) {
         if (ahead == 0) {
-            return peek();
+            return current;
         }
-        int from = computed == null ? next : behindComputed - 1;
+        int from = behindComputed < 0 ? next : behindComputed - 1;
         return tokens.get(Math.min(from + ahead, tokens.size() - 1));
     }
 
@@ -124,28 +133,26 @@ public final class Cursor {
     }
 
     public Token advance() {
-        Token token = peek();
-        if (computed != null) {
-            computed = null;
-            next = behindComputed;
-            previous = token;
-        } else if (token.kind() != Kind.END) {
-            next++;
+        Token token = current;
+        if (behindComputed >= 0 || next < tokens.size() - 1) {
+            next = behindComputed >= 0 ? behindComputed : next + 1;
+            behindComputed = -1;
+            current = tokens.get(next);
             previous = token;
         }
         return token;
     }
 
     public boolean check(Kind kind) {
-        return peek().kind() == kind;
+        return current.kind() == kind;
     }
 
     public boolean check(String word) {
-        return peek().is(word);
+        return current.is(word);
     }
 
     public boolean match(Kind kind) {
-        boolean matches = check(kind);
+        boolean matches = current.kind() == kind;
         if (matches) {
             advance();
         }
@@ -153,7 +160,7 @@ public final class Cursor {
     }
 
     public boolean match(String word) {
-        boolean matches = check(word);
+        boolean matches = current.is(word);
         if (matches) {
             advance();
         }
@@ -162,7 +169,7 @@ public final class Cursor {
 
     /** Takes a token of a kind, or complains that something else was expected, as in "a distance". */
     public Token consume(Kind kind, String expected) {
-        if (!check(kind)) {
+        if (current.kind() != kind) {
             throw unexpected(expected);
         }
         return advance();
@@ -178,12 +185,15 @@ public final class Cursor {
 
     /** A number of some quantity. */
     public Literal number(Quantity quantity) {
-        String written = startsComputed() ? computedText() : "";
-        fillIn();
-        String expected = quantity.what() + " (" + quantity.symbols() + ")";
-        if (written.isEmpty()) {
-            return quantity.read(consume(Kind.NUMBER, expected));
+        if (current.kind() == Kind.NUMBER) {
+            return quantity.read(advance());
         }
+        String expected = quantity.what() + " (" + quantity.symbols() + ")";
+        if (!startsComputed()) {
+            throw unexpected(expected);
+        }
+        String written = computedText();
+        fillIn();
         Token token = peek();
         if (token.kind() != Kind.NUMBER) {
             throw new ScriptException(
@@ -202,7 +212,7 @@ public final class Cursor {
 
     /** Whether a value that has to be computed begins here: a name, or a bracket. */
     public boolean startsComputed() {
-        return computed == null && (check(Kind.VARIABLE) || check(Kind.LEFT));
+        return behindComputed < 0 && (current.kind() == Kind.VARIABLE || current.kind() == Kind.LEFT);
     }
 
     /** What is written there, as messages repeat it. */
@@ -231,10 +241,12 @@ public final class Cursor {
         int first = next;
         Token place = peek();
         Operand value = simple();
-        computed = value.token(place, previous.end());
-        behindComputed = next;
+        Token shown = value.token(place, previous.end());
+        int behind = next;
         next = first;
         previous = tokens.get(Math.max(0, first - 1));
+        current = shown;
+        behindComputed = behind;
     }
 
     /** A name or an expression in brackets. */
@@ -264,7 +276,7 @@ public final class Cursor {
 
     /** The value of a parameter of one robot. */
     Operand reading(Robots robots, Token parameter) {
-        readings.add(new Reading(robots, parameter));
+        readings.add(new PlacedReading(next, new Reading(robots, parameter)));
         lastOpen = next;
         return values.reading(robots, parameter);
     }
@@ -273,8 +285,8 @@ public final class Cursor {
     Operand between(Token function, List<Token> ends) {
         for (Token end : ends) {
             if (end.kind() == Kind.NUMBER) {
-                readings.add(
-                        new Reading(Robots.of(end), new Token(Kind.WORD, "x", end.line(), end.column(), end.end())));
+                Token x = new Token(Kind.WORD, "x", end.line(), end.column(), end.end());
+                readings.add(new PlacedReading(next, new Reading(Robots.of(end), x)));
             }
         }
         lastOpen = next;
@@ -295,7 +307,9 @@ public final class Cursor {
 
     /** A whole number without unit. */
     public int count(String expected) {
-        fillIn();
+        if (current.kind() != Kind.NUMBER) {
+            fillIn();
+        }
         Token token = consume(Kind.NUMBER, expected);
         if (token.open()) {
             return 0;
@@ -317,7 +331,7 @@ public final class Cursor {
         } else if (check(Kind.VARIABLE) && !stands(1, inCall)) {
             fillIn();
         }
-        if (computed != null) {
+        if (behindComputed >= 0) {
             Token token = advance();
             return token.kind() == Kind.NUMBER
                     ? Quantity.readAny(token)

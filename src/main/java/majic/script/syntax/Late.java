@@ -17,16 +17,6 @@ public final class Late<T> {
     private final int start;
     private final Function<Cursor, T> rule;
 
-    private Late(Cursor at, int start, Function<Cursor, T> rule) {
-        this.tokens = at.tokens();
-        this.start = start;
-        this.rule = rule;
-        int before = at.readings().size();
-        this.sample = rule.apply(at);
-        this.open = at.isOpenSince(start);
-        this.readings = List.copyOf(at.readings().subList(before, at.readings().size()));
-    }
-
     private Late(
             T sample,
             boolean open,
@@ -54,7 +44,19 @@ public final class Late<T> {
 
     /** Parses a piece where a cursor is, and moves the cursor behind it; throws what the rule throws. */
     public static <T> Late<T> parse(Cursor at, Function<Cursor, T> rule) {
-        return new Late<>(at, at.place(), rule);
+        int start = at.place();
+        return again(at, start, rule.apply(at), rule);
+    }
+
+    /**
+     * A piece that a cursor has just parsed.
+     *
+     * @param start the place of its first token
+     * @param parsed what came of it
+     * @param rule parses it again
+     */
+    public static <T> Late<T> again(Cursor behind, int start, T parsed, Function<Cursor, T> rule) {
+        return new Late<>(parsed, behind.isOpenSince(start), behind.readingsSince(start), behind.tokens(), start, rule);
     }
 
     /** The piece as far as it was known when it was parsed: a value that was not is a sample of its kind. */

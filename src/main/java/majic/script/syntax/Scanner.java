@@ -42,7 +42,7 @@ public final class Scanner {
         }
         int last = lines.length;
         int end = lines[last - 1].length() + 1;
-        tokens.add(new Token(Kind.END, "", last, end, end));
+        tokens.add(new Token(Kind.END, "", last, end, end, false));
         return tokens;
     }
 
@@ -90,6 +90,6 @@ public final class Scanner {
     }
 
     private void add(Kind kind, String text, int start) {
-        tokens.add(new Token(kind, text, line, start + 1, at + 1));
+        tokens.add(new Token(kind, text, line, start + 1, at + 1, false));
     }
 }
