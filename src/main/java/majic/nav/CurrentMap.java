@@ -171,7 +171,7 @@ public final class CurrentMap {
         }
         LiveLocalisation begun = new LiveLocalisation(
                 robot,
-                navigator,
+                navigator.space(),
                 distances::get,
                 search,
                 text -> news.accept(robot, text),
@@ -355,7 +355,7 @@ public final class CurrentMap {
 
     private LiveMapping mappingOf(MajicBot robot) {
         try {
-            return new LiveMapping(robot, navigator, grid -> draw(robot, grid), () -> failed(robot));
+            return new LiveMapping(robot, navigator.space(), grid -> draw(robot, grid), () -> failed(robot));
         } catch (NoClassDefFoundError e) {
             throw new BotException(
                     "map start: the library EJML is missing; org.ejml:ejml-dsparse on the class path would be right",

@@ -117,7 +117,7 @@ final class Exploration implements Course, AutoCloseable {
         if (!builds.getAsBoolean()) {
             throw new MotionFailed("it builds the map no longer");
         }
-        Optional<ObstacleDistance> map = navigator.distances(robot);
+        Optional<ObstacleDistance> map = navigator.space().distances(robot);
         if (map.isEmpty()) {
             if (now() - begunS > FIRST_MAP_S) {
                 throw new MotionFailed("its scans gave no map for " + Math.round(FIRST_MAP_S) + " s");
@@ -166,7 +166,7 @@ final class Exploration implements Course, AutoCloseable {
             if (now() - waitsSinceS < LOOK_S) {
                 return Drive.STAND;
             }
-        } catch (GoalCourse.NoWay e) {
+        } catch (NoWay e) {
             // The frontier is refused as one that showed nothing new.
         }
         refused.add(present.frontier());
@@ -214,8 +214,8 @@ final class Exploration implements Course, AutoCloseable {
     }
 
     private FreeSpace space(Known known) {
-        List<FreeSpace.Disc> standing = navigator.others(robot).stream()
-                .filter(other -> !navigator.traffic().isUnderWay(other))
+        List<FreeSpace.Disc> standing = navigator.space().others(robot).stream()
+                .filter(other -> !navigator.space().traffic().isUnderWay(other))
                 .map(other -> new FreeSpace.Disc(
                         other.state().pose().xMm(),
                         other.state().pose().yMm(),
@@ -243,6 +243,7 @@ final class Exploration implements Course, AutoCloseable {
         double heading = Math.toDegrees(Math.atan2(
                 behind.yMm() - end.get().yMm(), behind.xMm() - end.get().xMm()));
         Pose place = new Pose(end.get().xMm(), end.get().yMm(), heading);
-        return Optional.of(new Goal(frontier.get(), new GoalCourse(robot, new Destination(place, true), navigator)));
+        return Optional.of(
+                new Goal(frontier.get(), new GoalCourse(robot, new Destination(place, true), navigator.space())));
     }
 }

@@ -1,22 +1,16 @@
 package majic.nav;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
-import java.util.function.Predicate;
 import majic.bot.Course;
 import majic.bot.DriveGuard.Room;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.Pose;
+import majic.bot.Unit;
 import majic.bot.Value;
 import majic.nav.path.FreeSpace;
-import majic.nav.path.FreeSpace.Disc;
-import majic.nav.path.ObstacleDistance;
-import majic.nav.path.PathPlanner;
 import majic.nav.path.Way;
-import org.jspecify.annotations.Nullable;
 
 /**
  * One robot on its way to a place: plans a way, follows it by driving towards a point ahead on it (pure pursuit;
@@ -50,178 +44,101 @@ final class GoalCourse implements Course, AutoCloseable {
 
     private static final double AHEAD_MM = 250;
 
-    /** The way is planned anew after this time, if it is blocked or left, and whatever happens. */
-    private static final double BLOCKED_PLAN_S = 0.5;
-
-    private static final double PLAN_S = 5;
-    private static final double LEFT_WAY_MM = 300;
-
-    /** How far along the way things that were seen make a new plan. */
-    private static final double LOOK_MM = 3000;
-
     /** How far an arc is looked along. */
     private static final double LOOK_ARC_MM = 1200;
-
-    /** Echoes as near to a wall of the map are of that wall. */
-    private static final double WALL_MM = 150;
-
-    /** How long something may stand in the way, and how long other robots may be waited for. */
-    private static final double LONGEST_BLOCKED_S = 20;
-
-    private static final double LONGEST_TRAFFIC_S = 180;
-    private static final double PROGRESS_MM = 50;
 
     /** The straight pieces of a robot that estimates its place. */
     private static final double PIECE_MM = 400;
 
     private static final double LEAST_PIECE_MM = 40;
     private static final double PIECE_DEG = 4;
-    private static final double LONGEST_WHOLE_S = 300;
-    private static final double TIMES_USUAL = 10;
 
-    /** Traffic: when another way is tried, and when room is made. */
+    /** When another way around the other robots is tried. */
     private static final double OTHER_WAY_S = 3;
 
-    /** So often another way around other robots is tried, and for half of that it is kept. */
-    private static final double AROUND_S = 20;
-
-    private static final double LONGEST_AROUND = 1.3;
-
-    private static final double MAKE_ROOM_S = 1;
-    private static final double MAKE_ROOM_MM = 8000;
-
-    /** What has to be left beside a robot that makes room, and how long it does not do so again. */
-    private static final double ASIDE_ROOM_MM = 80;
-
-    private static final double AGAIN_ASIDE_S = 5;
-
-    /** How often it looks whether the other one has passed. */
-    private static final double LOOK_S = 0.5;
+    /** Another robot with as little room between is what keeps this one from driving. */
+    private static final double NEAR_MM = 600;
 
     private final MajicBot robot;
     private final Destination destination;
-    private final Navigator navigator;
-    private final SeenObstacles seen;
+    private final TeamSpace team;
+    private final LocalSpace local;
     private final TeamTraffic.Vehicle vehicle;
-    private final boolean hasRanges;
-    private final boolean looksAhead;
-
-    /** The other robots at the present decision; also read by the thread of the scans. */
-    private volatile List<Disc> others;
-
+    private final PlannedWay planned;
+    private final Yielding yielding;
+    private final Waiting waiting;
     private final double bodyMm;
-    private ObstacleDistance map;
-    private boolean onMap;
-    private @Nullable Way way;
-    private double plannedS = Double.NEGATIVE_INFINITY;
-    private double progressS;
-    private final double begunS;
-    private double longestWholeS = Double.POSITIVE_INFINITY;
-    private double leastLeftMm = Double.POSITIVE_INFINITY;
     private double speed;
     private int turnsAtEnd;
-    private String waits = "";
-    private @Nullable MajicBot before;
-    private double aroundS = Double.NEGATIVE_INFINITY;
-    private TeamTraffic.@Nullable Vehicle roomFor;
-    private @Nullable Pose aside;
-    private double asideS = Double.NEGATIVE_INFINITY;
-    private double lookedS = Double.NEGATIVE_INFINITY;
 
-    /** The place cannot be reached at present, though the robot could drive. */
-    static final class NoWay extends MotionFailed {
-        private static final long serialVersionUID = 1;
-
-        private NoWay(String message) {
-            super(message);
-        }
-    }
-
-    GoalCourse(MajicBot robot, Destination destination, Navigator navigator) {
+    GoalCourse(MajicBot robot, Destination destination, TeamSpace team) {
         this.robot = robot;
         this.destination = destination;
-        this.navigator = navigator;
+        this.team = team;
         this.bodyMm = robot.profile().bodyMm();
-        this.hasRanges = !robot.rangeSensors().isEmpty();
-        this.looksAhead = SeenObstacles.looksAhead(robot);
-        this.others = navigator.discs(robot);
-        this.onMap = navigator.hasMap();
-        this.map = navigator.distances(robot, destination);
-        this.seen = new SeenObstacles(robot, this::isKnown);
-        this.vehicle = navigator.traffic().begin(robot);
-        this.progressS = now();
-        this.begunS = progressS;
-        if (hasRanges) {
-            robot.addScanListener(seen);
-        }
+        this.local = new LocalSpace(robot, destination, team);
+        this.vehicle = team.traffic().begin(robot);
+        this.waiting = new Waiting(team.traffic(), vehicle);
+        this.planned = new PlannedWay(local, destination, team, vehicle);
+        this.yielding = new Yielding(local, planned, destination, team.traffic(), vehicle);
+        local.open();
     }
 
     @Override
     public void close() {
-        robot.removeScanListener(seen);
-        navigator.traffic().end(vehicle);
-    }
-
-    private double now() {
-        return robot.time().nanos() / 1e9;
-    }
-
-    private boolean isKnown(double xMm, double yMm) {
-        return map.mm(xMm, yMm) < WALL_MM
-                || others.stream().anyMatch(other -> other.distanceMm(xMm, yMm) < Navigator.HULL_MM);
+        local.close();
+        team.traffic().end(vehicle);
     }
 
     @Override
     public Value amount() {
-        return Navigator.place(robot);
+        return place(robot);
+    }
+
+    /** Returns where a robot is, as answers show it. */
+    static Value place(MajicBot robot) {
+        Pose here = robot.state().pose();
+        return Value.many(List.of(
+                Value.of(here.xMm(), Unit.MM), Value.of(here.yMm(), Unit.MM), Value.of(here.headingDeg(), Unit.DEG)));
     }
 
     @Override
     public Step next() {
         Step step = decide();
-        navigator.traffic().explain(vehicle, step == Drive.STAND ? waits : "");
+        team.traffic().explain(vehicle, step == Drive.STAND ? waiting.why() : "");
         return step;
     }
 
     private Step decide() {
         Pose here = robot.state().pose();
-        others = navigator.discs(robot);
+        local.lookAtOthers();
         refuseUncertain(here);
-        look(here);
-        if ((hasRanges || looksAhead) && seen.ageS() > OLDEST_S) {
+        local.lookAhead(here);
+        if (local.isBlind(OLDEST_S)) {
             throw new MotionFailed("no reading of its range sensors for 1 s");
         }
         double left = here.distanceMm(destination.pose());
         if (left <= ARRIVED_MM || left <= NEARLY_MM && turnsAtEnd > 0) {
             return arrived(here);
         }
-        lookAtMap();
-        FreeSpace space = new FreeSpace(map, bodyMm, things(false, false));
+        local.lookAtMap();
+        FreeSpace space = local.beside();
         plan(here, space);
         return along(here, space, left);
-    }
-
-    /** The plain of a robot without a map stays as it is until there is one. */
-    private void lookAtMap() {
-        boolean hasMap = navigator.hasMap();
-        if (hasMap || onMap) {
-            map = navigator.distances(robot, destination);
-            onMap = hasMap;
-        }
     }
 
     private void refuseUncertain(Pose here) {
         if (robot.time().secondsSince(robot.state().atNanos()) > OLDEST_S) {
             throw new MotionFailed("no report of the robot for 1 s");
         }
-        if (!navigator.hasMap()) {
+        if (!team.hasMap()) {
             return;
         }
         if (!robot.uncertainty().isKnown()) {
             throw new MotionFailed("its place on the map is not known; \"set pose\" or \"localize\" places it");
         }
         double sigma = robot.uncertainty().sigmaMm();
-        double free = map.mm(here.xMm(), here.yMm());
+        double free = local.map().mm(here.xMm(), here.yMm());
         if (sigma > Math.max(free, bodyMm)) {
             throw new MotionFailed(String.format(
                     Locale.ROOT,
@@ -249,151 +166,51 @@ final class GoalCourse implements Course, AutoCloseable {
         return Drive.STAND;
     }
 
-    /**
-     * What is not on the map: what was seen, and the other robots.
-     *
-     * @param withTraffic also those that are under way
-     * @param withKnown also what the map has: seen from here it is where it is, however wrong the place of this robot
-     */
-    private List<Disc> things(boolean withTraffic, boolean withKnown) {
-        List<Disc> things = new ArrayList<>();
-        Pose origin = robot.odometryOrigin();
-        for (SeenObstacles.Point point : seen.points()) {
-            Pose place = origin.plus(new Pose(point.xMm(), point.yMm(), 0));
-            if (point.known() ? withKnown : !isKnown(place.xMm(), place.yMm())) {
-                things.add(new Disc(place.xMm(), place.yMm(), 0));
-            }
-        }
-        for (MajicBot other : navigator.others(robot)) {
-            Pose there = other.state().pose();
-            if (withTraffic || !navigator.traffic().isUnderWay(other)) {
-                double apart = withKnown ? 0 : 2 * FreeSpace.MARGIN_MM;
-                things.add(new Disc(there.xMm(), there.yMm(), other.profile().bodyMm() + apart));
-            }
-        }
-        return things;
-    }
-
     private void plan(Pose here, FreeSpace space) {
-        Way old = way;
-        double age = now() - plannedS;
-        boolean due = age > PLAN_S
-                || age > BLOCKED_PLAN_S && (old == null || isBlocked(old.from(here), space) || isLeft(old, here));
-        boolean isAwaited =
-                old != null && age <= LONGEST_BLOCKED_S && navigator.traffic().isRoomMadeFor(vehicle);
-        if (!due || isAwaited || aside != null && old != null && age <= PLAN_S) {
-            return;
+        switch (planned.plan(here, space)) {
+            case NOT_DUE -> {}
+            case FOUND -> planned.way().ifPresent(way -> waiting.planned(way.lengthMm(), cruise()));
+            case NO_WAY -> explainNoWay(here, space);
         }
-        plannedS = now();
-        Pose to = aside == null ? destination.pose() : aside;
-        boolean around = now() - aroundS < AROUND_S / 2;
-        FreeSpace planned = around ? space.with(things(true, false)) : space;
-        Optional<Way> found = planner(planned).plan(here, to);
-        if (around && (found.isEmpty() || found.get().lengthMm() > LONGEST_AROUND * restMm(old, here))) {
-            found = planner(space).plan(here, to);
-        }
-        if (found.isPresent()) {
-            way = found.get();
-            leastLeftMm = way.lengthMm() > leastLeftMm + LEFT_WAY_MM ? way.lengthMm() : leastLeftMm;
-            if (longestWholeS == Double.POSITIVE_INFINITY) {
-                longestWholeS = LONGEST_WHOLE_S + TIMES_USUAL * way.lengthMm() / cruise();
-            }
-        } else if (aside != null) {
-            goOn();
+    }
+
+    private void explainNoWay(Pose here, FreeSpace space) {
+        if (yielding.isActive()) {
+            yielding.end();
         } else {
-            way = null;
-            holdOrFail(here, space);
+            waiting.standsBehind(planned.obstacle(here, space).orElse(null));
         }
-    }
-
-    private static double restMm(@Nullable Way way, Pose here) {
-        return way == null ? Double.POSITIVE_INFINITY : way.from(here).lengthMm() + LEFT_WAY_MM;
-    }
-
-    private static boolean isLeft(Way old, Pose here) {
-        return old.from(here).points().get(0).distanceMm(here) > LEFT_WAY_MM;
-    }
-
-    private static boolean isBlocked(Way rest, FreeSpace space) {
-        double end = Math.min(LOOK_MM, rest.lengthMm());
-        for (double mm = FreeSpace.MARGIN_MM; mm < end; mm += 2 * FreeSpace.MARGIN_MM) {
-            Pose at = rest.at(mm);
-            if (space.mm(at.xMm(), at.yMm()) < 0) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    /** Says why there is no way: fails at once if the map shows none, or waits for what may go away. */
-    private void holdOrFail(Pose here, FreeSpace space) {
-        Pose to = destination.pose();
-        if (map.mm(to.xMm(), to.yMm()) < bodyMm) {
-            throw noWay(
-                    map.mm(to.xMm(), to.yMm()) == 0
-                            ? "it is inside a wall"
-                            : String.format(
-                                    Locale.ROOT,
-                                    "a wall or forbidden line is %.0f mm from it, and the robot has a radius of %.0f mm",
-                                    map.mm(to.xMm(), to.yMm()),
-                                    bodyMm));
-        }
-        if (!map.isKnown(to.xMm(), to.yMm())) {
-            throw noWay("nothing is known of that place; the map has to be larger");
-        }
-        if (new PathPlanner(space.with(List.of())).plan(here, to).isEmpty()) {
-            throw noWay("walls, or what is unknown, close every way that is as wide as the robot ("
-                    + Math.round(2 * (bodyMm + FreeSpace.MARGIN_MM)) + " mm)");
-        }
-        before = null;
-        for (MajicBot other : navigator.others(robot)) {
-            List<Disc> without = new ArrayList<>(space.things());
-            Pose there = other.state().pose();
-            without.removeIf(disc -> disc.xMm() == there.xMm() && disc.yMm() == there.yMm());
-            if (before == null
-                    && without.size() < space.things().size()
-                    && new PathPlanner(space.with(without)).plan(here, to).isPresent()) {
-                before = other;
-            }
-        }
-        waits = (before == null ? "something that its sensors see" : before.name()) + " stands in the way";
-    }
-
-    private MotionFailed noWay(String why) {
-        return new NoWay("no way to " + destination + ": " + why);
     }
 
     private Step along(Pose here, FreeSpace space, double left) {
-        Way planned = way;
-        if (planned == null) {
-            refuseLongWait(LONGEST_BLOCKED_S);
-            navigator.traffic().reserve(vehicle, new Way(List.of(here)), 0);
+        Way way = planned.way().orElse(null);
+        if (way == null) {
+            waiting.refuseLongWithoutWay();
+            team.traffic().reserve(vehicle, new Way(List.of(here)), 0);
             return stand();
         }
-        Way rest = planned.from(here);
-        makeRoom(here, space);
-        if (aside != null && here.distanceMm(aside) < ARRIVED_MM * 2) {
-            return standAside(here);
+        yielding.makeRoom(here, space);
+        double aheadMm = planned.aside().map(here::distanceMm).orElse(left);
+        if (yielding.isActive() && aheadMm < ARRIVED_MM * 2) {
+            waiting.stands(yielding.standAside(here));
+            return stand();
         }
-        double restMm = rest.lengthMm() + rest.points().get(0).distanceMm(here);
-        if (restMm < leastLeftMm - PROGRESS_MM) {
-            leastLeftMm = restMm;
-            progressS = now();
-        }
-        refuseLongWait(isInTraffic() ? LONGEST_TRAFFIC_S : LONGEST_BLOCKED_S);
-        return drive(here, space, rest, aside == null ? left : here.distanceMm(aside));
+        Way rest = way.from(here);
+        waiting.left(rest.lengthMm() + rest.points().get(0).distanceMm(here));
+        waiting.refuseLong(yielding.isActive());
+        return drive(here, rest, aheadMm);
     }
 
-    private Step drive(Pose here, FreeSpace space, Way rest, double left) {
+    private Step drive(Pose here, Way rest, double left) {
         double cruise = cruise();
         double brakingMm = Room.brakingMm(speed);
-        TeamTraffic.Grant grant = navigator.traffic().reserve(vehicle, rest, brakingMm + cruise * 0.6 + 300);
+        TeamTraffic.Grant grant = team.traffic().reserve(vehicle, rest, brakingMm + cruise * 0.6 + 300);
         double allowed = Math.min(cruise, END_PER_S * left + SLOW_MM_PER_S / 2);
         if (grant.before() != null) {
             allowed = Math.min(allowed, speedFor(grant.mm() - FreeSpace.MARGIN_MM));
-            waitFor(grant);
+            waiting.standsBehind(grant.before());
         }
-        FreeSpace all = space.with(things(true, true));
+        FreeSpace all = local.now();
         if (robot.profile().estimates()) {
             return byPieces(here, all, rest, grant.before() == null ? Double.POSITIVE_INFINITY : grant.mm());
         }
@@ -423,49 +240,27 @@ final class GoalCourse implements Course, AutoCloseable {
             }
             explainBlock(here);
         }
-        double waitedS = navigator.traffic().noteWait(vehicle, allowed < SLOW_MM_PER_S && before != null);
-        if (aside != null && waitedS > OTHER_WAY_S) {
-            goOn();
+        double waitedS = waiting.note(allowed < SLOW_MM_PER_S);
+        if (yielding.isActive() && waitedS > OTHER_WAY_S) {
+            yielding.end();
             return stand();
         }
-        if (waitedS > OTHER_WAY_S && now() - aroundS > AROUND_S) {
-            aroundS = now();
-            plannedS = Double.NEGATIVE_INFINITY;
+        if (waitedS > OTHER_WAY_S) {
+            planned.tryAround();
         }
         if (allowed < SLOW_MM_PER_S) {
             return stand();
         }
-        goesOn();
+        waiting.ends();
         return roll(allowed, best);
     }
 
-    private void goesOn() {
-        waits = "";
-        before = null;
-        navigator.traffic().noteWait(vehicle, false);
-    }
-
-    /** Says what keeps the robot from driving where its way is free of reservations. */
+    /** Finds out what keeps the robot from driving where its way is free of reservations. */
     private void explainBlock(Pose here) {
-        before = navigator.others(robot).stream()
-                .filter(other ->
-                        other.state().pose().distanceMm(here) < TeamTraffic.apartMm(robot, other) + 2 * LEFT_WAY_MM)
+        waiting.standsBehind(team.others(robot).stream()
+                .filter(other -> other.state().pose().distanceMm(here) < TeamTraffic.apartMm(robot, other) + NEAR_MM)
                 .findFirst()
-                .orElse(null);
-        waits = (before == null ? "something that its sensors see" : before.name()) + " stands in the way";
-    }
-
-    /** Whether it may be another robot under way for which it waits. */
-    private boolean isInTraffic() {
-        MajicBot other = before;
-        return aside != null
-                || (other == null
-                        ? waits.isEmpty() && navigator.traffic().isBusy()
-                        : navigator.traffic().isUnderWay(other));
-    }
-
-    private PathPlanner planner(FreeSpace space) {
-        return new PathPlanner(space, navigator.traffic().isBusy());
+                .orElse(null));
     }
 
     /** Turns and straight pieces, for a robot that estimates its place by the commands that it got. */
@@ -479,24 +274,18 @@ final class GoalCourse implements Course, AutoCloseable {
         double free = Math.min(space.freeMm(here, 0, distance), granted);
         if (free < Math.min(distance, LEAST_PIECE_MM)) {
             explainBlock(here);
-            navigator.traffic().noteWait(vehicle, before != null);
+            waiting.note(true);
             return stand();
         }
-        goesOn();
+        waiting.ends();
         return new Move(Math.min(distance, free));
     }
 
     @Override
     public boolean isBlocked() {
         Pose here = robot.state().pose();
-        look(here);
-        return new FreeSpace(map, bodyMm, things(true, true)).freeMm(here, 0, LEAST_PIECE_MM) < LEAST_PIECE_MM / 2;
-    }
-
-    private void look(Pose here) {
-        if (looksAhead) {
-            seen.lookAhead(here.seenFrom(robot.odometryOrigin()));
-        }
+        local.lookAhead(here);
+        return local.now().freeMm(here, 0, LEAST_PIECE_MM) < LEAST_PIECE_MM / 2;
     }
 
     private Step onTheSpot(double bearing, double left) {
@@ -561,95 +350,5 @@ final class GoalCourse implements Course, AutoCloseable {
             double free = Math.abs(bearing) > ON_THE_SPOT_DEG ? 0 : space.freeMm(here, degPerMm, look);
             freeMm = free >= look ? Double.POSITIVE_INFINITY : free;
         }
-    }
-
-    /** Fails after a time without progress, and after many times the time that the way should take. */
-    private void refuseLongWait(double longestS) {
-        String why = waits.isEmpty() ? "it makes no way" : waits;
-        if (now() - progressS > longestS) {
-            throw new NoWay(why + " for " + Math.round(longestS) + " s");
-        }
-        if (now() - begunS > longestWholeS) {
-            throw new NoWay("it has not arrived after " + Math.round(longestWholeS) + " s; at last, " + why);
-        }
-    }
-
-    private void waitFor(TeamTraffic.Grant grant) {
-        MajicBot other = grant.before();
-        before = other;
-        waits = other == null ? "" : other.name() + " stands in the way";
-    }
-
-    /** Makes room for a robot that goes first, waits, and needs the place where this one is. */
-    private void makeRoom(Pose here, FreeSpace space) {
-        if (aside != null || now() - asideS < AGAIN_ASIDE_S) {
-            return;
-        }
-        TeamTraffic traffic = navigator.traffic();
-        TeamTraffic.Vehicle first =
-                traffic.toMakeRoomFor(vehicle, MAKE_ROOM_MM, MAKE_ROOM_S).orElse(null);
-        if (first == null) {
-            return;
-        }
-        Predicate<Pose> isAside = place -> traffic.isAside(first, robot, place, MAKE_ROOM_MM)
-                && space.mm(place.xMm(), place.yMm()) > ASIDE_ROOM_MM;
-        Optional<Way> found = new PathPlanner(space.with(things(true, false)))
-                .planToNearest(here, MAKE_ROOM_MM, isAside)
-                .or(() -> new PathPlanner(space).planToNearest(here, MAKE_ROOM_MM, isAside));
-        asideS = now();
-        found.ifPresent(there -> {
-            way = there;
-            aside = there.end();
-            plannedS = now();
-            roomFor = first;
-            traffic.standIn(vehicle, first);
-        });
-    }
-
-    /** Waits until the other one has passed. */
-    private Step standAside(Pose here) {
-        TeamTraffic traffic = navigator.traffic();
-        traffic.reserve(vehicle, new Way(List.of(here)), 0);
-        TeamTraffic.Vehicle other = roomFor;
-        waits = "it makes room for "
-                + (other == null ? "another robot" : other.robot().name());
-        if (now() - lookedS < LOOK_S) {
-            return stand();
-        }
-        lookedS = now();
-        boolean passed = other == null
-                || !traffic.isUnderWay(other)
-                || traffic.leadsThrough(other, robot, here, MAKE_ROOM_MM)
-                || !crosses(traffic, other, here)
-                || now() - asideS > LONGEST_BLOCKED_S;
-        if (passed) {
-            goOn();
-        }
-        return stand();
-    }
-
-    /** Ends making room, and takes its own way again. */
-    private void goOn() {
-        aside = null;
-        roomFor = null;
-        way = null;
-        asideS = now();
-        plannedS = Double.NEGATIVE_INFINITY;
-        navigator.traffic().takeBack(vehicle);
-    }
-
-    /** Whether the rest of another one's way still leads along the way that this robot would take. */
-    private boolean crosses(TeamTraffic traffic, TeamTraffic.Vehicle other, Pose here) {
-        Optional<Way> own =
-                new PathPlanner(new FreeSpace(map, bodyMm, things(false, false))).plan(here, destination.pose());
-        if (own.isEmpty()) {
-            return false;
-        }
-        for (double mm = 0; mm < Math.min(MAKE_ROOM_MM / 4, own.get().lengthMm()); mm += 100) {
-            if (traffic.leadsThrough(other, robot, own.get().at(mm), MAKE_ROOM_MM)) {
-                return true;
-            }
-        }
-        return false;
     }
 }

@@ -37,7 +37,7 @@ final class LiveLocalisation implements ScanThread.Work {
      * A localisation that {@link #begin} begins.
      *
      * @param robot with range sensors
-     * @param navigator knows the other robots, which are not on the map
+     * @param team knows the other robots, which are not on the map
      * @param map the distances from its walls, in the frame of the robot's poses; asked once, on a thread of its own
      * @param search whether to look everywhere; else from where it was placed
      * @param news receives half a sentence when the robot is lost or found
@@ -45,7 +45,7 @@ final class LiveLocalisation implements ScanThread.Work {
      */
     LiveLocalisation(
             MajicBot robot,
-            Navigator navigator,
+            TeamSpace team,
             Supplier<LikelihoodField> map,
             boolean search,
             Consumer<String> news,
@@ -55,7 +55,7 @@ final class LiveLocalisation implements ScanThread.Work {
         this.search = search;
         this.news = news;
         this.failed = failed;
-        this.thread = new ScanThread(robot, "localisation", navigator, this);
+        this.thread = new ScanThread(robot, "localisation", team, this);
     }
 
     void begin() {

@@ -45,15 +45,15 @@ final class LiveMapping implements ScanThread.Work {
      * A mapping that {@link #begin} begins.
      *
      * @param robot with range sensors
-     * @param navigator knows the other robots, which are not drawn
+     * @param team knows the other robots, which are not drawn
      * @param drawn receives the map, in the frame of the robot's poses, each time it has become another one
      * @param failed called if it ends by an error
      */
-    LiveMapping(MajicBot robot, Navigator navigator, Consumer<OccupancyGrid> drawn, Runnable failed) {
+    LiveMapping(MajicBot robot, TeamSpace team, Consumer<OccupancyGrid> drawn, Runnable failed) {
         this.robot = robot;
         this.drawn = drawn;
         this.failed = failed;
-        this.thread = new ScanThread(robot, "mapping", navigator, this);
+        this.thread = new ScanThread(robot, "mapping", team, this);
     }
 
     /** Asks the robot for its scans from now on. */

@@ -44,15 +44,15 @@ final class ObstacleGuard implements DriveGuard, ScanListener {
             new ObstacleDistance(NavigationMap.of(OccupancyGrid.of(Pose.START, 100, 1, 1, (column, row) -> 0.02)));
 
     private final MajicBot robot;
-    private final Navigator navigator;
+    private final TeamSpace team;
     private @Nullable SeenObstacles seen;
     private boolean scanned;
     private long begunNanos;
     private long askedNanos;
 
-    ObstacleGuard(MajicBot robot, Navigator navigator) {
+    ObstacleGuard(MajicBot robot, TeamSpace team) {
         this.robot = robot;
-        this.navigator = navigator;
+        this.team = team;
         this.askedNanos = robot.time().nanos() - (long) (2 * KEPT_S * 1e9);
     }
 
@@ -76,7 +76,7 @@ final class ObstacleGuard implements DriveGuard, ScanListener {
     }
 
     private boolean isOnMap() {
-        return navigator.hasMap() && robot.uncertainty().isKnown();
+        return team.hasMap() && robot.uncertainty().isKnown();
     }
 
     @Override
@@ -172,10 +172,9 @@ final class ObstacleGuard implements DriveGuard, ScanListener {
         FreeWay way = new FreeWay(mmPerSec < 0 ? here.plus(BACKWARD) : here, degPerMm, most);
         way.look(new FreeSpace(OPEN, body, echoes), "something that its sensors see is ");
         if (robot.uncertainty().isKnown()) {
-            navigator
-                    .distances(robot)
+            team.distances(robot)
                     .ifPresent(map -> way.look(new FreeSpace(map, body, List.of()), "a wall of the map is "));
-            for (MajicBot other : navigator.others(robot)) {
+            for (MajicBot other : team.others(robot)) {
                 Pose there = other.state().pose();
                 Disc disc = new Disc(there.xMm(), there.yMm(), other.profile().bodyMm());
                 way.look(new FreeSpace(OPEN, body, List.of(disc)), other.name() + " is ");

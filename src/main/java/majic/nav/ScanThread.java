@@ -22,7 +22,7 @@ final class ScanThread implements ScanListener {
 
     private final MajicBot robot;
     private final String name;
-    private final Navigator navigator;
+    private final TeamSpace team;
     private final Work work;
     private final Signal changed;
     private final Deque<RangeScan> waiting = new ArrayDeque<>();
@@ -50,12 +50,12 @@ final class ScanThread implements ScanListener {
      *
      * @param robot with range sensors
      * @param name of the thread
-     * @param navigator knows the other robots, of which the echoes are left out
+     * @param team knows the other robots, of which the echoes are left out
      * @param work what it does
      */
-    ScanThread(MajicBot robot, String name, Navigator navigator, Work work) {
+    ScanThread(MajicBot robot, String name, TeamSpace team, Work work) {
         this.robot = robot;
-        this.navigator = navigator;
+        this.team = team;
         this.name = name;
         this.work = work;
         this.changed = robot.time().signal();
@@ -126,7 +126,7 @@ final class ScanThread implements ScanListener {
                 boolean laser = scan.sensor().isLaser();
                 hasLaser |= laser;
                 if (laser || !hasLaser) {
-                    work.add(navigator.withoutOthers(robot, scan), laser);
+                    work.add(team.withoutOthers(robot, scan), laser);
                 }
             }
             work.finish();
