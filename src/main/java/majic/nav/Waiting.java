@@ -24,6 +24,10 @@ final class Waiting {
     private final TeamTraffic.Vehicle vehicle;
     private final double begunS;
     private double progressS;
+
+    /** When it was last held up by robots under way: what stands in the way since then has its own time. */
+    private double trafficS = Double.NEGATIVE_INFINITY;
+
     private double longestWholeS = Double.POSITIVE_INFINITY;
     private double leastLeftMm = Double.POSITIVE_INFINITY;
     private String why = "";
@@ -98,17 +102,23 @@ final class Waiting {
 
     /** Fails after a time without progress. */
     void refuseLong(boolean makesRoom) {
-        refuseLonger(makesRoom || isInTraffic() ? LONGEST_TRAFFIC_S : LONGEST_BLOCKED_S);
+        if (makesRoom || isInTraffic()) {
+            trafficS = now();
+            refuseLonger(LONGEST_TRAFFIC_S, progressS);
+        } else {
+            refuseLongWithoutWay();
+        }
     }
 
     /** Fails after a time without a way. */
     void refuseLongWithoutWay() {
-        refuseLonger(LONGEST_BLOCKED_S);
+        refuseLonger(LONGEST_BLOCKED_S, Math.max(progressS, trafficS));
+        refuseLonger(LONGEST_TRAFFIC_S, progressS);
     }
 
-    private void refuseLonger(double seconds) {
+    private void refuseLonger(double seconds, double sinceS) {
         String reason = why.isEmpty() ? "it makes no way" : why;
-        if (now() - progressS > seconds) {
+        if (now() - sinceS > seconds) {
             throw new NoWay(reason + " for " + Math.round(seconds) + " s");
         }
         if (now() - begunS > longestWholeS) {
