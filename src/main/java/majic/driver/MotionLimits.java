@@ -8,8 +8,9 @@ import majic.bot.Value;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The limits of speed and distance of one robot: those of its profile and the parameters that set others. Its checks
- * throw what the motion itself would throw, so that a script can be checked before any robot moves. Thread-safe.
+ * The limits of speed and distance of one robot: those of its profile and the parameters that set others, beside those
+ * that say how it behaves towards obstacles and other robots. Its checks throw what the motion itself would throw, so
+ * that a script can be checked before any robot moves. Thread-safe.
  */
 final class MotionLimits {
     private static final double MAX_MOVE_MM = 5000;
@@ -21,6 +22,7 @@ final class MotionLimits {
     private volatile double cruiseMmPerSec;
     private volatile double cruiseTurnDegPerSec;
     private volatile boolean guarded;
+    private volatile boolean givesWay;
 
     /** The value that was set; null for the value of the profile. */
     private volatile @Nullable Double cruiseSet;
@@ -42,6 +44,7 @@ final class MotionLimits {
         fitted.setCruiseTurn(cruiseTurnSet);
         fitted.nearSet = nearSet;
         fitted.guarded = guarded;
+        fitted.givesWay = givesWay;
         return fitted;
     }
 
@@ -117,6 +120,11 @@ final class MotionLimits {
                         () -> Value.onOff(guarded))
                 .kept()
                 .writes(values -> guarded = values.get(0).isYes());
+        table.add(
+                        Parameter.onOff("giveWay", "whether it may be asked to make room for other robots"),
+                        () -> Value.onOff(givesWay))
+                .kept()
+                .writes(values -> givesWay = values.get(0).isYes());
     }
 
     void checkMove(double mm) {

@@ -2,6 +2,7 @@ package majic.nav;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import majic.bot.Course;
 import majic.bot.DriveGuard.Room;
 import majic.bot.MajicBot;
@@ -67,6 +68,7 @@ final class GoalCourse implements Course, AutoCloseable {
     private final PlannedWay planned;
     private final Yielding yielding;
     private final Waiting waiting;
+    private final RoomRequests requests;
     private final double bodyMm;
     private double speed;
     private int turnsAtEnd;
@@ -77,6 +79,7 @@ final class GoalCourse implements Course, AutoCloseable {
         this.team = team;
         this.bodyMm = robot.profile().bodyMm();
         this.local = new LocalSpace(robot, destination, team);
+        this.requests = new RoomRequests(robot, destination, local, team);
         this.vehicle = team.traffic().begin(robot);
         this.waiting = new Waiting(team.traffic(), vehicle);
         this.planned = new PlannedWay(local, destination, team, vehicle);
@@ -178,7 +181,9 @@ final class GoalCourse implements Course, AutoCloseable {
         if (yielding.isActive()) {
             yielding.end();
         } else {
-            waiting.standsBehind(planned.obstacle(here, space).orElse(null));
+            Optional<MajicBot> standing = planned.obstacle(here, space);
+            waiting.standsBehind(standing.orElse(null));
+            waiting.remark(standing.map(other -> requests.ask(other, here)).orElse(""));
         }
     }
 

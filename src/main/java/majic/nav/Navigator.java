@@ -68,6 +68,16 @@ public final class Navigator {
     }
 
     /**
+     * Sets what asks robots that stand in the way of others to make room. Without this call no robot is asked; the
+     * navigator of a session asks the robots of its team.
+     *
+     * @param asks is asked for robots whose parameter {@code giveWay} is on, by motions that begin from now on
+     */
+    public void useGiveWay(GiveWay asks) {
+        space.useGiveWay(asks);
+    }
+
+    /**
      * Drives to a place and returns when the robot is stationary again.
      *
      * @param robot connected; if there is a map, placed on it

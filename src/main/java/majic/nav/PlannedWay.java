@@ -1,13 +1,10 @@
 package majic.nav;
 
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.nav.path.FreeSpace;
-import majic.nav.path.FreeSpace.Disc;
 import majic.nav.path.ObstacleDistance;
 import majic.nav.path.PathPlanner;
 import majic.nav.path.Way;
@@ -154,20 +151,13 @@ final class PlannedWay {
         refuseWithoutWayOnMap(here);
         Pose to = destination.pose();
         for (MajicBot other : team.others(vehicle.robot())) {
-            FreeSpace without = without(other, space);
+            FreeSpace without = RoomRequests.without(other, space);
             if (without.things().size() < space.things().size()
                     && new PathPlanner(without).plan(here, to).isPresent()) {
                 return Optional.of(other);
             }
         }
         return Optional.empty();
-    }
-
-    private static FreeSpace without(MajicBot other, FreeSpace space) {
-        List<Disc> things = new ArrayList<>(space.things());
-        Pose there = other.state().pose();
-        things.removeIf(disc -> disc.xMm() == there.xMm() && disc.yMm() == there.yMm());
-        return space.with(things);
     }
 
     private void refuseWithoutWayOnMap(Pose here) {

@@ -32,6 +32,7 @@ final class TeamSpace {
     private final Supplier<Optional<NavigationMap>> map;
     private final Set<MajicBot> robots = ConcurrentHashMap.newKeySet();
     private final TeamTraffic traffic = new TeamTraffic();
+    private volatile GiveWay giveWay = GiveWay.NEVER;
     private @Nullable NavigationMap measured;
     private @Nullable ObstacleDistance distances;
     private long measuredNanos;
@@ -47,6 +48,14 @@ final class TeamSpace {
 
     void remove(MajicBot robot) {
         robots.remove(robot);
+    }
+
+    void useGiveWay(GiveWay asks) {
+        giveWay = asks;
+    }
+
+    GiveWay giveWay() {
+        return giveWay;
     }
 
     TeamTraffic traffic() {

@@ -32,6 +32,7 @@ final class Waiting {
     private double leastLeftMm = Double.POSITIVE_INFINITY;
     private String why = "";
     private @Nullable MajicBot before;
+    private String remark = "";
 
     /** From now on. */
     Waiting(TeamTraffic traffic, TeamTraffic.Vehicle vehicle) {
@@ -67,6 +68,11 @@ final class Waiting {
         why = (other == null ? "something that its sensors see" : other.name()) + " stands in the way";
     }
 
+    /** Sets what to say beside the reason when it has stood too long; empty for nothing. */
+    void remark(String words) {
+        remark = words;
+    }
+
     /** The robot stands for a reason of its own. */
     void stands(String because) {
         why = because;
@@ -75,6 +81,7 @@ final class Waiting {
     /** The robot drives on. */
     void ends() {
         why = "";
+        remark = "";
         before = null;
         note(false);
     }
@@ -119,7 +126,7 @@ final class Waiting {
     private void refuseLonger(double seconds, double sinceS) {
         String reason = why.isEmpty() ? "it makes no way" : why;
         if (now() - sinceS > seconds) {
-            throw new NoWay(reason + " for " + Math.round(seconds) + " s");
+            throw new NoWay(reason + " for " + Math.round(seconds) + " s" + (remark.isEmpty() ? "" : "; " + remark));
         }
         if (now() - begunS > longestWholeS) {
             throw new NoWay("it has not arrived after " + Math.round(longestWholeS) + " s; at last, " + reason);

@@ -10,6 +10,7 @@ import java.util.Random;
 import java.util.function.BiConsumer;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
+import majic.bot.BotAddress;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
@@ -91,6 +92,7 @@ public final class Session {
                 new Random(),
                 quit);
         log.onTrouble(this::alarm);
+        map.navigator().useGiveWay(new TeamGiveWay(team, map, this::isOfAnotherDesk));
         team.addListener(new TeamRelay());
     }
 
@@ -170,6 +172,14 @@ public final class Session {
      */
     public CurrentMap map() {
         return map;
+    }
+
+    private boolean isOfAnotherDesk(Member member) {
+        return connector
+                .address(member)
+                .map(BotAddress::parse)
+                .filter(BotAddress::isOfAnotherDesk)
+                .isPresent();
     }
 
     private void newsOfMap(MajicBot bot, String text) {

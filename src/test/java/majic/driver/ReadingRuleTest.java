@@ -60,7 +60,7 @@ class ReadingRuleTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"cruise", "cruiseTurn", "maxMove", "near", "body"})
+    @ValueSource(strings = {"cruise", "cruiseTurn", "maxMove", "near", "guard", "giveWay", "body"})
     void whatMajicKeepsItselfNeedsNoConnection(String parameter) {
         Value before = bot.get(parameter);
         bot.cut();

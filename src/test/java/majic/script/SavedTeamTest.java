@@ -56,6 +56,13 @@ class SavedTeamTest {
     }
 
     @Test
+    void aRobotThatIsGuardedAndGivesWayIsSavedSo() throws InterruptedException {
+        fixture.runPipe("add sim:aibo as 2", "2 set guard on", "2 set giveWay on");
+
+        assertThat(fixture.session.teamScript()).contains("2 set guard on\n2 set giveWay on\n");
+    }
+
+    @Test
     void theNamesOfTheRobotsAreSavedAndGivenAgain() throws Exception {
         fixture.runPipe("add sim:aibo as 2", "2 name Rex");
         Path file = folder.resolve("names.team");

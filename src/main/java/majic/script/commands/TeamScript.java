@@ -29,7 +29,8 @@ import majic.team.Team;
  * @param map is opened again if it is in a file
  */
 public record TeamScript(Team team, BotFactory factory, RobotConnector connector, CurrentMap map) {
-    private static final String GUARD = "guard";
+    /** Parameters that are off at first. */
+    private static final List<String> CHOICES = List.of("guard", "giveWay");
 
     /** Returns the script of a session. */
     public static TeamScript of(SessionState session) {
@@ -98,12 +99,12 @@ public record TeamScript(Team team, BotFactory factory, RobotConnector connector
                 .isPresent()) {
             return "";
         }
-        String guard = written(member.bot().reading(GUARD).last())
-                .filter("on"::equals)
-                .map(on -> set(member, GUARD, on))
-                .orElse("");
+        String choices = CHOICES.stream()
+                .filter(name -> member.bot().reading(name).last().isYes())
+                .map(name -> set(member, name, "on"))
+                .collect(Collectors.joining());
         boolean inLab = factory.nameInLab(member.bot()).isPresent();
-        return guard
+        return choices
                 + member.bot()
                         .placedAt()
                         .map(pose -> inLab
