@@ -3,12 +3,12 @@ package majic.nav;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.stream.Stream;
 import majic.bot.Course;
 import majic.bot.DriveGuard.Room;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.Pose;
-import majic.bot.Unit;
 import majic.bot.Value;
 import majic.nav.path.FreeSpace;
 import majic.nav.path.Way;
@@ -98,11 +98,9 @@ final class GoalCourse implements Course, AutoCloseable {
         return place(robot);
     }
 
-    /** Returns where a robot is, as answers show it. */
+    /** Returns where a robot is, as its parameters have it: answers mark what it estimates. */
     static Value place(MajicBot robot) {
-        Pose here = robot.state().pose();
-        return Value.many(List.of(
-                Value.of(here.xMm(), Unit.MM), Value.of(here.yMm(), Unit.MM), Value.of(here.headingDeg(), Unit.DEG)));
+        return Value.many(Stream.of("x", "y", "heading").map(robot::get).toList());
     }
 
     @Override

@@ -181,6 +181,16 @@ class GoToInLabTest {
     }
 
     @Test
+    void theAnswerMarksThePlaceOfARobotThatEstimatesIt() throws InterruptedException {
+        rig.add("aibo").place(rig.truePose("aibo"));
+
+        assertThat(rig.run("2 goto -3600 2600"))
+                .last()
+                .asString()
+                .matches(".*: done \\(about -?\\d+ mm, about -?\\d+ mm, about -?[\\d.]+ deg; [\\d.]+ s\\)");
+    }
+
+    @Test
     void anotherRobotThatDrivesAheadIsNotTakenForAWall() throws InterruptedException {
         addOther(new Pose(-7500, -6300, 0));
         rig.say("2 goto 7000 -6300");
