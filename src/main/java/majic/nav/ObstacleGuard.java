@@ -2,7 +2,6 @@ package majic.nav;
 
 import java.util.ArrayList;
 import java.util.List;
-import majic.bot.BotException;
 import majic.bot.DriveGuard;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
@@ -58,21 +57,15 @@ final class ObstacleGuard implements DriveGuard, ScanListener {
 
     @Override
     public boolean isPossible() {
-        return WaitPolicy.without(() -> hasRanges() || hasDistance(1) || isOnMap());
+        return WaitPolicy.without(() -> hasRanges() || distance(1).isMeasured() || isOnMap());
     }
 
     private boolean hasRanges() {
         return !robot.rangeSensors().isEmpty();
     }
 
-    private boolean hasDistance(double ahead) {
-        String wanted = distance(ahead);
-        return robot.parameters().stream()
-                .anyMatch(parameter -> parameter.name().equals(wanted));
-    }
-
-    private static String distance(double ahead) {
-        return ahead < 0 ? "distanceBack" : "distanceFront";
+    private HullDistance distance(double ahead) {
+        return ahead < 0 ? HullDistance.behind(robot) : HullDistance.ahead(robot);
     }
 
     private boolean isOnMap() {
@@ -140,27 +133,19 @@ final class ObstacleGuard implements DriveGuard, ScanListener {
 
     /** Adds what the robot measures on the side to which it drives; returns what is missing. */
     private String addDistance(double ahead, List<Disc> echoes) {
-        if (!hasDistance(ahead)) {
+        HullDistance distance = distance(ahead);
+        if (!distance.isMeasured()) {
             return "";
         }
-        Value value = distanceNow(ahead);
+        Value value = distance.now();
         if (value instanceof Value.Unknown) {
-            return distance(ahead) + " is " + value;
+            return distance.parameter() + " is " + value;
         }
         if (value instanceof Value.Number number) {
-            double hull = robot.profile().bodyMm();
-            Pose there = robot.state().pose().after(Math.copySign(hull + number.amount(), ahead), 0);
+            Pose there = robot.state().pose().after(distance.fromCentreMm(number), 0);
             echoes.add(new Disc(there.xMm(), there.yMm(), 0));
         }
         return "";
-    }
-
-    private Value distanceNow(double ahead) {
-        try {
-            return robot.get(distance(ahead));
-        } catch (BotException e) {
-            return Value.unknown(String.valueOf(e.getMessage()));
-        }
     }
 
     private Room nearest(double mmPerSec, double degPerMm, List<Disc> echoes) {

@@ -11,7 +11,6 @@ import majic.bot.RangeScan;
 import majic.bot.RangeSensor;
 import majic.bot.ScanListener;
 import majic.bot.Value;
-import majic.time.WaitPolicy;
 
 /**
  * What the sensors of one robot have seen around it lately, as points in the frame of its odometry. A point is
@@ -37,9 +36,6 @@ final class SeenObstacles implements ScanListener {
 
     /** The middle part of a sonar's beam, in which it would have seen a point. */
     private static final double SURE_PART = 0.6;
-
-    /** What a robot without described range sensors measures, if it has that parameter. */
-    private static final String AHEAD = "distanceFront";
 
     private final MajicBot robot;
     private final Known known;
@@ -84,9 +80,7 @@ final class SeenObstacles implements ScanListener {
 
     /** Returns whether a robot without described range sensors measures what is ahead of it. */
     static boolean looksAhead(MajicBot robot) {
-        return robot.rangeSensors().isEmpty()
-                && robot.parameters().stream()
-                        .anyMatch(parameter -> parameter.name().equals(AHEAD));
+        return robot.rangeSensors().isEmpty() && HullDistance.ahead(robot).isMeasured();
     }
 
     /** Returns how far the sensors of a robot see at most, as far as it counts here. */
@@ -178,19 +172,18 @@ final class SeenObstacles implements ScanListener {
      * reading.
      */
     void lookAhead(Pose odometry) {
-        Value[] ahead = {Value.CLEAR};
-        WaitPolicy.without(() -> ahead[0] = robot.get(AHEAD));
-        if (!(ahead[0] instanceof Value.Unknown)) {
-            lookAhead(odometry, ahead[0]);
+        HullDistance distance = HullDistance.ahead(robot);
+        Value ahead = distance.now();
+        if (ahead instanceof Value.Unknown) {
+            return;
         }
-    }
-
-    private synchronized void lookAhead(Pose odometry, Value ahead) {
-        scannedNanos = robot.time().nanos();
-        if (ahead instanceof Value.Number number && number.amount() < FARTHEST_OF_SONAR_MM) {
-            List<Point> echoes = new ArrayList<>();
-            addEcho(echoes, odometry, robot.profile().bodyMm() + number.amount(), 0);
-            echoes.forEach(point -> points.put(point.cell(), point));
+        synchronized (this) {
+            scannedNanos = robot.time().nanos();
+            if (ahead instanceof Value.Number number && number.amount() < FARTHEST_OF_SONAR_MM) {
+                List<Point> echoes = new ArrayList<>();
+                addEcho(echoes, odometry, distance.fromCentreMm(number), 0);
+                echoes.forEach(point -> points.put(point.cell(), point));
+            }
         }
     }
 }
