@@ -1,6 +1,5 @@
 package majic.nav;
 
-import java.util.Locale;
 import majic.bot.Pose;
 import majic.nav.grid.NavigationMap;
 
@@ -30,9 +29,10 @@ public record Destination(Pose pose, boolean withHeading) {
         this(place.pose(), place.withHeading());
     }
 
+    /** Returns the place as the command {@code goto} takes it, in whole mm and degrees. */
     @Override
     public String toString() {
-        String place = String.format(Locale.ROOT, "%.0f %.0f", pose.xMm(), pose.yMm());
-        return withHeading ? place + String.format(Locale.ROOT, " %.0f", pose.headingDeg()) : place;
+        String place = Math.round(pose.xMm()) + " " + Math.round(pose.yMm());
+        return withHeading ? place + " " + Math.round(pose.headingDeg()) : place;
     }
 }
