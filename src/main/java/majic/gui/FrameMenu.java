@@ -73,7 +73,7 @@ final class FrameMenu extends JMenuBar {
         fillRobot(actions, others, parts);
         fill(act, actions.loadAct, others.endAct, null, others.makeAct);
         fillLab(parts.lab);
-        parts.mapMenu.fill(map);
+        parts.mapMenu.fill(map, parts.map);
         fillView(parts);
         WindowMenu.fill(window);
         fill(help, actions.help, others.guide, others.tour, null, others.about);

@@ -133,6 +133,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         team = new TeamPane(session, selection, mainPane, start);
         team.map().place(session.team(), channel, member -> teams.last().keepSoon());
         team.map().usePlaces(channel, commandLine::propose);
+        team.map().useWaypoints(this::openScript, channel::showError);
         alarmSound = new AlarmSound(services.settings(), AlarmSound::play);
         stopKeys = new StopKeys(session.team(), this::stopAll);
         helpKey = new HelpKey(dialogs::help);

@@ -16,6 +16,7 @@ import majic.gui.kit.ChooseFile;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.Mnemonics;
 import majic.gui.kit.RobotSelection;
+import majic.gui.map.TeamMap;
 import majic.nav.CurrentMap;
 import majic.nav.grid.NavigationMap;
 import majic.script.Session;
@@ -53,8 +54,12 @@ final class MapMenu {
         this.propose = propose;
     }
 
-    /** Adds the entries, of which those that make sense at the moment can be chosen. */
-    void fill(JMenu menu) {
+    /**
+     * Adds the entries, of which those that make sense at the moment can be chosen.
+     *
+     * @param teamMap on which waypoints are drawn
+     */
+    void fill(JMenu menu, TeamMap teamMap) {
         add(
                 menu,
                 "map.start",
@@ -89,6 +94,11 @@ final class MapMenu {
         });
         menu.add(driveTo);
         menu.addChangeListener(change -> driveTo.setEnabled(!selection.members().isEmpty()));
+        add(
+                menu,
+                "map.waypoints",
+                () -> teamMap.isShowing() && !selection.members().isEmpty(),
+                teamMap::drawWaypoints);
     }
 
     private void fillPlaces(JMenu menu) {

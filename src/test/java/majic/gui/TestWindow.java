@@ -376,6 +376,11 @@ public final class TestWindow implements AutoCloseable {
         give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.click(find(name, Component.class), place));
     }
 
+    public void doubleClickAt(String name, Point place) {
+        Component component = find(name, Component.class);
+        give(MouseEvent.MOUSE_PRESSED, 2, () -> robot.click(component, place, MouseButton.LEFT_BUTTON, 2));
+    }
+
     /** Opens the context menu of a component. */
     public void menuOf(String name) {
         give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.rightClick(awaitShowing(name, Component.class)));

@@ -1,11 +1,15 @@
 package majic.pictures;
 
 import java.awt.Dimension;
+import java.awt.event.InputEvent;
+import java.awt.event.MouseEvent;
+import java.awt.geom.Point2D;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.gui.WindowWait;
@@ -19,8 +23,8 @@ import majicsim.world.Room;
 import org.junit.jupiter.api.Test;
 
 /**
- * Makes the pictures of the team map while a robot builds a map of the lab's office, and while two drive to places of
- * it, on a stepped clock: {@code mvn -Pscreenshots test}, on a machine with a display.
+ * Makes the pictures of the team map while a robot builds a map of the lab's office, while two drive to places of it,
+ * and with waypoints, on a stepped clock: {@code mvn -Pscreenshots test}, on a machine with a display.
  */
 class MapPictures {
     private static final double STEP_MM = 600;
@@ -74,6 +78,42 @@ class MapPictures {
                     .anyMatch(member -> navigator.waits(member.bot()).isPresent()));
             PanelPicture.save(large, false, "going.png");
         }
+    }
+
+    @Test
+    void paintsWaypointsThatAreDrawn() throws Exception {
+        try (LabRig lab = LabRig.of(office());
+                MapFeed feed = new MapFeed(
+                        lab.team(), lab.session().factory(), lab.session().map(), this::show)) {
+            JFrame large = PanelPicture.open(this::map, new Dimension(900, 620), false);
+            feed.start();
+            lab.add("pioneer");
+            lab.run("map open sims/worlds/office.map", "map place desk -6400 -1600 180", "lab place 1 -9200 -6300 0");
+            TeamMap map = maps.get(0);
+            WindowWait.await(
+                    "the place on the map",
+                    () -> shown.map() != null && shown.robots().size() == 1);
+            SwingUtilities.invokeAndWait(() -> {
+                map.useWaypoints(script -> {}, error -> {});
+                map.drawWaypoints();
+                drag(map, new Pose(-9000, -3000, 0), new Pose(-9000, -3000, 0));
+                drag(map, new Pose(-3000, 3600, 0), new Pose(-3000, 4600, 0));
+                drag(map, new Pose(-6400, -1600, 0), new Pose(-6400, -1600, 0));
+            });
+            PanelPicture.save(large, false, "waypoints.png");
+        }
+    }
+
+    private static void drag(TeamMap map, Pose from, Pose to) {
+        send(map, MouseEvent.MOUSE_PRESSED, from);
+        send(map, MouseEvent.MOUSE_RELEASED, to);
+    }
+
+    private static void send(TeamMap map, int id, Pose at) {
+        Point2D pixel = map.view().pixel(at.xMm(), at.yMm());
+        int x = (int) Math.round(pixel.getX());
+        int y = (int) Math.round(pixel.getY());
+        map.dispatchEvent(new MouseEvent(map, id, 0, InputEvent.BUTTON1_DOWN_MASK, x, y, 1, false, MouseEvent.BUTTON1));
     }
 
     private static LabOptions office() throws IOException {

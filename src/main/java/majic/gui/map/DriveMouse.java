@@ -3,14 +3,11 @@ package majic.gui.map;
 import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.awt.geom.Point2D;
-import java.util.LinkedHashMap;
-import java.util.Map;
-import java.util.function.Function;
-import java.util.stream.Collectors;
 import javax.swing.SwingUtilities;
 import majic.bot.Pose;
 import majic.gui.kit.CommandChannel;
+import majic.nav.Destination;
+import majic.nav.grid.NavigationMap.Place;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,12 +34,12 @@ final class DriveMouse extends MouseAdapter {
 
     /** Sends the robots to a place on the floor, whatever the heading. */
     void drive(Pose place) {
-        submit(robot -> at(place.seenFrom(robot.origin())));
+        submit(new Waypoint(new Destination(place, false), ""));
     }
 
     /** Sends the robots to a place with a name. */
-    void drive(String place) {
-        submit(robot -> place);
+    void drive(Place place) {
+        submit(new Waypoint(new Destination(place), place.name()));
     }
 
     @Override
@@ -70,35 +67,15 @@ final class DriveMouse extends MouseAdapter {
         }
         map.previewTarget(null);
         if (map.contains(event.getPoint()) && event.getPoint().distance(from) > DRAG_PX) {
-            Pose target = target(from, event.getPoint());
-            submit(robot -> {
-                Pose own = target.seenFrom(robot.origin());
-                return at(own) + " " + Math.round(own.headingDeg());
-            });
+            submit(new Waypoint(new Destination(target(from, event.getPoint()), true), ""));
         }
     }
 
     private Pose target(Point from, Point to) {
-        Point2D place = map.view().place(from.x, from.y);
-        Point2D mouse = map.view().place(to.x, to.y);
-        double heading = Math.toDegrees(Math.atan2(mouse.getY() - place.getY(), mouse.getX() - place.getX()));
-        return new Pose(place.getX(), place.getY(), heading);
+        return map.view().headed(map.view().pose(from), to);
     }
 
-    /** Returns the coordinates of a place as a command has them. */
-    static String at(Pose place) {
-        return Math.round(place.xMm()) + " " + Math.round(place.yMm());
-    }
-
-    /** Submits a command for each place: robots that were not placed have frames of their own. */
-    private void submit(Function<MapScene.Robot, String> place) {
-        Map<String, String> robots = map.chosen().stream()
-                .collect(Collectors.groupingBy(
-                        place,
-                        LinkedHashMap::new,
-                        Collectors.mapping(robot -> "" + robot.number(), Collectors.joining(","))));
-        channel.submit(robots.entrySet().stream()
-                .map(numbers -> numbers.getValue() + " goto " + numbers.getKey())
-                .collect(Collectors.joining("\n")));
+    private void submit(Waypoint target) {
+        channel.submit(target.commands(map.chosen()));
     }
 }

@@ -29,7 +29,9 @@ import majic.panel.DrawingColors;
 import majic.panel.map.MapView;
 import majic.text.Texts;
 
-/** Draws a scene: map with forbidden lines, tape, walls, lamps, ways, robots, labels and legend, in that order. */
+/**
+ * Draws a scene: map with forbidden lines, tape, walls, lamps, ways, robots and labels, in that order; then a legend.
+ */
 public final class MapPainter {
     private static final Texts TEXTS = Texts.of(MapPainter.class);
     /** Height in pixels of the space for scale and legend below the room. */
@@ -89,7 +91,6 @@ public final class MapPainter {
             map.places().forEach(this::paintPlace);
         }
         robots.stream().filter(robot -> selected.contains(robot.number())).forEach(robot -> robot.paintSelection(g));
-        paintKey(scene);
     }
 
     /**
@@ -118,18 +119,22 @@ public final class MapPainter {
 
     /** Draws an arrow where a robot is to drive to, with the place beside it. */
     void paintTarget(Pose target, String place) {
+        g.setStroke(WALL);
+        g.setColor(Palette.link());
+        g.draw(arrow(target, view));
+        paintBeside(target, ARROW_PX, place);
+    }
+
+    /** Returns an arrow from a place to where a robot is to look there. */
+    static Shape arrow(Pose target, MapView view) {
         Point2D at = view.pixel(target.xMm(), target.yMm());
         AffineTransform turned = AffineTransform.getTranslateInstance(at.getX(), at.getY());
         turned.rotate(-Math.toRadians(target.headingDeg()));
-        Shape arrow = new LineArt()
+        return turned.createTransformedShape(new LineArt()
                 .line(0, 0, ARROW_PX, 0)
                 .line(ARROW_PX * 0.7, -ARROW_PX * 0.2, ARROW_PX, 0, ARROW_PX * 0.7, ARROW_PX * 0.2)
                 .circle(0, 0, PLACE_PX)
-                .shape();
-        g.setStroke(WALL);
-        g.setColor(Palette.link());
-        g.draw(turned.createTransformedShape(arrow));
-        paintBeside(target, ARROW_PX, place);
+                .shape());
     }
 
     /** Draws a text beside a place, on a margin of the floor's colour so that it is readable over walls and robots. */
@@ -225,7 +230,8 @@ public final class MapPainter {
         }
     }
 
-    private void paintKey(MapScene scene) {
+    /** Draws the legend. */
+    void paintKey(MapScene scene) {
         String key = keys(scene).stream().filter(this::fits).findFirst().orElse("");
         int textWidth = g.getFontMetrics().stringWidth(key);
         g.setColor(Palette.faint());

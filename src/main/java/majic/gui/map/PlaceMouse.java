@@ -3,13 +3,13 @@ package majic.gui.map;
 import java.awt.Point;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
-import java.awt.geom.Point2D;
 import java.util.function.Consumer;
 import javax.swing.JMenuItem;
 import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
 import majic.bot.Pose;
 import majic.gui.kit.CommandChannel;
+import majic.nav.Destination;
 import majic.nav.grid.NavigationMap.Place;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
@@ -73,16 +73,15 @@ final class PlaceMouse extends MouseAdapter {
             map.previewPlace(null);
             if (map.contains(event.getPoint()) && event.getPoint().distance(pressed) > DRAG_PX) {
                 Place there = moved(ended, event);
-                channel.submit("map place " + there.name() + " " + DriveMouse.at(there.pose())
-                        + (there.withHeading() ? " " + Math.round(there.pose().headingDeg()) : ""));
+                channel.submit("map place " + there.name() + " " + new Destination(there));
             }
         }
         openMenu(event);
     }
 
     private Place moved(Place place, MouseEvent event) {
-        Point2D at = map.view().place(event.getX(), event.getY());
-        Pose pose = new Pose(at.getX(), at.getY(), place.pose().headingDeg());
+        Pose at = map.view().pose(event.getPoint());
+        Pose pose = new Pose(at.xMm(), at.yMm(), place.pose().headingDeg());
         return new Place(place.name(), pose, place.withHeading());
     }
 
@@ -90,29 +89,30 @@ final class PlaceMouse extends MouseAdapter {
         if (event.isPopupTrigger() && map.topRobotAt(event.getPoint()).isEmpty()) {
             JPopupMenu menu = new JPopupMenu();
             map.placeAt(event.getPoint())
-                    .ifPresentOrElse(place -> addOfPlace(menu, place.name()), () -> addOfFloor(menu, event));
+                    .ifPresentOrElse(place -> addOfPlace(menu, place), () -> addOfFloor(menu, event));
             if (menu.getComponentCount() > 0) {
                 menu.show(map, event.getX(), event.getY());
             }
         }
     }
 
-    private void addOfPlace(JPopupMenu menu, String name) {
+    private void addOfPlace(JPopupMenu menu, Place place) {
+        String name = place.name();
         if (drive.hasRobots()) {
-            add(menu, "driveToPlace", TEXTS.get("driveTo", name), () -> drive.drive(name));
+            add(menu, "driveToPlace", TEXTS.get("driveTo", name), () -> drive.drive(place));
         }
         add(menu, "renamePlace", TEXTS.get("rename", name), () -> propose("map place " + name + " as " + NAME));
         add(menu, "removePlace", TEXTS.get("remove", name), () -> channel.submit("map place " + name + " off"));
     }
 
     private void addOfFloor(JPopupMenu menu, MouseEvent event) {
-        Point2D at = map.view().place(event.getX(), event.getY());
-        Pose here = new Pose(at.getX(), at.getY(), 0);
+        Pose here = map.view().pose(event.getPoint());
         if (drive.hasRobots()) {
             add(menu, "driveHere", TEXTS.get("driveHere"), () -> drive.drive(here));
         }
         if (map.hasPicture()) {
-            add(menu, "namePlace", TEXTS.get("name"), () -> propose("map place " + NAME + " " + DriveMouse.at(here)));
+            String at = new Destination(here, false).toString();
+            add(menu, "namePlace", TEXTS.get("name"), () -> propose("map place " + NAME + " " + at));
         }
     }
 

@@ -9,6 +9,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.bot.Pose;
 import majic.lab.LabAccess.Wall;
@@ -37,6 +38,7 @@ final class TeamFloor implements MapContent {
     private MapScene.@Nullable Robot preview;
     private @Nullable Place placePreview;
     private @Nullable Pose target;
+    private @Nullable List<Waypoint> waypoints;
     private boolean placeable;
 
     void show(MapScene newScene) {
@@ -66,6 +68,21 @@ final class TeamFloor implements MapContent {
     /** Draws an arrow where robots are to drive to; null ends that. */
     void previewTarget(@Nullable Pose place) {
         target = place;
+    }
+
+    /** Draws waypoints, and how further ones are added; null ends that. */
+    void previewWaypoints(@Nullable List<Waypoint> drawn) {
+        waypoints = drawn;
+    }
+
+    /** Returns the robots as {@code 1 Pioneer, 2 Aibo}, or the keys that draw waypoints. */
+    String description() {
+        List<Waypoint> drawn = waypoints;
+        return drawn == null
+                ? scene.robots().stream()
+                        .map(robot -> robot.number() + " " + robot.label())
+                        .collect(Collectors.joining(", "))
+                : TEXTS.get("waypoints.count", drawn.size()) + "; " + String.join("; ", WaypointPainter.keys());
     }
 
     /** Returns the selected robots; the only one if none is selected. */
@@ -112,6 +129,11 @@ final class TeamFloor implements MapContent {
     public void paint(Graphics2D pen, MapView view) {
         MapPainter painter = new MapPainter(pen, view);
         painter.paint(scene, selected);
+        if (waypoints == null) {
+            painter.paintKey(scene);
+        } else {
+            new WaypointPainter(pen, view).paint(waypoints);
+        }
         if (preview != null) {
             painter.paintPreview(preview, place(preview.reported()));
         }
@@ -163,8 +185,9 @@ final class TeamFloor implements MapContent {
     }
 
     @Override
-    public int footPx() {
-        return UIScale.scale(MapPainter.FOOT_PX);
+    public int footPx(int widthPx) {
+        int keys = waypoints == null ? 0 : WaypointPainter.keysHeightPx(widthPx);
+        return UIScale.scale(MapPainter.FOOT_PX) + keys;
     }
 
     /** Clears the trails shown so far; robots and room stay. */
@@ -175,6 +198,9 @@ final class TeamFloor implements MapContent {
 
     @Override
     public String tip(double xMm, double yMm, MapView view) {
+        if (waypoints != null) {
+            return TEXTS.get("waypoints.here", Math.round(xMm), Math.round(yMm));
+        }
         Point2D mouse = view.pixel(xMm, yMm);
         boolean alone = robotsAt(mouse, view).size() == 1;
         List<String> robots = robotsUnder(mouse, view)

@@ -3,11 +3,12 @@ package majic.gui.map;
 import java.awt.Dimension;
 import java.awt.Point;
 import java.awt.event.MouseAdapter;
+import java.awt.event.MouseEvent;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import majic.bot.Pose;
+import majic.gui.kit.ClosesByEsc;
 import majic.gui.kit.CommandChannel;
 import majic.gui.kit.HelpTopic;
 import majic.gui.kit.RobotSelection;
@@ -22,11 +23,12 @@ import org.jspecify.annotations.Nullable;
  * The map of the team: every robot with its number, heading and trail, and with a lab the room and the robots' true
  * poses. Fits everything into view until the map is zoomed or dragged; a double click returns to that.
  */
-public final class TeamMap extends ZoomableMap {
+public final class TeamMap extends ZoomableMap implements ClosesByEsc {
     private static final Texts TEXTS = Texts.of(TeamMap.class);
     private static final long serialVersionUID = 1L;
 
     private final transient TeamFloor floor;
+    private transient @Nullable WaypointDrawing waypoints;
 
     public TeamMap() {
         this(new TeamFloor());
@@ -81,6 +83,61 @@ public final class TeamMap extends ZoomableMap {
         }
     }
 
+    /**
+     * Makes {@link #drawWaypoints} possible.
+     *
+     * @param openScript receives the script of waypoints that were drawn
+     * @param showError receives why there is no script yet, as a sentence
+     */
+    public void useWaypoints(Consumer<String> openScript, Consumer<String> showError) {
+        waypoints = new WaypointDrawing(this, floor, openScript, showError);
+    }
+
+    /**
+     * Lets the user draw waypoints for the selected robots: until that ends, the buttons of the mouse and some keys
+     * serve it alone.
+     *
+     * @throws IllegalStateException without {@link #useWaypoints}
+     */
+    public void drawWaypoints() {
+        if (waypoints == null) {
+            throw new IllegalStateException("this map shows no waypoints");
+        }
+        waypoints.begin();
+        requestFocusInWindow();
+    }
+
+    private @Nullable WaypointDrawing drawing() {
+        return waypoints != null && waypoints.isActive() ? waypoints : null;
+    }
+
+    /** Returns whether waypoints are drawn, which Esc gives up. */
+    @Override
+    public boolean hasToClose() {
+        return drawing() != null;
+    }
+
+    @Override
+    protected void processMouseEvent(MouseEvent event) {
+        WaypointDrawing drawing = drawing();
+        boolean crosses = event.getID() == MouseEvent.MOUSE_ENTERED || event.getID() == MouseEvent.MOUSE_EXITED;
+        if (drawing == null || crosses) {
+            super.processMouseEvent(event);
+        } else {
+            drawing.mouse(event);
+        }
+    }
+
+    @Override
+    protected void processMouseMotionEvent(MouseEvent event) {
+        WaypointDrawing drawing = drawing();
+        if (drawing == null || event.getID() == MouseEvent.MOUSE_MOVED) {
+            super.processMouseMotionEvent(event);
+        } else {
+            drawing.mouse(event);
+        }
+    }
+
     /** Returns the selected robots; the only one if none is selected. */
     List<MapScene.Robot> chosen() {
         return floor.chosen();
@@ -124,13 +181,10 @@ public final class TeamMap extends ZoomableMap {
         return floor.robotsAt(pixel, view());
     }
 
-    /** Shows another scene, and describes it for screen readers as {@code 1 Pioneer, 2 Aibo}. */
+    /** Shows another scene, and describes it for screen readers. */
     public void show(MapScene scene) {
         floor.show(scene);
-        getAccessibleContext()
-                .setAccessibleDescription(scene.robots().stream()
-                        .map(robot -> robot.number() + " " + robot.label())
-                        .collect(Collectors.joining(", ")));
+        getAccessibleContext().setAccessibleDescription(floor.description());
         repaint();
     }
 }

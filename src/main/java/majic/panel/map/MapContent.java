@@ -24,9 +24,10 @@ public interface MapContent {
     /**
      * Returns the height that the map keeps free at its bottom when it shows everything, for text.
      *
+     * @param widthPx the width of the map
      * @return pixels
      */
-    default int footPx() {
+    default int footPx(int widthPx) {
         return 0;
     }
 

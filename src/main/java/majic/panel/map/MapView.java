@@ -1,8 +1,10 @@
 package majic.panel.map;
 
+import java.awt.Point;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
+import majic.bot.Pose;
 
 /**
  * The mapping of a floor to a component: the place in the middle, the scale, the direction that points up. On the floor
@@ -77,6 +79,27 @@ public record MapView(double pxPerMm, double xMm, double yMm, double upDeg, int 
         double turn = Math.toRadians(upDeg - Y_UP);
         return new Point2D.Double(
                 xMm + right * Math.cos(turn) - up * Math.sin(turn), yMm + right * Math.sin(turn) + up * Math.cos(turn));
+    }
+
+    /**
+     * Returns the place at a pixel, as a pose.
+     *
+     * @return mm, with the heading 0
+     */
+    public Pose pose(Point pixel) {
+        Point2D place = place(pixel.x, pixel.y);
+        return new Pose(place.getX(), place.getY(), 0);
+    }
+
+    /**
+     * Returns a pose at the same place with another heading.
+     *
+     * @param to the pixel to which it heads
+     */
+    public Pose headed(Pose place, Point to) {
+        Pose ahead = pose(to);
+        double heading = Math.toDegrees(Math.atan2(ahead.yMm() - place.yMm(), ahead.xMm() - place.xMm()));
+        return new Pose(place.xMm(), place.yMm(), heading);
     }
 
     /**

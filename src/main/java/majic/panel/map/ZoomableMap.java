@@ -102,7 +102,7 @@ public class ZoomableMap extends JPanel {
      */
     private MapView everything(int width, int height) {
         int head = tools.isVisible() ? tools.getHeight() : 0;
-        int foot = content.footPx();
+        int foot = content.footPx(width);
         int free = Math.max(height / 2, height - head - foot);
         return MapView.fitting(content.extent(), width, free)
                 .sized(width, height)
