@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.nav;
 
 import java.util.ArrayList;
 import java.util.List;

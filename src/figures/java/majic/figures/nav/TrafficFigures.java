@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.nav;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -15,6 +15,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotException;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
+import majic.figures.Measurement;
 import majic.inlab.LabRig;
 import majic.nav.Destination;
 import majic.nav.Navigator;
@@ -26,7 +27,7 @@ import majicsim.LabPorts;
 import majicsim.world.Room;
 
 /** Lets many Pioneers of the lab drive to random places of the office at the same time, with the usual noise. */
-final class TrafficFigures {
+public final class TrafficFigures {
     private static final Path WORLD = Path.of("sims", "worlds", "office.map");
     private static final double NANOS = 1e9;
     private static final double ROOM_MM = 120;

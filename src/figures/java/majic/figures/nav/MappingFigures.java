@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.nav;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -24,7 +24,7 @@ import majic.nav.mapping.Trajectory;
  * {@code majic.nav} names the folder of {@code intel.clf.gz} and {@code intel.relations}; another name of a log is
  * given by {@code majic.nav.log}.
  */
-final class MappingFigures {
+public final class MappingFigures {
     private static final double NEAREST_S = 0.3;
     private static final double NANOS = 1e9;
     private static final double MM = 1000;
@@ -47,7 +47,7 @@ final class MappingFigures {
     }
 
     /** The rows of {@code mapping}. */
-    List<String> mapping() throws IOException {
+    public List<String> mapping() throws IOException {
         if (missing()) {
             return List.of(log() + " is missing; -Dmajic.nav names its folder");
         }
@@ -134,7 +134,7 @@ final class MappingFigures {
     }
 
     /** The rows of {@code localisation}. */
-    List<String> localisation() throws IOException {
+    public List<String> localisation() throws IOException {
         if (missing()) {
             return List.of(log() + " is missing; -Dmajic.nav names its folder");
         }

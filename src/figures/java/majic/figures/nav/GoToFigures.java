@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.nav;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
@@ -15,6 +15,7 @@ import majic.bot.BotListener;
 import majic.bot.BotState;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
+import majic.figures.Measurement;
 import majic.inlab.LabRig;
 import majic.nav.Destination;
 import majic.nav.Navigator;
@@ -34,7 +35,7 @@ import majicsim.world.Room;
  * far it is from the goal by its true place, mm and deg, and what the thread of the motion takes of a core, percent;
  * each as median, the value that 95 of 100 do not exceed, and the largest.
  */
-final class GoToFigures {
+public final class GoToFigures {
     private static final Path WORLD = Path.of("sims", "worlds", "office.map");
     private static final double NANOS = 1e9;
     private static final double ROOM_MM = 80;

@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.nav;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.function.Consumer;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
+import majic.figures.Measurement;
 import majic.inlab.LabRig;
 import majic.simulation.SimulatedLab;
 import majicsim.LabOptions;
@@ -20,7 +21,7 @@ import majicsim.world.Room;
  * around the corridor and into the rooms, past another one that drives the other way round. Or localises a Pioneer on
  * the true map on the same way, by its laser or by its sonars alone.
  */
-final class OfficeFigures {
+public final class OfficeFigures {
     private static final Path WORLD = Path.of("sims", "worlds", "office.map");
     private static final String LOCALISATION = "localisation";
     private static final long SEED = 1;

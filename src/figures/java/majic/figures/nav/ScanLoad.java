@@ -1,4 +1,4 @@
-package majic.figures;
+package majic.figures.nav;
 
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadInfo;
