@@ -106,7 +106,7 @@ final class GoalCourse implements Course, AutoCloseable {
     @Override
     public Step next() {
         Step step = decide();
-        team.traffic().explain(vehicle, step == Drive.STAND ? waiting.why() : "");
+        team.traffic().explain(vehicle, step == Drive.STAND ? waiting.reason() : null);
         return step;
     }
 
@@ -195,7 +195,7 @@ final class GoalCourse implements Course, AutoCloseable {
         yielding.makeRoom(here, space);
         double aheadMm = planned.aside().map(here::distanceMm).orElse(left);
         if (yielding.isActive() && aheadMm < ARRIVED_MM * 2) {
-            waiting.stands(yielding.standAside(here));
+            waiting.standsAsideFor(yielding.standAside(here));
             return stand();
         }
         Way rest = way.from(here);

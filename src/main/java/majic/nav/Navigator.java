@@ -151,13 +151,20 @@ public final class Navigator {
     }
 
     /**
+     * Why a robot stands on its way.
+     *
+     * @param why a part of a sentence such as {@code robot 2 (Pioneer) stands in the way}
+     * @param other the robot that it waits for; empty if it is none or not known
+     */
+    public record Wait(String why, Optional<MajicBot> other) {}
+
+    /**
      * Returns why a robot stands on its way.
      *
      * @param robot any
-     * @return a part of a sentence such as {@code robot 2 (Pioneer) stands in the way}; empty while it drives, and if
-     *     it does not drive to a place by this navigator
+     * @return empty while it drives, and if it does not drive to a place by this navigator
      */
-    public Optional<String> waits(MajicBot robot) {
+    public Optional<Wait> waits(MajicBot robot) {
         return space.traffic().waits(robot);
     }
 

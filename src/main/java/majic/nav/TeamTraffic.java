@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
+import majic.nav.Navigator.Wait;
 import majic.nav.path.FreeSpace;
 import majic.nav.path.Way;
 import org.jspecify.annotations.Nullable;
@@ -36,7 +37,7 @@ final class TeamTraffic {
         private List<Pose> reserved;
         private @Nullable Long waitingNanos;
         private @Nullable Vehicle makesRoomFor;
-        private String waits = "";
+        private @Nullable Wait wait;
 
         private Vehicle(MajicBot robot, long order) {
             this.robot = robot;
@@ -83,16 +84,14 @@ final class TeamTraffic {
         return vehicle == null ? List.of() : vehicle.reserved;
     }
 
-    /** Keeps why a robot stands; empty while it drives. */
-    synchronized void explain(Vehicle vehicle, String why) {
-        vehicle.waits = why;
+    /** Keeps why a robot stands; null while it drives. */
+    synchronized void explain(Vehicle vehicle, @Nullable Wait wait) {
+        vehicle.wait = wait;
     }
 
     /** Returns why a robot stands on its way; empty while it drives, and if it does not drive by itself. */
-    synchronized Optional<String> waits(MajicBot robot) {
-        return Optional.ofNullable(vehicles.get(robot))
-                .map(vehicle -> vehicle.waits)
-                .filter(why -> !why.isEmpty());
+    synchronized Optional<Wait> waits(MajicBot robot) {
+        return Optional.ofNullable(vehicles.get(robot)).map(vehicle -> vehicle.wait);
     }
 
     /**

@@ -1,6 +1,8 @@
 package majic.nav;
 
+import java.util.Optional;
 import majic.bot.MajicBot;
+import majic.nav.Navigator.Wait;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -32,6 +34,7 @@ final class Waiting {
     private double leastLeftMm = Double.POSITIVE_INFINITY;
     private String why = "";
     private @Nullable MajicBot before;
+    private @Nullable MajicBot passing;
     private String remark = "";
 
     /** From now on. */
@@ -65,6 +68,7 @@ final class Waiting {
     /** The robot stands because of another one, or because of what its sensors see if that is null. */
     void standsBehind(@Nullable MajicBot other) {
         before = other;
+        passing = null;
         why = (other == null ? "something that its sensors see" : other.name()) + " stands in the way";
     }
 
@@ -73,9 +77,10 @@ final class Waiting {
         remark = words;
     }
 
-    /** The robot stands for a reason of its own. */
-    void stands(String because) {
-        why = because;
+    /** The robot stands aside until another one has passed; null if that is not known any more. */
+    void standsAsideFor(@Nullable MajicBot other) {
+        passing = other;
+        why = "it makes room for " + (other == null ? "another robot" : other.name());
     }
 
     /** The robot drives on. */
@@ -83,12 +88,14 @@ final class Waiting {
         why = "";
         remark = "";
         before = null;
+        passing = null;
         note(false);
     }
 
-    /** Returns why it stands; empty if it drives. */
-    String why() {
-        return why;
+    /** Returns why it stands; null if it drives. */
+    @Nullable
+    Wait reason() {
+        return why.isEmpty() ? null : new Wait(why, Optional.ofNullable(passing == null ? before : passing));
     }
 
     /**

@@ -92,19 +92,18 @@ final class Yielding {
         });
     }
 
-    /** Keeps the place aside until the other robot has passed; returns why. */
-    String standAside(Pose here) {
+    /** Keeps the place aside until the other robot has passed; returns that robot, or null if it is not known. */
+    @Nullable
+    MajicBot standAside(Pose here) {
         traffic.reserve(vehicle, new Way(List.of(here)), 0);
         TeamTraffic.Vehicle other = roomFor;
-        String why = "it makes room for "
-                + (other == null ? "another robot" : other.robot().name());
         if (now() - lookedS >= LOOK_S) {
             lookedS = now();
             if (other == null || hasPassed(other, here) || now() - asideS > Waiting.LONGEST_BLOCKED_S) {
                 end();
             }
         }
-        return why;
+        return other == null ? null : other.robot();
     }
 
     private boolean hasPassed(TeamTraffic.Vehicle other, Pose here) {

@@ -9,6 +9,7 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
 import majic.nav.Navigator;
+import majic.nav.Navigator.Wait;
 import majicsim.LabOptions;
 import majicsim.world.Room;
 import org.junit.jupiter.api.AutoClose;
@@ -101,7 +102,9 @@ class GoToInLabTest {
         rig.say("1 goto -5000 -3500");
         Navigator navigator = rig.session().map().navigator();
         assertThat(rig.await(() -> navigator.waits(robot).isPresent())).isTrue();
-        assertThat(navigator.waits(robot).orElseThrow()).endsWith(" stands in the way");
+        Wait wait = navigator.waits(robot).orElseThrow();
+        assertThat(wait.why()).isEqualTo("robot 2 (Pioneer) stands in the way");
+        assertThat(wait.other()).contains(rig.team().member(2).bot());
         rig.run("1 stop");
         assertThat(navigator.waits(robot)).isEmpty();
     }

@@ -8,6 +8,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
+import java.util.OptionalInt;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
@@ -20,6 +22,7 @@ import majic.lab.LabAccess;
 import majic.lab.LabAccess.Wall;
 import majic.nav.CurrentMap;
 import majic.nav.Navigator;
+import majic.nav.Navigator.Wait;
 import majic.nav.grid.NavigationMap;
 import majic.panel.RefreshTicks;
 import majic.panel.map.Trail;
@@ -190,13 +193,22 @@ public final class MapFeed implements TeamListener, AutoCloseable {
     /** Returns the way of a robot; its first point is where the robot is. */
     private MapScene.PlannedWay way(MajicBot robot, Pose origin) {
         Navigator navigator = map.navigator();
+        Optional<Wait> wait = navigator.waits(robot);
         return navigator
                 .way(robot)
                 .map(way -> new MapScene.PlannedWay(
                         way.points().stream().skip(1).map(origin::plus).toList(),
                         navigator.reserved(robot).stream().map(origin::plus).toList(),
-                        navigator.waits(robot).orElse("")))
+                        wait.map(Wait::why).orElse(""),
+                        wait.flatMap(Wait::other).map(this::number).orElse(OptionalInt.empty())))
                 .orElse(MapScene.PlannedWay.NONE);
+    }
+
+    private OptionalInt number(MajicBot robot) {
+        return team.members().stream()
+                .filter(member -> member.bot() == robot)
+                .mapToInt(Member::number)
+                .findFirst();
     }
 
     private String nameInLab(Member member) {

@@ -95,7 +95,7 @@ public final class MapPainter {
 
     /**
      * Draws the numbers that cover no other number, first those of robots that need attention or are selected, and then
-     * why robots wait.
+     * which robots wait.
      */
     private void paintNumbers(List<RobotGlyph> robots, Set<Integer> selected) {
         robots.stream()

@@ -1,6 +1,7 @@
 package majic.gui.map;
 
 import java.util.List;
+import java.util.OptionalInt;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
 import majic.lab.LabAccess.Furnishing;
@@ -68,13 +69,19 @@ public record MapScene(
      * @param corners those that are still ahead, the place last
      * @param reserved the places on which no other robot drives now, the one of the robot first
      * @param waits why it stands, as a part of a sentence; empty while it drives
+     * @param waitsFor the number of the robot that it waits for; empty if it is none of the team
      */
-    public record PlannedWay(List<Pose> corners, List<Pose> reserved, String waits) {
-        public static final PlannedWay NONE = new PlannedWay(List.of(), List.of(), "");
+    public record PlannedWay(List<Pose> corners, List<Pose> reserved, String waits, OptionalInt waitsFor) {
+        public static final PlannedWay NONE = new PlannedWay(List.of(), List.of());
 
         public PlannedWay {
             corners = List.copyOf(corners);
             reserved = List.copyOf(reserved);
+        }
+
+        /** The way of a robot that drives. */
+        public PlannedWay(List<Pose> corners, List<Pose> reserved) {
+            this(corners, reserved, "", OptionalInt.empty());
         }
     }
 

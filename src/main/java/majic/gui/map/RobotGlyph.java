@@ -13,6 +13,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.OptionalInt;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
 import majic.gui.kit.LineArt;
@@ -211,12 +212,13 @@ final class RobotGlyph {
         }
     }
 
-    /** Draws why the robot waits, below it or above it, where that covers no other label. */
+    /** Draws that the robot waits, below it or above it, where that covers no other label. */
     void paintWaits(Graphics2D g, LabelRoom room) {
         if (robot.way().waits().isEmpty()) {
             return;
         }
-        String text = TEXTS.get("waits", robot.way().waits());
+        OptionalInt other = robot.way().waitsFor();
+        String text = other.isPresent() ? TEXTS.get("waitsFor", other.getAsInt()) : TEXTS.get("waits");
         FontMetrics metrics = g.getFontMetrics();
         double width = metrics.stringWidth(text);
         Point2D middle = pixel(robot.reported());

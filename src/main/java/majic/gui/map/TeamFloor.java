@@ -215,13 +215,15 @@ final class TeamFloor implements MapContent {
 
     private static String describe(String key, MapScene.Robot robot) {
         Pose at = robot.reported();
-        return TEXTS.get(
+        String place = TEXTS.get(
                 key,
                 robot.number(),
                 robot.label(),
                 Math.round(at.xMm()),
                 Math.round(at.yMm()),
                 Math.round(at.headingDeg()));
+        String why = robot.way().waits();
+        return why.isEmpty() ? place : place + "\n" + TEXTS.get("robot.waits", why);
     }
 
     private static String place(Pose at) {

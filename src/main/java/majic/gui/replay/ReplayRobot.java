@@ -137,7 +137,7 @@ final class ReplayRobot implements AutoCloseable {
     private MapScene.PlannedWay way(double atS) {
         List<Pose> corners =
                 tracks.way(atS).stream().map(tracks.origin(atS)::plus).toList();
-        return new MapScene.PlannedWay(corners, List.of(), "");
+        return new MapScene.PlannedWay(corners, List.of());
     }
 
     private Uncertainty uncertainty(double atS) {

@@ -10,6 +10,7 @@ import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalInt;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
 import majic.gui.kit.Palette;
@@ -107,16 +108,26 @@ class MapPaintTest {
         Pose here = new Pose(1000, 1500, 0);
         Pose place = new Pose(3500, 1500, 0);
         BufferedImage standing = paint(scene(robot(here, null)));
-        BufferedImage driving = paint(scene(robot(here, null, new PlannedWay(List.of(place), List.of(), ""))));
+        BufferedImage driving = paint(scene(robot(here, null, new PlannedWay(List.of(place), List.of()))));
         List<Pose> reserved = List.of(here, new Pose(1500, 1500, 0));
-        BufferedImage waiting =
-                paint(scene(robot(here, null, new PlannedWay(List.of(place), reserved, "Toy 2 stands in the way"))));
+        PlannedWay held = new PlannedWay(List.of(place), reserved, "Toy 2 stands in the way", OptionalInt.of(2));
+        BufferedImage waiting = paint(scene(robot(here, null, held)));
 
         assertThat(pixel(driving, 2500, 1500)).isNotEqualTo(pixel(standing, 2500, 1500));
         assertThat(pixel(driving, 2500, 1600)).isEqualTo(pixel(standing, 2500, 1600));
         assertThat(pixel(driving, 1500, 1600)).isEqualTo(pixel(standing, 1500, 1600));
         assertThat(pixel(waiting, 1500, 1600)).isNotEqualTo(pixel(standing, 1500, 1600));
         assertThat(differences(driving, waiting)).isGreaterThan(1000);
+    }
+
+    @Test
+    void theTipHasTheReasonWhyARobotWaits() {
+        Pose here = new Pose(1000, 1500, 0);
+        PlannedWay held =
+                new PlannedWay(List.of(here), List.of(), "robot 2 (Toy) stands in the way", OptionalInt.of(2));
+        paint(scene(robot(here, null, held)));
+
+        assertThat(tip(here.xMm(), here.yMm())).endsWith("\nwaits: robot 2 (Toy) stands in the way");
     }
 
     @Test
