@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
-import majic.nav.Navigator.Wait;
 import majic.nav.path.FreeSpace;
 import majic.nav.path.Way;
 import org.jspecify.annotations.Nullable;

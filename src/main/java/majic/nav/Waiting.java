@@ -2,7 +2,6 @@ package majic.nav;
 
 import java.util.Optional;
 import majic.bot.MajicBot;
-import majic.nav.Navigator.Wait;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -9,7 +9,7 @@ import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
 import majic.nav.Navigator;
-import majic.nav.Navigator.Wait;
+import majic.nav.Wait;
 import majicsim.LabOptions;
 import majicsim.world.Room;
 import org.junit.jupiter.api.AutoClose;

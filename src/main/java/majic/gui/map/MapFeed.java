@@ -22,7 +22,7 @@ import majic.lab.LabAccess;
 import majic.lab.LabAccess.Wall;
 import majic.nav.CurrentMap;
 import majic.nav.Navigator;
-import majic.nav.Navigator.Wait;
+import majic.nav.Wait;
 import majic.nav.grid.NavigationMap;
 import majic.panel.RefreshTicks;
 import majic.panel.map.Trail;

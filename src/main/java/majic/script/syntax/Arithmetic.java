@@ -89,42 +89,6 @@ final class Arithmetic {
         });
     }
 
-    /** Puts two values together that can be compared. */
-    static Condition.Known compared(Literal left, Operator operator, Literal right) {
-        boolean maybeAny = isMaybeAny(left) || isMaybeAny(right);
-        boolean numbers = isOrdered(left) && isOrdered(right);
-        if (!maybeAny && !numbers && !operator.isEquality()) {
-            Literal word = isOrdered(left) ? right : left;
-            throw new ScriptException(
-                    word.at(), word.text() + ": not a number; it can be compared with == and != only");
-        }
-        if (!maybeAny && isOrdered(left) != isOrdered(right)) {
-            throw new ScriptException(
-                    right.at(), right.text() + ": cannot be compared with " + left.text() + ", it is of another kind");
-        }
-        Unit first = unit(left);
-        Unit second = unit(right);
-        if (numbers && first != second && first != Unit.NONE && second != Unit.NONE) {
-            throw new ScriptException(
-                    right.at(),
-                    right.text() + ": " + first.symbol() + " and " + second.symbol() + " cannot be compared");
-        }
-        return new Condition.Known(left, operator, right);
-    }
-
-    /** A bare number that is not known yet may turn out to be anything. */
-    private static boolean isMaybeAny(Literal literal) {
-        return literal.at().open() && unit(literal) == Unit.NONE;
-    }
-
-    private static boolean isOrdered(Literal literal) {
-        return literal.value() instanceof Value.Number || literal.text().equalsIgnoreCase("clear");
-    }
-
-    private static Unit unit(Literal literal) {
-        return literal.value() instanceof Value.Number number ? number.unit() : Unit.NONE;
-    }
-
     private static Operand alone(Operand operand, Token sign, DoubleUnaryOperator rule) {
         if (operand.any() || operand.value() instanceof Value.Clear) {
             return operand;

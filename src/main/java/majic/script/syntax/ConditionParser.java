@@ -1,6 +1,7 @@
 package majic.script.syntax;
 
 import java.util.List;
+import majic.bot.Unit;
 import majic.bot.Value;
 import majic.script.syntax.Literal.Quantity;
 import majic.script.syntax.Token.Kind;
@@ -94,7 +95,43 @@ public final class ConditionParser {
         Literal left = literal();
         Operator operator = operator();
         Literal right = literal();
-        return Arithmetic.compared(left, operator, right);
+        return compared(left, operator, right);
+    }
+
+    /** Puts two values together that can be compared. */
+    private static Condition.Known compared(Literal left, Operator operator, Literal right) {
+        boolean maybeAny = isMaybeAny(left) || isMaybeAny(right);
+        boolean numbers = isOrdered(left) && isOrdered(right);
+        if (!maybeAny && !numbers && !operator.isEquality()) {
+            Literal word = isOrdered(left) ? right : left;
+            throw new ScriptException(
+                    word.at(), word.text() + ": not a number; it can be compared with == and != only");
+        }
+        if (!maybeAny && isOrdered(left) != isOrdered(right)) {
+            throw new ScriptException(
+                    right.at(), right.text() + ": cannot be compared with " + left.text() + ", it is of another kind");
+        }
+        Unit first = unit(left);
+        Unit second = unit(right);
+        if (numbers && first != second && first != Unit.NONE && second != Unit.NONE) {
+            throw new ScriptException(
+                    right.at(),
+                    right.text() + ": " + first.symbol() + " and " + second.symbol() + " cannot be compared");
+        }
+        return new Condition.Known(left, operator, right);
+    }
+
+    /** A bare number that is not known yet may turn out to be anything. */
+    private static boolean isMaybeAny(Literal literal) {
+        return literal.at().open() && unit(literal) == Unit.NONE;
+    }
+
+    private static boolean isOrdered(Literal literal) {
+        return literal.value() instanceof Value.Number || literal.text().equalsIgnoreCase("clear");
+    }
+
+    private static Unit unit(Literal literal) {
+        return literal.value() instanceof Value.Number number ? number.unit() : Unit.NONE;
     }
 
     private @Nullable Robots robots() {
