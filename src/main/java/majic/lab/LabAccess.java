@@ -55,6 +55,13 @@ public interface LabAccess {
     }
 
     /**
+     * Returns what the noise of the lab begins with, so that a run can be repeated.
+     *
+     * @return the seed
+     */
+    long seed();
+
+    /**
      * Returns the robots in the lab.
      *
      * @return their names, which are those of their types, with a number appended where there are several

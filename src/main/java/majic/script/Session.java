@@ -6,7 +6,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
-import java.util.Random;
 import java.util.function.BiConsumer;
 import majic.act.file.ActCatalog;
 import majic.act.file.ActTrust;
@@ -29,6 +28,7 @@ import majic.script.help.Completer;
 import majic.script.record.SessionRecord;
 import majic.script.run.Plotting;
 import majic.script.run.Questions;
+import majic.script.run.RandomNumbers;
 import majic.script.run.RobotConnector;
 import majic.script.run.SessionState;
 import majic.team.Answer;
@@ -89,7 +89,7 @@ public final class Session {
                 plotting,
                 map,
                 new Questions(team.changes()),
-                new Random(),
+                new RandomNumbers(factory),
                 quit);
         log.onTrouble(this::alarm);
         map.navigator().useGiveWay(new TeamGiveWay(team, map, this::isOfAnotherDesk));

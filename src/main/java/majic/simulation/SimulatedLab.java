@@ -39,14 +39,16 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     private static final Pattern NAMESPACE = Pattern.compile("(?<=:\\d{1,5})/.*");
 
     private final Lab lab;
+    private final long seed;
     private final LabClock clock;
     private final List<Wall> walls;
     private final Furnishing furnishing;
     private @Nullable String tooSlow;
     private @Nullable Consumer<String> tooSlowListener;
 
-    private SimulatedLab(Lab lab, Function<Consumer<String>, Pacing> pacing) {
+    private SimulatedLab(Lab lab, long seed, Function<Consumer<String>, Pacing> pacing) {
         this.lab = lab;
+        this.seed = seed;
         this.clock = new LabClock(Lab.STEP_NANOS, () -> step(lab), pacing.apply(this::tooSlow));
         this.walls = lab.walls().stream()
                 .map(wall -> new Wall(wall.x1(), wall.y1(), wall.x2(), wall.y2()))
@@ -74,7 +76,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
      */
     public static SimulatedLab scaled(LabOptions options, double speed) throws IOException {
         Lab lab = open(options);
-        return started(lab, tooSlow -> Pacing.scaled(speed, transit(lab), tooSlow));
+        return started(lab, options.seed(), tooSlow -> Pacing.scaled(speed, transit(lab), tooSlow));
     }
 
     /**
@@ -86,7 +88,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
      */
     public static SimulatedLab stepped(LabOptions options) throws IOException {
         Lab lab = open(options);
-        return started(lab, tooSlow -> Pacing.stepped(transit(lab)));
+        return started(lab, options.seed(), tooSlow -> Pacing.stepped(transit(lab)));
     }
 
     /** Without native code the lab has no pseudo-terminals. */
@@ -106,8 +108,8 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
         return new TransitCheck(Links::traffic, lab::lines, ports);
     }
 
-    private static SimulatedLab started(Lab lab, Function<Consumer<String>, Pacing> pacing) {
-        SimulatedLab simulated = new SimulatedLab(lab, pacing);
+    private static SimulatedLab started(Lab lab, long seed, Function<Consumer<String>, Pacing> pacing) {
+        SimulatedLab simulated = new SimulatedLab(lab, seed, pacing);
         simulated.clock.start();
         return simulated;
     }
@@ -131,6 +133,11 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
         if (tooSlowListener != null && tooSlow != null) {
             tooSlowListener.accept(tooSlow);
         }
+    }
+
+    @Override
+    public long seed() {
+        return seed;
     }
 
     /** Returns the simulators themselves, for functions that only a lab has: faults, positions. */

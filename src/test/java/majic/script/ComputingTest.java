@@ -2,6 +2,7 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.List;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -119,6 +120,84 @@ class ComputingTest {
     void aProcedureThatCallsItselfForEverIsEnded() throws InterruptedException {
         assertThat(fixture.runPipe("to again", "again", "end", "again"))
                 .anyMatch(line -> line.contains("procedures call each other too deeply (50)"));
+    }
+
+    @Test
+    void inTheLabRandomNumbersAreTheSameInEachRun() throws InterruptedException {
+        List<String> first = fixture.runPipe("print (random 1 1000000)", "print (random 1 1000000)");
+        try (ScriptFixture again = ScriptFixture.withTwo()) {
+            assertThat(again.runPipe("print (random 1 1000000)", "print (random 1 1000000)"))
+                    .isEqualTo(first);
+        }
+        assertThat(first.get(0)).isNotEqualTo(first.get(1));
+    }
+
+    @Test
+    void aConditionComparesWhatWasKept() throws InterruptedException {
+        assertThat(fixture.runPipe(
+                        "let side = left",
+                        "if $side == left and ($side != right or 1 > 2)",
+                        "1 move 30",
+                        "else",
+                        "1 move 60",
+                        "end"))
+                .contains("1 move 30: done (30 mm, 0.1 s)");
+    }
+
+    @Test
+    void aMotionEndsByWhatWasKept() throws InterruptedException {
+        assertThat(fixture.runPipe("let far = 100", "1 move 300 until x > ($far * 2)"))
+                .anyMatch(line -> line.startsWith("1 move 300 until x > 200: done (2"));
+    }
+
+    @Test
+    void aValueOfABlockEndsWithIt() throws InterruptedException {
+        assertThat(fixture.runPipe("repeat 1", "let inner = 3", "end", "print $inner"))
+                .contains("$inner: there is no value of that name; \"let inner = VALUE\" makes one");
+    }
+
+    @Test
+    void aNameKeepsItsKind() throws InterruptedException {
+        fixture.runPipe("let n = 3mm");
+        assertThat(fixture.pipe.parseText("let n = 3deg"))
+                .contains("n: it is a number of mm and cannot become a number of deg");
+    }
+
+    @Test
+    void aSavedSessionHasTheValues() throws InterruptedException {
+        fixture.runPipe("let n = 100", "1 move ($n * 3)", "repeat 1", "1 move $n", "end");
+        assertThat(fixture.session.state().record().lines())
+                .contains("1 move 300", "1 move 100")
+                .noneMatch(line -> line.contains("$"));
+    }
+
+    @Test
+    void stopEndsAQuestion() throws InterruptedException {
+        fixture.prompt.parseText("ask far = 300mm for 1000s");
+        fixture.pause(1);
+        fixture.prompt.parseText("stop");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers()).anyMatch(line -> line.startsWith("ask far = 300mm for 1000s: stopped"));
+        assertThat(fixture.session.state().questions().open()).isEmpty();
+    }
+
+    @Test
+    void anActComputes() throws InterruptedException {
+        ScriptAct act = new ScriptAct(
+                "there.majic",
+                """
+                argument side = 100mm
+                to leg mm
+                  me move $mm
+                end
+                let n = 1
+                while $n <= 2
+                  leg ($n * $side + 2 x)
+                  let n = $n + 1
+                end
+                """);
+        assertThat(act.roles()).hasSize(2);
+        assertThat(act.roles().get(1).parameters()).contains("x");
     }
 
     @Test

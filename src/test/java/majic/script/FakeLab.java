@@ -12,6 +12,11 @@ import majic.time.TimeSource;
 /** A lab with the clock of the test and one robot of each type, at its start pose. */
 record FakeLab(TimeSource time) implements LabAccess {
     @Override
+    public long seed() {
+        return 1;
+    }
+
+    @Override
     public List<String> robots() {
         return List.of("aibo", "pioneer");
     }

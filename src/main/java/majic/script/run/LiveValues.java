@@ -99,6 +99,6 @@ public record LiveValues(Execution execution, boolean waits) implements Values {
 
     @Override
     public double random() {
-        return execution.session().random().nextDouble();
+        return execution.session().random().next();
     }
 }

@@ -1,6 +1,5 @@
 package majic.script.run;
 
-import java.util.Random;
 import majic.log.ParameterLog;
 import majic.log.Sampling;
 import majic.log.SessionOutput;
@@ -38,5 +37,5 @@ public record SessionState(
         Plotting plotting,
         CurrentMap map,
         Questions questions,
-        Random random,
+        RandomNumbers random,
         Runnable quit) {}
