@@ -183,9 +183,7 @@ class ComputingTest {
 
     @Test
     void anActComputes() throws InterruptedException {
-        ScriptAct act = new ScriptAct(
-                "there.majic",
-                """
+        ScriptAct act = new ScriptAct("there.majic", """
                 argument side = 100mm
                 to leg mm
                   me move $mm

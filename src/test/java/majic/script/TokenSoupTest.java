@@ -10,6 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import majic.script.commands.ScriptParser;
 import majic.script.syntax.Mistake;
+import majic.text.OneSentence;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -56,6 +57,23 @@ class TokenSoupTest {
             "else",
             "end",
             "until",
+            "let",
+            "print",
+            "ask",
+            "answer",
+            "to",
+            "square",
+            "$n",
+            "-$n",
+            "n",
+            "+",
+            "*",
+            "min",
+            "max",
+            "abs",
+            "random",
+            "distance",
+            "bearing",
             "for",
             "and",
             "or",
@@ -123,8 +141,69 @@ class TokenSoupTest {
         }
     }
 
+    /** Words of expressions, so that more of the lines are accepted, and computed. */
     @ParameterizedTest
-    @ValueSource(strings = {"(", "not ", "1 move 1 until (", "1 get x,", "if ", "repeat\n", "1 get x until x < 1 or "})
+    @ValueSource(longs = {1, 2, 3})
+    void anExpressionIsComputedOrRefusedWithASentence(long seed) throws InterruptedException {
+        List<String> words = List.of(
+                "1",
+                "2.5",
+                "30mm",
+                "90deg",
+                "2s",
+                "200mm/s",
+                "+",
+                "-",
+                "*",
+                "/",
+                "(",
+                ")",
+                "$n",
+                "-$n",
+                "min",
+                "max",
+                "abs",
+                "random",
+                "distance",
+                "1 x",
+                "2 heading",
+                "clear",
+                "yes",
+                "\"a b\"",
+                "light",
+                "1 light",
+                "7 x",
+                "all x",
+                "0");
+        Random random = new Random(seed);
+        try (ScriptFixture fixture = ScriptFixture.withTwo()) {
+            for (int line = 0; line < 3000; line++) {
+                String expression = IntStream.range(0, 1 + random.nextInt(7))
+                        .mapToObj(word -> words.get(random.nextInt(words.size())))
+                        .collect(Collectors.joining(" "));
+                fixture.prompt.parseText("let n = " + expression).ifPresent(OneSentence::check);
+                fixture.prompt.parseText("1 set near (" + expression + ")").ifPresent(OneSentence::check);
+            }
+            fixture.prompt.awaitAll();
+            assertThat(fixture.answers()).noneMatch(answer -> answer.contains("internal error"));
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "(",
+                "not ",
+                "1 move 1 until (",
+                "1 get x,",
+                "if ",
+                "repeat\n",
+                "1 get x until x < 1 or ",
+                "let n = (",
+                "let n = - ",
+                "print (min ",
+                "to a\n"
+            })
     void isBoundedInDepthAndLength(String piece) {
         try (ScriptFixture fixture = ScriptFixture.withTwo()) {
             assertThat(fixture.pipe.parseText("1 move 1 until " + piece.repeat(900)))
