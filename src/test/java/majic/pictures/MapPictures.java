@@ -20,6 +20,7 @@ import majic.inlab.LabRig;
 import majic.nav.Navigator;
 import majicsim.LabOptions;
 import majicsim.world.Room;
+import org.junit.jupiter.api.Assertions;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -69,13 +70,14 @@ class MapPictures {
             lab.run(
                     "map open sims/worlds/office.map",
                     "map place desk -6400 -1600 180",
-                    "lab place 1 -9200 -6300 0",
+                    "lab place 1 -5000 -6500 90",
                     "lab place 2 -6400 -3000 -90");
             lab.say("1 goto desk");
             lab.say("2 goto 3500 -2000 90");
             Navigator navigator = lab.session().map().navigator();
-            lab.await(() -> lab.team().members().stream()
+            boolean waits = lab.await(() -> lab.team().members().stream()
                     .anyMatch(member -> navigator.waits(member.bot()).isPresent()));
+            Assertions.assertTrue(waits);
             PanelPicture.save(large, false, "going.png");
         }
     }
