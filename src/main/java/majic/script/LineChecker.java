@@ -8,9 +8,12 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Supplier;
 import majic.bot.BotException;
+import majic.bot.Value;
 import majic.script.commands.LineParser;
 import majic.script.commands.ScriptParser;
 import majic.script.commands.TeamCommands;
+import majic.script.help.PromptNames;
+import majic.script.help.VisibleNames;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.LineSource;
 import majic.script.lines.PreparedLine;
@@ -183,6 +186,11 @@ final class LineChecker {
 
     synchronized boolean isBlockOpen() {
         return block != null;
+    }
+
+    /** Returns the names that the next line may use; those of an open block among them. */
+    synchronized VisibleNames names(Scope<Value> values) {
+        return new PromptNames(names().copy(), values, procedures().copy());
     }
 
     /** Parses a line; empty for a blank one and for one that belongs to a block. */

@@ -11,6 +11,8 @@ import majic.bot.BotException;
 import majic.log.Line;
 import majic.log.SessionOutput;
 import majic.script.help.Completions;
+import majic.script.help.VariableCompletion;
+import majic.script.help.VisibleNames;
 import majic.script.lines.DefaultRobots;
 import majic.script.lines.Dispatcher;
 import majic.script.lines.LineSource;
@@ -362,9 +364,15 @@ public final class MajicParser {
      * @return words that replace the one before the caret, and hints
      */
     public Completions complete(String text, int caret) {
+        VisibleNames names = checker.names(dispatcher.names());
+        return VariableCompletion.complete(names, text.substring(0, caret))
+                .orElseGet(() -> completeWord(text, caret, names));
+    }
+
+    private Completions completeWord(String text, int caret, VisibleNames names) {
         String full = defaultRobots.addTo(text);
         int added = full.length() - text.length();
-        Completions found = session.completer().complete(full, caret + added, defaultRobots.members());
+        Completions found = session.completer().complete(full, caret + added, defaultRobots.members(), names);
         return new Completions(Math.max(0, found.start() - added), found.entries());
     }
 }

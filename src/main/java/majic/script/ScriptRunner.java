@@ -11,7 +11,9 @@ import majic.script.commands.ScriptFiles;
 import majic.script.conditions.Selection;
 import majic.script.help.Completion;
 import majic.script.help.Completions;
+import majic.script.help.ScriptNames;
 import majic.script.help.VariableCompletion;
+import majic.script.help.VisibleNames;
 import majic.script.help.WordPlace;
 import majic.script.run.Execution;
 import majic.script.run.ExecutionEnded;
@@ -22,9 +24,11 @@ import majic.script.run.ScriptControl;
 import majic.script.run.ScriptSource;
 import majic.script.run.Statement;
 import majic.script.run.SubmittedCommands;
+import majic.script.run.Types;
 import majic.script.syntax.Mistake;
 import majic.team.Answer;
 import majic.team.Member;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Checks scripts that are being edited, and runs them as {@code run FILE} does, but under control: such a run can be
@@ -34,6 +38,7 @@ public final class ScriptRunner {
     private final Session session;
     private final ScriptFiles scripts;
     private final Selection selection;
+    private volatile @Nullable ScriptNames lastNames;
 
     /**
      * Creates a runner for the robots of a session.
@@ -83,20 +88,43 @@ public final class ScriptRunner {
      * @return words that replace the one before the caret, and hints
      */
     public Completions complete(String line, int caret) {
-        return session.completer().complete(line, caret, List.of());
+        return complete(line, caret, VisibleNames.NONE);
     }
 
     /**
-     * Returns the names of the script's arguments, such as {@code $speed}, that could be typed at a place. Reads no
-     * files.
+     * Returns what could be typed at a place of a script, as {@link #complete(String, int)} does.
+     *
+     * @param names those that the line may use
+     */
+    public Completions complete(String line, int caret, VisibleNames names) {
+        return session.completer().complete(line, caret, List.of(), names);
+    }
+
+    /**
+     * Returns the names that a line of a script may use. The script is parsed when the names are first needed.
      *
      * @param text the script
-     * @param line one line of it
+     * @param line the number of the line, from 1
+     */
+    public VisibleNames names(String text, int line) {
+        ScriptNames last = lastNames;
+        if (last == null || !last.isFor(text, line)) {
+            last = new ScriptNames(text, line, () -> new Types(selection));
+            lastNames = last;
+        }
+        return last;
+    }
+
+    /**
+     * Returns the names, such as {@code $speed}, that could be typed at a place of a script. Reads no files.
+     *
+     * @param names those that the line may use
+     * @param line one line of the script
      * @param caret where the name ends that is to be completed, 0 to the length of the line
      * @return empty if no name that begins with {@code $} ends there
      */
-    public Optional<Completions> completeVariable(String text, String line, int caret) {
-        return VariableCompletion.complete(text, line.substring(0, caret));
+    public Optional<Completions> completeVariable(VisibleNames names, String line, int caret) {
+        return VariableCompletion.complete(names, line.substring(0, caret));
     }
 
     /**
@@ -106,13 +134,19 @@ public final class ScriptRunner {
      * @param line one line of the script
      * @param index a place that the word touches, 0 to the length of the line; in a gap, what is expected there is
      *     explained
+     * @param names those that the line may use
      * @return empty if nothing is known of the word
      */
-    public Optional<Completion> explain(String line, int index) {
+    public Optional<Completion> explain(String line, int index, VisibleNames names) {
         WordPlace word = WordPlace.at(line, index);
+        Optional<Completions> variable = completeVariable(names, line, word.end());
+        if (variable.isPresent()) {
+            Completions found = variable.get();
+            return found.meaning(line.substring(found.start(), word.end()));
+        }
         return MajicParser.readsFiles(line.substring(0, word.start()))
                 ? Optional.empty()
-                : complete(line, word.end()).meaning(line.substring(word.start(), word.end()));
+                : complete(line, word.end(), names).meaning(line.substring(word.start(), word.end()));
     }
 
     /**

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import majic.script.help.Completion;
 import majic.script.help.Completions;
+import majic.script.help.VisibleNames;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -59,6 +60,109 @@ class CompletionTest {
         assertThat(fixture.prompt.complete(text, text.length()).words()).containsExactly(words.split(" "));
     }
 
+    private ScriptRunner runner() {
+        return new ScriptRunner(fixture.session);
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "1 move (dist | distance distanceFront",
+                "1 move (1 distanceF | distanceFront",
+                "1 move (2 * ra | random",
+                "1 move ($| $far $n",
+                "1 move -$F | $far",
+                "1 move ($n + a | abs age aibo",
+                "let m = ab | abs",
+                "let m = 1 dist | distanceFront",
+                "let f | far",
+                "ask f | far",
+                "ask m = 3mm f | for from",
+                "ask m = left o | or",
+                "print $n | $n",
+                "print (mi | min",
+                "on 1 bu | bumped",
+                "while 1 x < $ | $far $n",
+                "while (di | distance",
+                "sq | square",
+                "distance | ''",
+                "1 move (distance 1 a | aibo",
+                "print \"costs $ | ''",
+                "1 move 3 # $ | ''"
+            })
+    void namesAndFunctionsFitExpressions(String text, String words) {
+        fixture.prompt.parseText("let n = 3");
+        fixture.prompt.parseText("let far = 300mm");
+        fixture.prompt.parseText("to square side\n1 move $side\nend");
+        assertThat(String.join(" ", fixture.prompt.complete(text, text.length()).words()))
+                .isEqualTo(words);
+    }
+
+    @Test
+    void aNameOfThePromptHasItsValueAndAProcedureItsArguments() throws InterruptedException {
+        fixture.prompt.parseText("let far = 300mm + 20");
+        fixture.prompt.parseText("to square side\n1 move $side\nend");
+        fixture.prompt.awaitAll();
+        assertThat(fixture.prompt.complete("1 move $", 8).entries())
+                .containsExactly(new Completion("$far", "320 mm", ""));
+        assertThat(fixture.prompt.complete("squ", 3).entries())
+                .containsExactly(new Completion("square", "SIDE", "a procedure"));
+        assertThat(fixture.prompt.complete("square ", 7).entries())
+                .containsExactly(new Completion("", "square SIDE", "a value for side"));
+    }
+
+    @Test
+    void anOpenBlockHasItsNamesToo() {
+        fixture.prompt.parseText("to square side");
+        fixture.prompt.parseText("let half = 50mm");
+        assertThat(fixture.prompt.complete("1 move $", 8).words()).containsExactly("$half", "$side");
+    }
+
+    private static final String SCRIPT = """
+            argument speed = 60mm/s "how fast"
+            let n = 1 distanceFront
+            to corner side
+              let half = $side / 2
+              1 move $
+            end
+            repeat 2
+              ask turns = 3
+              let inner = yes
+            end
+            corner $
+            """;
+
+    @ParameterizedTest
+    @CsvSource({"2, $speed", "5, $half $n $side $speed", "9, $n $speed $turns", "11, $n $speed"})
+    void aLineOfAScriptMayUseTheNamesInFrontOfIt(int line, String names) {
+        assertThat(runner().completeVariable(runner().names(SCRIPT, line), "1 move $", 8))
+                .get()
+                .satisfies(found -> assertThat(String.join(" ", found.words())).isEqualTo(names));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "11 | 1 move $n_ | $n a number of mm",
+                "11 | 1 move -$sp_eed | $speed mm/s, default 60 mm/s: how fast",
+                "5 | 1 move $si_de | $side: a value",
+                "9 | 1 move $turns_ | $turns a number without a unit",
+                "11 | cor_ner 5 | corner SIDE: a procedure",
+                "11 | 1 move (ab_s 3) | abs VALUE: the value without its sign",
+                "11 | 1 move (1 dist_anceFront / 2) | distanceFront mm: what is ahead",
+                "11 | _let n = 4 | let NAME = VALUE: gives a value a name, as in let n = $n + 1; in a line $NAME or an expression in brackets stands for a value: 1 move ($n * 100)",
+                "11 | _on 1 x > 3 | on CONDITION ... end: each time it becomes true, while the script runs"
+            })
+    void theWordsOfValuesAreExplained(int number, String text, String words) {
+        String line = text.replace("_", "");
+        assertThat(runner().explain(line, text.indexOf('_'), runner().names(SCRIPT, number))
+                        .map(Completion::inWords)
+                        .orElse(""))
+                .isEqualTo(words);
+    }
+
     @Test
     void looksAtTheWordBeforeTheCaret() {
         assertThat(fixture.prompt.complete("1 mo 500", 4).words()).containsExactly("move");
@@ -98,8 +202,7 @@ class CompletionTest {
     void theNamesOfAScriptsArgumentsFollowADollarSign(String line, String names) {
         String script =
                 "argument far = 300mm \"how far\"\nargument fast = 60mm/s from 0 to 200\n1 mvoe\n" + line + "\n";
-        assertThat(new ScriptRunner(fixture.session)
-                        .completeVariable(script, line, line.length())
+        assertThat(runner().completeVariable(runner().names(script, 4), line, line.length())
                         .map(found -> String.join(" ", found.words()))
                         .orElse("-"))
                 .isEqualTo(names);
@@ -108,7 +211,7 @@ class CompletionTest {
     @Test
     void anArgumentShowsItsRangeDefaultAndExplanation() {
         String script = "argument fast = 60mm/s from 0 to 200 \"how fast\"\n1 drive $\n";
-        assertThat(new ScriptRunner(fixture.session).completeVariable(script, "1 drive $", 9))
+        assertThat(runner().completeVariable(runner().names(script, 2), "1 drive $", 9))
                 .contains(new Completions(
                         8, List.of(new Completion("$fast", "0 … 200 mm/s, default 60 mm/s", "how fast"))));
         assertThat(fixture.prompt.complete("1 act AiboSquare s", 18).entries())
@@ -179,8 +282,7 @@ class CompletionTest {
             })
     void explainsTheWordThatThePlaceTouches(String text, String words) {
         String line = text.replace("_", "");
-        assertThat(new ScriptRunner(fixture.session)
-                        .explain(line, text.indexOf('_'))
+        assertThat(runner().explain(line, text.indexOf('_'), VisibleNames.NONE)
                         .map(Completion::inWords)
                         .orElse(""))
                 .isEqualTo(words);

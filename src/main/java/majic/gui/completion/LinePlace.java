@@ -29,6 +29,11 @@ public record LinePlace(int start, String line, int index) {
         }
     }
 
+    /** Returns the number of the line in its text, from 1. Must be called on the event dispatch thread. */
+    public int number(JTextComponent text) {
+        return text.getDocument().getDefaultRootElement().getElementIndex(start) + 1;
+    }
+
     /** Returns the line up to the place. */
     public String before() {
         return line.substring(0, index);

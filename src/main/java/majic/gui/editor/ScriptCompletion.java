@@ -11,6 +11,7 @@ import majic.gui.completion.LinePlace;
 import majic.script.ScriptRunner;
 import majic.script.help.Completion;
 import majic.script.help.Completions;
+import majic.script.help.VisibleNames;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 
 /**
@@ -20,6 +21,7 @@ import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 final class ScriptCompletion extends LineCompleter {
     private final RSyntaxTextArea area;
     private final ScriptRunner runner;
+    private volatile VisibleNames names = VisibleNames.NONE;
     private boolean putting;
 
     /** Completes the words that are typed into a text. */
@@ -38,7 +40,7 @@ final class ScriptCompletion extends LineCompleter {
 
     @Override
     protected Completions complete(LinePlace place) {
-        return runner.complete(place.line(), place.index());
+        return runner.complete(place.line(), place.index(), names);
     }
 
     /** Follows what is typed: lists words as soon as one is begun. */
@@ -59,8 +61,9 @@ final class ScriptCompletion extends LineCompleter {
      */
     private void list(int begun) {
         LinePlace place = place();
+        names = runner.names(area.getText(), place.number(area));
         Consumer<Completions> show = found -> show(place, found, begun);
-        runner.completeVariable(area.getText(), place.line(), place.index()).ifPresentOrElse(show, () -> find(show));
+        runner.completeVariable(names, place.line(), place.index()).ifPresentOrElse(show, () -> find(show));
     }
 
     /** Shows the words without hints. A word that is complete is left alone, so that Enter ends the line. */

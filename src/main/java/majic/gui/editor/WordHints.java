@@ -35,7 +35,7 @@ final class WordHints implements ToolTipSupplier {
 
     private String at(int offset) {
         LinePlace place = LinePlace.at(text, offset);
-        return runner.explain(place.line(), place.index())
+        return runner.explain(place.line(), place.index(), runner.names(text.getText(), place.number(text)))
                 .map(Completion::inWords)
                 .orElse("");
     }

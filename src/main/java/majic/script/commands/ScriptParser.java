@@ -15,6 +15,7 @@ import java.util.regex.Pattern;
 import majic.bot.Value;
 import majic.script.run.Procedure;
 import majic.script.run.Procedures;
+import majic.script.run.Scope;
 import majic.script.run.Statement;
 import majic.script.run.Types;
 import majic.script.syntax.Condition;
@@ -27,6 +28,7 @@ import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
 import majic.script.syntax.Token.Kind;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Parses scripts: lines and blocks of lines. After a mistake it continues with the next line, so that all mistakes are
@@ -45,6 +47,7 @@ public final class ScriptParser {
     private final Procedures procedures;
     private final List<Mistake> mistakes;
     private int depth;
+    private @Nullable Scope<Operand> namesAtEnd;
 
     private ScriptParser(
             String text, Collection<String> robotWords, Procedures procedures, Types types, List<Mistake> mistakes) {
@@ -84,6 +87,20 @@ public final class ScriptParser {
     public static List<Statement> parse(
             String text, Collection<String> robotWords, Procedures procedures, Types types, List<Mistake> mistakes) {
         return parse(text, robotWords, Map.of(), procedures, types, mistakes);
+    }
+
+    /**
+     * Returns what is known of the names that a line behind a text may use, inside the blocks that are open there.
+     *
+     * @param text the beginning of a script; wrong lines in it are left out
+     * @param procedures those that it may call
+     * @param types what is known of the robots
+     */
+    public static Scope<Operand> namesBehind(String text, Procedures procedures, Types types) {
+        ScriptParser parser = new ScriptParser(text, List.of(), procedures.copy(), types, new ArrayList<>());
+        parser.script(Map.of());
+        Scope<Operand> names = parser.namesAtEnd;
+        return names == null ? types.scope() : names;
     }
 
     private static List<Statement> parse(
@@ -194,6 +211,9 @@ public final class ScriptParser {
                 mistakes.add(e.mistake());
                 at.toNextLine();
             }
+        }
+        if (at.check(Kind.END) && namesAtEnd == null) {
+            namesAtEnd = types.scope().copy();
         }
         return statements;
     }

@@ -14,7 +14,10 @@ import majic.script.commands.Help;
 import majic.script.commands.LineParser;
 import majic.script.commands.ScriptParser;
 import majic.script.commands.SessionParser;
+import majic.script.run.Scope;
+import majic.script.run.Types;
 import majic.script.syntax.Cursor;
+import majic.script.syntax.Operand;
 import majic.script.syntax.Robots;
 import majic.script.syntax.Scanner;
 import majic.script.syntax.ScriptException;
@@ -29,10 +32,13 @@ import majic.team.Team;
  * expected.
  */
 public final class Completer {
+    private static final List<String> CONDITIONAL = List.of("if", "on", "while");
     private static final Completion OFF = Completion.word("off", "ends it");
     private static final Completion NAME = new Completion("", "NAME", "one word of letters, digits and _");
     private static final Completion UNTIL =
             new Completion("until", "CONDITION", "ends the motion as soon as the condition holds");
+
+    private static final Completion LONGEST = new Completion("for", "TIME", "how long the question waits");
 
     private static final List<Completion> MAP = List.of(
             new Completion("start", "ROBOT", "the robot builds a map while it drives"),
@@ -88,8 +94,9 @@ public final class Completer {
      * @param line one line
      * @param caret 0 to the length of the line
      * @param unnamed the robots that a line without robots is for; empty for none
+     * @param names those that the line may use
      */
-    public Completions complete(String line, int caret, List<Member> unnamed) {
+    public Completions complete(String line, int caret, List<Member> unnamed, VisibleNames names) {
         String typed = line.substring(0, caret);
         List<Token> tokens = new ArrayList<>(Scanner.scan(typed));
         int commentFrom = tokens.get(tokens.size() - 2).column() - 1;
@@ -97,7 +104,7 @@ public final class Completer {
         if (commentFrom < typed.length()) {
             return new Completions(caret, List.of());
         }
-        return files(typed, tokens).orElseGet(() -> words(typed, tokens, unnamed));
+        return files(typed, tokens).orElseGet(() -> words(typed, tokens, unnamed, names));
     }
 
     /** Completes the name of a file; empty if no file is named at the end of a text. */
@@ -122,13 +129,13 @@ public final class Completer {
                 .map(file -> file.completions(acts::isFile));
     }
 
-    private Completions words(String typed, List<Token> tokens, List<Member> unnamed) {
+    private Completions words(String typed, List<Token> tokens, List<Member> unnamed, VisibleNames names) {
         int start = WordPlace.start(tokens, typed.length());
         tokens.removeIf(token -> token.column() > start);
         String begun = typed.substring(start).toLowerCase(Locale.ROOT);
-        List<Completion> candidates = candidates(tokens, unnamed);
+        List<Completion> candidates = candidates(tokens, unnamed, names);
         return new Completions(
-                start, matching(candidates.isEmpty() ? expected(typed.substring(0, start)) : candidates, begun));
+                start, matching(candidates.isEmpty() ? expected(typed.substring(0, start), names) : candidates, begun));
     }
 
     private static List<Completion> matching(List<Completion> candidates, String begun) {
@@ -142,9 +149,9 @@ public final class Completer {
     }
 
     /** What the parser expects behind a text, if the text is right so far. */
-    private List<Completion> expected(String text) {
+    private List<Completion> expected(String text, VisibleNames names) {
         try {
-            new LineParser(text, robotWords()).line();
+            new LineParser(text, robotWords(), names.procedures(), new Types(null, names.kinds())).line();
             return List.of();
         } catch (ScriptException e) {
             return e.at().isEnd() && !e.expected().isEmpty() ? List.of(Explained.expected(e.expected())) : List.of();
@@ -158,21 +165,50 @@ public final class Completer {
                 .toList();
     }
 
-    private List<Completion> candidates(List<Token> tokens, List<Member> unnamed) {
+    private List<Completion> candidates(List<Token> tokens, List<Member> unnamed, VisibleNames names) {
         if (tokens.isEmpty()) {
-            List<Completion> first = joined(Explained.sessionWords(), Explained.robots(team.members()));
+            List<Completion> first = joined(
+                    joined(Explained.sessionWords(), Explained.robots(team.members())),
+                    names.procedures().all().stream().map(Explained::procedure).toList());
             return unnamed.isEmpty() ? first : joined(first, Explained.commands(unnamed));
         }
         Token first = tokens.get(0);
+        Optional<List<Token>> expression = Expressions.open(tokens);
         if (first.isOneOf(SessionParser.WORDS) || first.isOneOf(ScriptParser.BLOCK_WORDS)) {
-            return afterSession(tokens);
+            return expression
+                    .map(open -> joined(
+                            expressions(List.of(), names).after(open),
+                            first.isOneOf(CONDITIONAL) ? conditions(List.of()).after(open) : List.of()))
+                    .orElseGet(() -> afterSession(tokens, names));
+        }
+        if (isProcedure(tokens, names)) {
+            return expression
+                    .map(open -> expressions(List.of(), names).after(open))
+                    .orElse(List.of());
         }
         int command = commandAt(tokens);
         List<Member> members = members(tokens.subList(0, command));
-        return command == tokens.size() ? Explained.commands(members) : afterCommand(tokens, command, members);
+        if (command == tokens.size()) {
+            return Explained.commands(members);
+        }
+        boolean asks = tokens.stream().anyMatch(token -> token.is("until"));
+        return expression
+                .map(open -> joined(
+                        expressions(members, names).after(open),
+                        asks ? conditions(members).after(open) : List.of()))
+                .orElseGet(() -> afterCommand(tokens, command, members));
     }
 
-    private List<Completion> afterSession(List<Token> tokens) {
+    private static boolean isProcedure(List<Token> tokens, VisibleNames names) {
+        boolean call = tokens.size() > 1 && tokens.get(1).kind() == Token.Kind.DOT;
+        return !call && names.procedures().find(tokens.get(0)).isPresent();
+    }
+
+    private Expressions expressions(List<Member> own, VisibleNames names) {
+        return new Expressions(own, team.members(), this::members, names, places.get());
+    }
+
+    private List<Completion> afterSession(List<Token> tokens, VisibleNames names) {
         boolean next = tokens.size() == 1;
         return switch (tokens.get(0).text().toLowerCase(Locale.ROOT)) {
             case "add" -> next ? addresses() : List.of(new Completion("as", "NUMBER", "gives the robot this number"));
@@ -200,9 +236,50 @@ public final class Completer {
             case "acts" -> next ? acts.completions() : List.of();
             case "trust" -> next ? joined(acts.completions(), List.of(OFF)) : List.of();
             case "help" -> next ? Help.topics().stream().map(Explained::word).toList() : List.of();
-            case "while", "if" -> conditions(List.of()).after(tokens.subList(1, tokens.size()));
+            case "let" -> next ? assignable(names) : List.of();
+            case "print" -> names.values();
+            case "ask" -> next ? assignable(names) : behindDefault(tokens);
+            case "to" ->
+                next
+                        ? List.of(new Completion("", "NAME", "one word of letters, digits and _"))
+                        : List.of(new Completion("", "[ARGUMENT...]", "the names of its arguments, without $"));
+            case "while", "if", "on" -> conditions(List.of()).after(tokens.subList(1, tokens.size()));
             default -> List.of();
         };
+    }
+
+    /** The names that may get another value, and a hint for a new one. */
+    private static List<Completion> assignable(VisibleNames names) {
+        Scope<Operand> kinds = names.kinds();
+        List<Completion> entries = new ArrayList<>(names.values().stream()
+                .map(entry -> new Completion(entry.text().substring(1), entry.values(), entry.explanation()))
+                .filter(entry -> Optional.ofNullable(kinds.find(entry.text()))
+                        .filter(Operand::open)
+                        .isPresent())
+                .toList());
+        entries.add(NAME);
+        return entries;
+    }
+
+    /** What may follow the default of a question. */
+    private static List<Completion> behindDefault(List<Token> tokens) {
+        Token last = tokens.get(tokens.size() - 1);
+        boolean awaitsValue = tokens.size() < 4 || last.isOneOf(List.of("from", "to", "or", "for"));
+        if (awaitsValue) {
+            return List.of();
+        }
+        List<Completion> words = new ArrayList<>(
+                switch (tokens.get(3).kind()) {
+                    case NUMBER ->
+                        List.of(
+                                new Completion("from", "LOWEST", "the lowest answer"),
+                                new Completion("to", "HIGHEST", "the highest answer"));
+                    case WORD -> List.of(new Completion("or", "WORD", "another answer"));
+                    default -> List.<Completion>of();
+                });
+        words.removeIf(word -> !word.text().equals("or") && tokens.stream().anyMatch(token -> token.is(word.text())));
+        words.add(LONGEST);
+        return words;
     }
 
     private List<Completion> addresses() {

@@ -54,7 +54,8 @@ record Conditions(List<Member> own, List<Member> all, Function<List<Token>, List
         return words;
     }
 
-    private static List<Completion> readings(List<Member> members) {
+    /** The parameters of some robots that can be read. */
+    static List<Completion> readings(List<Member> members) {
         return readable(members).map(Explained::parameter).toList();
     }
 

@@ -13,6 +13,8 @@ import majic.script.commands.Help;
 import majic.script.commands.LineParser;
 import majic.script.commands.ScriptParser;
 import majic.script.commands.SessionParser;
+import majic.script.run.Procedure;
+import majic.script.syntax.Operand;
 import majic.team.Member;
 
 /** Words of the language and names of robots, parameters and addresses, each with its explanation. */
@@ -119,6 +121,18 @@ final class Explained {
     /** The name that stands for the value of a script's argument. */
     static Completion variable(Parameter parameter, Value initial) {
         return new Completion("$" + parameter.name(), withDefault(parameter, initial), parameter.help());
+    }
+
+    /** A name that stands for a value of which only the kind is known. */
+    static Completion variable(String name, Operand kind) {
+        return new Completion("$" + name, kind.any() ? "" : kind.kind(), kind.any() ? "a value" : "");
+    }
+
+    /** A procedure with the names of its arguments. */
+    static Completion procedure(Procedure procedure) {
+        String name = procedure.name().text();
+        return new Completion(
+                name, procedure.toString().substring(name.length()).strip(), "a procedure");
     }
 
     private static String withDefault(Parameter parameter, Value initial) {

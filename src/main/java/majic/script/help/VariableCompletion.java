@@ -1,16 +1,14 @@
 package majic.script.help;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import majic.script.commands.ScriptParser;
-import majic.script.run.Statement;
+import majic.script.syntax.Scanner;
+import majic.script.syntax.Token;
 
-/** Completes the names that stand for the values of a script's arguments, such as {@code $speed}. */
+/** Completes the names that stand for values, such as {@code $speed}. */
 public final class VariableCompletion {
     private static final Pattern BEGUN = Pattern.compile("\\$[\\p{L}\\d_]*$");
 
@@ -19,22 +17,27 @@ public final class VariableCompletion {
     /**
      * Completes the name in front of a place.
      *
-     * @param script the whole script; only the arguments that it declares are used
+     * @param names those that the line may use
      * @param typed the line up to that place
      * @return empty if no such name ends there
      */
-    public static Optional<Completions> complete(String script, String typed) {
+    public static Optional<Completions> complete(VisibleNames names, String typed) {
         Matcher begun = BEGUN.matcher(typed);
-        return begun.find()
-                ? Optional.of(new Completions(begun.start(), names(script, begun.group())))
+        return begun.find() && !isText(typed, begun.start())
+                ? Optional.of(new Completions(begun.start(), names(names.values(), begun.group())))
                 : Optional.empty();
     }
 
-    private static List<Completion> names(String script, String begun) {
-        return ScriptParser.parse(script, List.of(), Map.of(), new ArrayList<>()).stream()
-                .filter(Statement.Argument.class::isInstance)
-                .map(Statement.Argument.class::cast)
-                .map(argument -> Explained.variable(argument.parameter(), argument.initial()))
+    /** Whether a place lies in a text in quotes or in a comment. */
+    private static boolean isText(String typed, int place) {
+        List<Token> tokens =
+                Scanner.scan(typed).stream().filter(token -> !token.isEnd()).toList();
+        Token last = tokens.isEmpty() ? null : tokens.get(tokens.size() - 1);
+        return last == null || last.end() - 1 <= place || last.kind() == Token.Kind.OPEN_QUOTE;
+    }
+
+    private static List<Completion> names(List<Completion> values, String begun) {
+        return values.stream()
                 .filter(entry -> entry.text().toLowerCase(Locale.ROOT).startsWith(begun.toLowerCase(Locale.ROOT)))
                 .toList();
     }

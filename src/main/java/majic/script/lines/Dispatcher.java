@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import majic.bot.BotException;
+import majic.bot.Value;
 import majic.driver.Permit;
 import majic.log.Line;
 import majic.log.SessionOutput;
@@ -61,6 +62,11 @@ public final class Dispatcher {
         this.origin = new Execution.Origin(session, commands, asker, new Scope<>());
         this.queue = new LineQueue(team, "script lines", this::inTurn);
         this.adding = new LineQueue(team, "adding robots", this::runInTurn);
+    }
+
+    /** The names that the lines have given values to. */
+    public Scope<Value> names() {
+        return origin.scope();
     }
 
     /** What all lines have submitted so far, and whether one failed. */

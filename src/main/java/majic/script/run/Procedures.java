@@ -33,6 +33,11 @@ public final class Procedures {
         return Optional.ofNullable(all.get(key(word)));
     }
 
+    /** The procedures, in no order. */
+    public Collection<Procedure> all() {
+        return all.values();
+    }
+
     /** The names, in lower case. */
     public Collection<String> names() {
         return all.keySet();
