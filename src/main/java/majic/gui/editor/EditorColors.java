@@ -30,7 +30,7 @@ record EditorColors(Color paper, Color running, Color next, Map<Integer, Color> 
                 UIManager.getColor("TextArea.background"),
                 new Color(0xDFF3E3),
                 new Color(0xFFF3CC),
-                types(0x7B2D9B, 0x0B6340, 0x8A4500, 0x5B656D));
+                types(0x7B2D9B, 0x0B6340, 0xA01A58, 0x8A4500, 0x5B656D));
     }
 
     private static EditorColors dark() {
@@ -38,32 +38,23 @@ record EditorColors(Color paper, Color running, Color next, Map<Integer, Color> 
                 new Color(0x2E3133),
                 new Color(0x1F4029),
                 new Color(0x4A3D12),
-                types(0xD9AEF5, 0x8BD9AC, 0xF0BC7C, 0xAAB4BC));
+                types(0xD9AEF5, 0x8BD9AC, 0xFFA8C5, 0xF0BC7C, 0xAAB4BC));
     }
 
-    private static Map<Integer, Color> types(int robots, int numbers, int texts, int comments) {
+    private static Map<Integer, Color> types(int robots, int numbers, int values, int texts, int comments) {
         Color words = Palette.command();
-        return Map.of(
-                ScriptTokens.COMMAND,
-                words,
-                ScriptTokens.OWN_COMMAND,
-                words,
-                ScriptTokens.JOINT,
-                words,
-                ScriptTokens.ROBOT,
-                new Color(robots),
-                ScriptTokens.NUMBER,
-                new Color(numbers),
-                ScriptTokens.TEXT,
-                new Color(texts),
-                ScriptTokens.OPEN_TEXT,
-                Palette.error(),
-                ScriptTokens.COMMENT,
-                new Color(comments),
-                ScriptTokens.NAME,
-                Palette.text(),
-                ScriptTokens.SIGN,
-                Palette.text());
+        return Map.ofEntries(
+                Map.entry(ScriptTokens.COMMAND, words),
+                Map.entry(ScriptTokens.OWN_COMMAND, words),
+                Map.entry(ScriptTokens.JOINT, words),
+                Map.entry(ScriptTokens.ROBOT, new Color(robots)),
+                Map.entry(ScriptTokens.NUMBER, new Color(numbers)),
+                Map.entry(ScriptTokens.VALUE, new Color(values)),
+                Map.entry(ScriptTokens.TEXT, new Color(texts)),
+                Map.entry(ScriptTokens.OPEN_TEXT, Palette.error()),
+                Map.entry(ScriptTokens.COMMENT, new Color(comments)),
+                Map.entry(ScriptTokens.NAME, Palette.text()),
+                Map.entry(ScriptTokens.SIGN, Palette.text()));
     }
 
     /** Sets font and colours of a text and its line numbers. */

@@ -2,6 +2,7 @@ package majic.gui.editor;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Collectors;
 import javax.swing.JPanel;
 import majic.gui.kit.TextChange;
@@ -23,6 +24,7 @@ final class EditorTab extends JPanel {
     private final FileNotice notice = new FileNotice();
     private final FindBar find;
     private final MistakeList mistakes;
+    private final transient ScriptRunner runner;
     private final transient BackgroundCheck check;
     private final transient TabFile file;
     private final transient TabRun run;
@@ -39,6 +41,7 @@ final class EditorTab extends JPanel {
     EditorTab(EditorContext context, ScriptRunner runner, ScriptFile script, boolean exists, Runnable changed) {
         super(new MigLayout("insets 0, gap 0, hidemode 3, wrap 1", "[grow, fill]"));
         this.changed = changed;
+        this.runner = runner;
         area = new ScriptArea(runner);
         find = new FindBar(area.text());
         mistakes = new MistakeList(mistake -> area.goTo(mistake.line(), mistake.column()));
@@ -117,6 +120,7 @@ final class EditorTab extends JPanel {
 
     private void show(Checked found) {
         checked = found;
+        area.showProcedures(Set.copyOf(runner.names(text(), 1).procedures().names()));
         area.show(found.mistakes());
         mistakes.show(found.mistakes());
         changed();

@@ -40,7 +40,9 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
     private static final Progress NONE = new Progress(false, Set.of(), OptionalInt.empty(), "");
 
     private final RSyntaxTextArea text;
+    private final transient ScriptTokens tokens = new ScriptTokens();
     private final transient Mistakes mistakes = new Mistakes();
+    private transient Set<String> procedures = Set.of();
     private final transient ScriptCompletion completion;
     private final transient WordHints hints;
     private transient Progress shown = NONE;
@@ -48,7 +50,7 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
     ScriptArea(ScriptRunner runner) {
         super(new RSyntaxTextArea());
         text = (RSyntaxTextArea) getTextArea();
-        ((RSyntaxDocument) text.getDocument()).setSyntaxStyle(new ScriptTokens());
+        ((RSyntaxDocument) text.getDocument()).setSyntaxStyle(tokens);
         text.setName("script");
         text.getAccessibleContext().setAccessibleName(TEXTS.get("script"));
         text.setTabsEmulated(true);
@@ -88,6 +90,15 @@ final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
         shown = NONE;
         show(now);
         text.forceReparsing(mistakes);
+    }
+
+    /** Colours the words that call procedures, which are in lower case. */
+    void showProcedures(Set<String> words) {
+        if (!words.equals(procedures)) {
+            procedures = words;
+            tokens.setProcedures(words);
+            ((RSyntaxDocument) text.getDocument()).setSyntaxStyle(tokens);
+        }
     }
 
     /** Underlines mistakes in place of those underlined before. */

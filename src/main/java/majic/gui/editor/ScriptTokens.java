@@ -1,7 +1,10 @@
 package majic.gui.editor;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import javax.swing.text.Segment;
 import majic.script.commands.LineParser;
@@ -16,11 +19,16 @@ import org.fife.ui.rsyntaxtextarea.TokenTypes;
 final class ScriptTokens extends TokenMakerBase {
     /** The words that join the parts of a command or a condition. */
     private static final Set<String> JOINING =
-            Set.of("and", "any", "as", "every", "for", "not", "now", "off", "or", "until", "with");
+            Set.of("and", "any", "as", "every", "for", "from", "not", "now", "off", "or", "to", "until", "with");
 
     /** The words that robots may follow. */
     private static final Set<String> BEFORE_ROBOTS =
-            Set.of("and", "if", "not", "or", "remove", "until", "while", "with");
+            Set.of("and", "if", "not", "on", "or", "remove", "until", "while", "with");
+
+    /** The words that a name for a value follows. */
+    private static final Set<String> BEFORE_NAME = Set.of("argument", "ask", "let");
+
+    private static final Set<String> FUNCTIONS = Set.of("abs", "bearing", "distance", "max", "min", "random");
 
     private static final Set<String> ROBOT_WORDS = Set.of("all", "any", "me");
 
@@ -31,6 +39,7 @@ final class ScriptTokens extends TokenMakerBase {
     static final int OWN_COMMAND = TokenTypes.FUNCTION;
     static final int ROBOT = TokenTypes.DATA_TYPE;
     static final int NAME = TokenTypes.VARIABLE;
+    static final int VALUE = TokenTypes.PREPROCESSOR;
     static final int NUMBER = TokenTypes.LITERAL_NUMBER_FLOAT;
     static final int TEXT = TokenTypes.LITERAL_STRING_DOUBLE_QUOTE;
     static final int OPEN_TEXT = TokenTypes.ERROR_STRING_DOUBLE;
@@ -38,11 +47,18 @@ final class ScriptTokens extends TokenMakerBase {
     static final int SIGN = TokenTypes.OPERATOR;
     static final int PLAIN = TokenTypes.IDENTIFIER;
 
+    private Set<String> procedures = Set.of();
+
+    /** Sets the words that call procedures, in lower case. */
+    void setProcedures(Set<String> words) {
+        procedures = words;
+    }
+
     @Override
     public org.fife.ui.rsyntaxtextarea.Token getTokenList(Segment text, int initialTokenType, int startOffset) {
         resetTokenList();
         int at = 0;
-        for (Piece piece : pieces(text.toString())) {
+        for (Piece piece : pieces(text.toString(), procedures)) {
             if (piece.start() > at) {
                 add(text, at, piece.start(), TokenTypes.WHITESPACE, startOffset);
             }
@@ -78,14 +94,19 @@ final class ScriptTokens extends TokenMakerBase {
      */
     record Piece(int start, int end, int type) {}
 
-    /** The pieces of a line, without the blanks between them. */
-    static List<Piece> pieces(String line) {
+    /**
+     * The pieces of a line, without the blanks between them.
+     *
+     * @param procedures the words that call procedures, in lower case
+     */
+    static List<Piece> pieces(String line, Set<String> procedures) {
         List<Token> tokens = Scanner.scan(line);
         List<Piece> pieces = new ArrayList<>();
-        Place place = new Place();
-        for (Token token : tokens) {
+        Place place = new Place(procedures);
+        for (int index = 0; index < tokens.size(); index++) {
+            Token token = tokens.get(index);
             if (!token.isEnd()) {
-                pieces.add(new Piece(token.column() - 1, token.end() - 1, place.type(token)));
+                pieces.add(new Piece(token.column() - 1, token.end() - 1, place.type(token, tokens.get(index + 1))));
             } else if (token.kind() == Token.Kind.NEWLINE && token.column() <= line.length()) {
                 pieces.add(new Piece(token.column() - 1, line.length(), COMMENT));
             }
@@ -95,28 +116,69 @@ final class ScriptTokens extends TokenMakerBase {
 
     /** Where in a line the next token stands: among robots, behind them, or behind the command. */
     private static final class Place {
+        private final Set<String> procedures;
+        private final Deque<Boolean> brackets = new ArrayDeque<>();
         private boolean isFirst = true;
+        private boolean awaitsName;
+        private boolean namesProcedure;
+        private boolean listsArguments;
+        private boolean computes;
+        private boolean isCall;
         private boolean namesRobots;
         private boolean followsRobot;
         private boolean awaitsCommand;
 
-        int type(Token token) {
-            int type = typeHere(token);
+        Place(Set<String> procedures) {
+            this.procedures = procedures;
+        }
+
+        int type(Token token, Token next) {
+            int type = typeHere(token, next);
             isFirst = false;
+            isCall |= token.kind() == Token.Kind.DOT;
             return type;
         }
 
-        private int typeHere(Token token) {
+        private int typeHere(Token token, Token next) {
             return switch (token.kind()) {
-                case NUMBER, SPAN -> isFirst || namesRobots ? robot() : NUMBER;
-                case WORD -> word(token);
+                case NUMBER, SPAN -> number(next);
+                case WORD -> word(token, next);
                 case QUOTED -> TEXT;
-                case VARIABLE -> NAME;
+                case VARIABLE -> VALUE;
                 case OPEN_QUOTE -> OPEN_TEXT;
                 case COMMA -> comma();
-                case OPERATOR, DOT, LEFT, RIGHT, OTHER -> SIGN;
+                case LEFT, RIGHT -> bracket(token.kind() == Token.Kind.LEFT);
+                case OPERATOR, DOT, OTHER -> SIGN;
                 case NEWLINE, END -> PLAIN;
             };
+        }
+
+        /** A bracket begins an expression or a part of a condition, but for that of a call. */
+        private int bracket(boolean opens) {
+            if (opens) {
+                brackets.push(!isCall);
+                isCall = false;
+            } else if (!brackets.isEmpty()) {
+                brackets.pop();
+            }
+            return SIGN;
+        }
+
+        private boolean inExpression() {
+            return computes || Boolean.TRUE.equals(brackets.peek());
+        }
+
+        /** Whether a word that follows is the parameter of a robot, or a robot before it. */
+        private boolean isBeforeParameter(Token next) {
+            return inExpression()
+                    && next.kind() == Token.Kind.WORD
+                    && !next.isOneOf(JOINING)
+                    && !next.isOneOf(FUNCTIONS)
+                    && !next.is("to");
+        }
+
+        private int number(Token next) {
+            return isFirst || namesRobots || isBeforeParameter(next) ? robot() : NUMBER;
         }
 
         private int comma() {
@@ -132,12 +194,44 @@ final class ScriptTokens extends TokenMakerBase {
             return ROBOT;
         }
 
-        private int word(Token token) {
-            boolean begins = token.isOneOf(SessionParser.WORDS) || token.isOneOf(ScriptParser.BLOCK_WORDS);
-            if (isFirst && begins) {
+        private int word(Token token, Token next) {
+            if (isFirst && begins(token)) {
                 namesRobots = token.isOneOf(BEFORE_ROBOTS);
+                awaitsName = token.isOneOf(BEFORE_NAME);
+                namesProcedure = token.is("to");
+                computes = token.is("let");
                 return COMMAND;
             }
+            if (awaitsName || listsArguments) {
+                awaitsName = false;
+                return VALUE;
+            }
+            if (namesProcedure || isFirst && isProcedure(token, next)) {
+                listsArguments = namesProcedure;
+                return OWN_COMMAND;
+            }
+            return inExpression() ? operand(token, next) : plainWord(token);
+        }
+
+        private static boolean begins(Token token) {
+            return token.isOneOf(SessionParser.WORDS)
+                    || token.isOneOf(ScriptParser.BLOCK_WORDS)
+                    || token.is("argument");
+        }
+
+        private boolean isProcedure(Token token, Token next) {
+            return procedures.contains(token.text().toLowerCase(Locale.ROOT)) && next.kind() != Token.Kind.DOT;
+        }
+
+        private int operand(Token token, Token next) {
+            if (token.isOneOf(FUNCTIONS) && !followsRobot) {
+                return OWN_COMMAND;
+            }
+            boolean isRobot = !followsRobot && !token.isOneOf(JOINING) && isBeforeParameter(next);
+            return isRobot ? robot() : plainWord(token);
+        }
+
+        private int plainWord(Token token) {
             if (isFirst || token.isOneOf(ROBOT_WORDS) || (namesRobots && awaitsCommand)) {
                 return robot();
             }

@@ -3,23 +3,25 @@ package majic.gui.editor;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The colours of a line: one letter for each of its pieces. */
 class ScriptTokensTest {
-    private static final Map<Integer, String> LETTERS = Map.of(
-            ScriptTokens.COMMAND, "c",
-            ScriptTokens.JOINT, "j",
-            ScriptTokens.OWN_COMMAND, "o",
-            ScriptTokens.ROBOT, "r",
-            ScriptTokens.NAME, "n",
-            ScriptTokens.NUMBER, "0",
-            ScriptTokens.TEXT, "t",
-            ScriptTokens.OPEN_TEXT, "!",
-            ScriptTokens.COMMENT, "#",
-            ScriptTokens.SIGN, ".");
+    private static final Map<Integer, String> LETTERS = Map.ofEntries(
+            Map.entry(ScriptTokens.COMMAND, "c"),
+            Map.entry(ScriptTokens.JOINT, "j"),
+            Map.entry(ScriptTokens.OWN_COMMAND, "o"),
+            Map.entry(ScriptTokens.ROBOT, "r"),
+            Map.entry(ScriptTokens.NAME, "n"),
+            Map.entry(ScriptTokens.NUMBER, "0"),
+            Map.entry(ScriptTokens.TEXT, "t"),
+            Map.entry(ScriptTokens.OPEN_TEXT, "!"),
+            Map.entry(ScriptTokens.COMMENT, "#"),
+            Map.entry(ScriptTokens.SIGN, "."),
+            Map.entry(ScriptTokens.VALUE, "v"));
 
     @ParameterizedTest
     @CsvSource(
@@ -41,10 +43,25 @@ class ScriptTokensTest {
                 "stop all | cr",
                 "add sim:aibo as 1 | cn.nj0",
                 "run 'a b.majic | c.nn.n",
-                "# only a remark | #"
+                "# only a remark | #",
+                "argument far = 300mm | cv.0",
+                "1 move $far | rcv",
+                "let n = $n + 1 distanceFront | cv.v.rn",
+                "let n = min $n (abs 1 x) | cv.ov.orn.",
+                "1 move ($n * 100 + 2 distanceFront / 2) | rc.v.0.rn.0.",
+                "1 move (rex distanceFront / x) | rc.rn.n.",
+                "1.move($n) | r.c.v.",
+                "print 'round $n | c.nv",
+                "ask far = 300mm from 0 to 2000 for 30s | cv.0j0j0j0",
+                "answer 5cm | c0",
+                "on 1 x > 150 | crn.0",
+                "while (1 x + $n) > 3 and 2 bumped == yes | c.rn.v..0jrn.n",
+                "to square side angle | covv",
+                "square 500 $n | o0v",
+                "square.stop | r.c"
             })
     void eachPieceHasTheColourOfItsMeaning(String line, String letters) {
-        assertThat(ScriptTokens.pieces(line).stream()
+        assertThat(ScriptTokens.pieces(line, Set.of("square")).stream()
                         .map(piece -> LETTERS.get(piece.type()))
                         .collect(Collectors.joining()))
                 .isEqualTo(letters);
