@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import majic.script.run.ScriptControl;
 import majic.script.run.ScriptControl.Progress;
 import majic.script.run.ScriptSource;
@@ -43,6 +44,33 @@ class ScriptControlTest {
         assertThat(progress.outcome()).startsWith(outcome);
         assertThat(progress.running()).isEmpty();
         assertThat(progress.next()).isEmpty();
+    }
+
+    @Test
+    void thePlaceOfAPausedScriptHasTheValuesOfItsNames() throws InterruptedException {
+        ScriptControl control = run(
+                true,
+                "argument speed = 60mm/s",
+                "to half side",
+                "  let part = $side / 2",
+                "  1 move $part",
+                "end",
+                "let n = 2m",
+                "half $n");
+        assertThat(shown(awaitWaitingAt(control, 6))).isEqualTo("speed=60 mm/s");
+        control.step();
+        assertThat(shown(awaitWaitingAt(control, 7))).isEqualTo("n=2000 mm! speed=60 mm/s");
+        control.step();
+        assertThat(shown(awaitWaitingAt(control, 3))).isEqualTo("n=2000 mm side=2000 mm! speed=60 mm/s");
+        control.step();
+        assertThat(shown(awaitWaitingAt(control, 4))).isEqualTo("n=2000 mm part=1000 mm! side=2000 mm speed=60 mm/s");
+        control.end();
+    }
+
+    private static String shown(Progress progress) {
+        return progress.values().stream()
+                .map(named -> named.name() + "=" + named.value() + (named.changed() ? "!" : ""))
+                .collect(Collectors.joining(" "));
     }
 
     @Test

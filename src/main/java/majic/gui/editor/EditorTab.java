@@ -1,5 +1,6 @@
 package majic.gui.editor;
 
+import java.awt.BorderLayout;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
@@ -24,6 +25,7 @@ final class EditorTab extends JPanel {
     private final FileNotice notice = new FileNotice();
     private final FindBar find;
     private final MistakeList mistakes;
+    private final ValueTable values = new ValueTable();
     private final transient ScriptRunner runner;
     private final transient BackgroundCheck check;
     private final transient TabFile file;
@@ -49,7 +51,10 @@ final class EditorTab extends JPanel {
         run = new TabRun(this, runner);
         check = new BackgroundCheck(runner, this::text, this::show);
         add(notice, "wmin 0");
-        add(area, "wmin 0, hmin 0, pushy, growy");
+        JPanel middle = new JPanel(new BorderLayout());
+        middle.add(area, BorderLayout.CENTER);
+        middle.add(values, BorderLayout.EAST);
+        add(middle, "wmin 0, hmin 0, pushy, growy");
         add(find, "wmin 0");
         add(mistakes, "wmin 0");
         file.showText();
@@ -96,6 +101,12 @@ final class EditorTab extends JPanel {
     /** Whether it is a new script without text. */
     boolean isUntouched() {
         return file.path().isEmpty() && text().isEmpty() && !run.isRunning();
+    }
+
+    /** Shows where the script is, and while it is paused the values of its names. */
+    void show(Progress progress) {
+        area.show(progress);
+        values.show(progress.paused() && !progress.isOver() ? progress.values() : List.of());
     }
 
     /** Ends what the tab does by itself. */

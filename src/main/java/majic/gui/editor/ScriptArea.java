@@ -37,7 +37,7 @@ import org.fife.ui.rtextarea.RTextScrollPane;
 final class ScriptArea extends RTextScrollPane implements ClosesByEsc {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(ScriptArea.class);
-    private static final Progress NONE = new Progress(false, Set.of(), OptionalInt.empty(), "");
+    private static final Progress NONE = new Progress(false, Set.of(), OptionalInt.empty(), List.of(), "");
 
     private final RSyntaxTextArea text;
     private final transient ScriptTokens tokens = new ScriptTokens();

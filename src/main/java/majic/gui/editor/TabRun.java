@@ -1,6 +1,7 @@
 package majic.gui.editor;
 
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -14,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 /** The run of a tab's script. The script cannot be edited while it runs. Must be used on the event dispatch thread. */
 final class TabRun {
     private static final int REFRESH_MS = 50;
-    private static final Progress NOT_BEGUN = new Progress(false, Set.of(), OptionalInt.empty(), "");
+    private static final Progress NOT_BEGUN = new Progress(false, Set.of(), OptionalInt.empty(), List.of(), "");
 
     private final EditorTab tab;
     private final ScriptRunner runner;
@@ -106,7 +107,7 @@ final class TabRun {
         }
         Progress before = progress;
         progress = now.progress();
-        tab.area().show(progress);
+        tab.show(progress);
         if (progress.isOver()) {
             refresh.stop();
             tab.area().text().setEditable(true);

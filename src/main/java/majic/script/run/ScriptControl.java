@@ -1,12 +1,16 @@
 package majic.script.run;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
+import majic.bot.Value;
 import majic.team.QueuedCommand;
 import majic.time.Signal;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Pauses a running script, lets it go on line by line, ends it, and reports its place. A paused script begins no
@@ -20,6 +24,8 @@ public final class ScriptControl {
     private boolean ending;
     private Runnable end = () -> {};
     private String outcome = "";
+    private List<NamedValue> values = List.of();
+    private @Nullable Map<String, Value> valuesBefore;
 
     /**
      * The place of a script. Lines count from 1.
@@ -27,14 +33,24 @@ public final class ScriptControl {
      * @param paused whether it goes on only by single lines
      * @param running the lines of which something runs
      * @param next the line that begins next when the script goes on; empty unless one waits
+     * @param values what the names stood for when the last line was reached, in the order of the names
      * @param outcome how the script ended: {@code done (3.2 s)}, {@code stopped}; empty while it runs
      */
-    public record Progress(boolean paused, Set<Integer> running, OptionalInt next, String outcome) {
+    public record Progress(
+            boolean paused, Set<Integer> running, OptionalInt next, List<NamedValue> values, String outcome) {
         /** Whether the script has ended and given its robots back. */
         public boolean isOver() {
             return !outcome.isEmpty();
         }
     }
+
+    /**
+     * A name with its value.
+     *
+     * @param name in lower case, without {@code $}
+     * @param changed whether the line before gave it this value
+     */
+    public record NamedValue(String name, Value value, boolean changed) {}
 
     /**
      * The control of a script that has not begun.
@@ -90,7 +106,7 @@ public final class ScriptControl {
                 .filter(Turn::isWaiting)
                 .mapToInt(turn -> turn.line)
                 .findFirst();
-        return new Progress(paused, running, paused ? next : OptionalInt.empty(), outcome);
+        return new Progress(paused, running, paused ? next : OptionalInt.empty(), values, outcome);
     }
 
     /** Sets what ends the script, and ends it if that was requested before. */
@@ -113,13 +129,32 @@ public final class ScriptControl {
         }
     }
 
-    /** Creates the turn of the next statement of the script itself; ends that of the statement before it. */
-    synchronized Turn reach(int line) {
+    /**
+     * Creates the turn of the next statement of the script itself; ends that of the statement before it.
+     *
+     * @param names what the names stand for there
+     */
+    synchronized Turn reach(int line, Map<String, Value> names) {
         leave();
+        keep(names);
         turns.removeIf(Turn::isOver);
         Turn turn = new Turn(line);
         turns.add(turn);
         return turn;
+    }
+
+    /** A name that is known again behind a procedure is compared with the value that it had before the call. */
+    private void keep(Map<String, Value> names) {
+        Map<String, Value> before = valuesBefore;
+        values = names.entrySet().stream()
+                .map(named -> new NamedValue(
+                        named.getKey(),
+                        named.getValue(),
+                        before != null && !named.getValue().equals(before.get(named.getKey()))))
+                .toList();
+        Map<String, Value> known = before == null ? new HashMap<>() : before;
+        known.putAll(names);
+        valuesBefore = known;
     }
 
     /** Ends the turn of the last statement, whose commands may still wait or run. */

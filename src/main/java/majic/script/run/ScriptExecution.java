@@ -59,6 +59,7 @@ public final class ScriptExecution extends Execution implements Statement.Visito
     private int files;
     private int calls;
     private boolean inWatch;
+    private boolean isReached;
     private final List<Watch> watches = new ArrayList<>();
     private Scope<Value> scope;
     private ScriptControl.@Nullable Turn turn;
@@ -191,14 +192,18 @@ public final class ScriptExecution extends Execution implements Statement.Visito
             reach(repeat.at().line());
             round(repeat.body());
         }
+        isReached = false;
         return null;
     }
 
     private OptionalInt times(Statement.Repeat repeat) {
-        if (repeat.times().isOpen()) {
-            reach(repeat.at().line());
+        if (!repeat.times().isOpen()) {
+            return repeat.times().sample();
         }
-        return repeat.times().with(values());
+        reach(repeat.at().line());
+        OptionalInt times = repeat.times().with(values());
+        isReached = true;
+        return times;
     }
 
     private LiveValues values() {
@@ -252,7 +257,9 @@ public final class ScriptExecution extends Execution implements Statement.Visito
     @Override
     public @Nullable Void computed(Statement.Computed line) {
         reach(line.at().line());
-        return line.line().with(values()).accept(this);
+        Statement now = line.line().with(values());
+        isReached = true;
+        return now.accept(this);
     }
 
     @Override
@@ -444,12 +451,15 @@ public final class ScriptExecution extends Execution implements Statement.Visito
     }
 
     /**
-     * Waits until a statement may begin that begins on a line; has no effect unless the script is paused. The
-     * statements of a file that the script runs belong to the statement that runs the file.
+     * Waits until a statement may begin that begins on a line; has no effect unless the script is paused, nor for a
+     * line that was reached to compute its values. The statements of a file that the script runs belong to the
+     * statement that runs the file.
      */
     void reach(int line) {
-        if (control != null) {
-            ScriptControl.Turn next = turn == null || files == 0 ? control.reach(line) : turn;
+        if (isReached) {
+            isReached = false;
+        } else if (control != null) {
+            ScriptControl.Turn next = turn == null || files == 0 ? control.reach(line, scope.all()) : turn;
             turn = next;
             await(next::mayBegin, Double.POSITIVE_INFINITY);
             next.enter();

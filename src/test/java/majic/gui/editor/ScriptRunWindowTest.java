@@ -6,6 +6,9 @@ import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import javax.swing.JTable;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
@@ -53,6 +56,44 @@ class ScriptRunWindowTest {
         editor.awaitStatus("Last run: done");
         assertThat(bot.told).containsExactly("move 30", "move 40", "move 50");
         assertThat(area.isEditable()).isTrue();
+    }
+
+    @Test
+    void aPausedScriptShowsTheValuesOfItsNames() throws IOException {
+        window.add("one");
+        editor.open("count.majic", "let n = 1", "let side = 20mm * $n", "let n = $n + 1", "1 move $side");
+        editor.awaitStatus("No mistakes");
+        assertThat(window.isShowing("scriptValues")).isFalse();
+        window.press(KeyEvent.VK_F7);
+        editor.awaitStatus("Paused before line 1");
+        assertThat(window.isShowing("scriptValues")).isFalse();
+        window.press(KeyEvent.VK_F7);
+        editor.awaitStatus("Paused before line 2");
+        assertThat(values()).isEqualTo("$n 1");
+        window.press(KeyEvent.VK_F7);
+        editor.awaitStatus("Paused before line 3");
+        assertThat(values()).isEqualTo("$n 1, $side 20 mm");
+        window.press(KeyEvent.VK_F7);
+        editor.awaitStatus("Paused before line 4");
+        assertThat(values()).isEqualTo("$n 2, $side 20 mm");
+        window.press(KeyEvent.VK_F5);
+        editor.awaitStatus("Last run: done");
+        assertThat(window.isShowing("scriptValues")).isFalse();
+    }
+
+    @Test
+    void aMistakeInAnExpressionIsMarkedBeforeTheScriptRuns() throws IOException {
+        window.add("one");
+        editor.open("wrong.majic", "let n = 1mm", "1 move ($n + 90deg)", "1 move $m");
+        editor.awaitStatus("2 mistakes");
+    }
+
+    /** Returns the names and values that are shown. */
+    private String values() {
+        JTable table = window.awaitShowing("scriptValues", JTable.class);
+        return IntStream.range(0, table.getRowCount())
+                .mapToObj(row -> table.getValueAt(row, 0) + " " + table.getValueAt(row, 1))
+                .collect(Collectors.joining(", "));
     }
 
     @Test
