@@ -206,7 +206,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
     /** Adds what would have delayed the window. */
     private void complete(FrameMenu menu, FrameActions actions) {
         setIconImage(Icons.program(ICON_SIZE));
-        commands.complete();
+        commands.complete(session.questions());
         menu.fill(
                 actions,
                 new FrameActions.MenuActions(dialogs, editor, teams, this::driveByKeys),

@@ -88,7 +88,7 @@ public final class Session {
                 sampling,
                 plotting,
                 map,
-                new Questions(team.changes()),
+                new Questions(team.changes(), team.time()),
                 new RandomNumbers(factory),
                 quit);
         log.onTrouble(this::alarm);
@@ -287,6 +287,11 @@ public final class Session {
      */
     public String teamScript() {
         return TeamScript.of(state).withoutCalibrations();
+    }
+
+    /** Returns the questions of scripts that wait for an answer. */
+    public Questions questions() {
+        return state.questions();
     }
 
     SessionOutput output() {

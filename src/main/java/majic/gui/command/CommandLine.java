@@ -168,7 +168,7 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
     }
 
     /** Submits a line, and remembers it if it is accepted. */
-    private Optional<Refusal> submit(String line) {
+    Optional<Refusal> submit(String line) {
         Optional<Refusal> refusal = line.isBlank()
                 ? Optional.empty()
                 : parser.submit(line, why -> EventThread.later(() -> refusedLater(line, why)));

@@ -9,9 +9,10 @@ import javax.swing.JPanel;
 import majic.gui.kit.Palette;
 import majic.gui.kit.ProgramServices;
 import majic.script.MajicParser;
+import majic.script.run.Questions;
 import majic.text.Texts;
 
-/** Holds the message area, the command line, and below it the line's error or a hint. */
+/** Holds the message area, the questions of scripts, the command line, and below it the line's error or a hint. */
 public final class CommandPane extends JPanel {
     private static final Texts TEXTS = Texts.of(CommandPane.class);
     private static final long serialVersionUID = 1L;
@@ -21,6 +22,7 @@ public final class CommandPane extends JPanel {
     private final MessagePane messages;
     private final JLabel hint = new JLabel();
     private final CommandLine line;
+    private final JPanel bottom = new JPanel(new BorderLayout(0, GAP));
 
     /**
      * Creates an empty pane.
@@ -43,7 +45,8 @@ public final class CommandPane extends JPanel {
         prompt.setLabelFor(line);
         prompt.setDisplayedMnemonic(prompt.getText().charAt(0));
         add(messages, BorderLayout.CENTER);
-        add(withHint(prompt), BorderLayout.SOUTH);
+        bottom.add(withHint(prompt), BorderLayout.CENTER);
+        add(bottom, BorderLayout.SOUTH);
         showHint("");
     }
 
@@ -66,9 +69,14 @@ public final class CommandPane extends JPanel {
         return panel;
     }
 
-    /** Adds what would have delayed the window; to be called when that was painted. */
-    public void complete() {
+    /**
+     * Adds what would have delayed the window; to be called when that was painted.
+     *
+     * @param questions of scripts, shown above the line
+     */
+    public void complete(Questions questions) {
         messages.complete();
+        bottom.add(new QuestionStrip(line, questions), BorderLayout.NORTH);
     }
 
     public MessageArea messages() {

@@ -143,7 +143,7 @@ public class Execution {
      */
     public final Value ask(String question, Parameter wanted, Value otherwise, double seconds) {
         Questions questions = session().questions();
-        Questions.Question asked = questions.ask(question, wanted, otherwise);
+        Questions.Question asked = questions.ask(question, wanted, otherwise, seconds);
         try {
             send(
                     Line.Kind.NOTICE,

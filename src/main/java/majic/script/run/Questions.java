@@ -7,11 +7,13 @@ import majic.bot.BotException;
 import majic.bot.Parameter;
 import majic.bot.Value;
 import majic.time.Signal;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /** The questions of scripts that wait for an answer. Thread-safe. */
 public final class Questions {
     private final Signal changes;
+    private final TimeSource time;
     private final List<Question> open = new ArrayList<>();
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
 
@@ -20,12 +22,18 @@ public final class Questions {
         private final String text;
         private final Parameter wanted;
         private final Value otherwise;
+        private final TimeSource time;
+        private final long asked;
+        private final double seconds;
         private volatile @Nullable Value answer;
 
-        Question(String text, Parameter wanted, Value otherwise) {
+        Question(String text, Parameter wanted, Value otherwise, TimeSource time, double seconds) {
             this.text = text;
             this.wanted = wanted;
             this.otherwise = otherwise;
+            this.time = time;
+            this.asked = time.nanos();
+            this.seconds = seconds;
         }
 
         /** The question as it is shown. */
@@ -43,6 +51,11 @@ public final class Questions {
             return otherwise;
         }
 
+        /** For how long an answer is still taken, seconds; not negative. */
+        public double secondsLeft() {
+            return Math.max(0, seconds - time.secondsSince(asked));
+        }
+
         /** The answer; null while there is none. */
         public @Nullable Value answer() {
             return answer;
@@ -53,9 +66,11 @@ public final class Questions {
      * No question.
      *
      * @param changes is raised by an answer
+     * @param time the clock of the scripts
      */
-    public Questions(Signal changes) {
+    public Questions(Signal changes, TimeSource time) {
         this.changes = changes;
+        this.time = time;
     }
 
     /** Adds something that is called, on any thread, after a question has begun or ended. */
@@ -71,8 +86,8 @@ public final class Questions {
     }
 
     /** Asks a question, until it is {@link #close closed}. */
-    Question ask(String text, Parameter wanted, Value otherwise) {
-        Question question = new Question(text, wanted, otherwise);
+    Question ask(String text, Parameter wanted, Value otherwise, double seconds) {
+        Question question = new Question(text, wanted, otherwise, time, seconds);
         synchronized (open) {
             open.add(question);
         }
