@@ -112,6 +112,12 @@ class StatePictures {
         if (isWanted("editor")) {
             tools.paintEditor(home.resolve("lap.majic"));
         }
+        if (isWanted("values")) {
+            tools.paintValues(home.resolve("corners.majic"));
+        }
+        if (isWanted("question")) {
+            tools.paintQuestions(parser);
+        }
     }
 
     /** Paints the robots while they move, while acts run, and after STOP. */
