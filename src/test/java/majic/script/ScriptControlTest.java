@@ -67,6 +67,22 @@ class ScriptControlTest {
         control.end();
     }
 
+    @Test
+    void aLineThatWaitsForItsRobotHasTheValuesThatItWasReachedWith() throws InterruptedException {
+        ScriptControl control =
+                run(true, "to twice way", "  1 move $way", "  1 move $way", "end", "twice 300mm", "print done");
+        awaitWaitingAt(control, 5);
+        control.step();
+        awaitWaitingAt(control, 2);
+        control.step();
+        await(control, now -> now.next().orElse(0) == 3);
+        control.step();
+        Progress progress =
+                await(control, now -> now.next().orElse(0) == 3 && now.running().contains(2));
+        assertThat(shown(progress)).isEqualTo("way=300 mm");
+        control.end();
+    }
+
     private static String shown(Progress progress) {
         return progress.values().stream()
                 .map(named -> named.name() + "=" + named.value() + (named.changed() ? "!" : ""))

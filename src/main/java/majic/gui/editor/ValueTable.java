@@ -6,8 +6,10 @@ import java.awt.Dimension;
 import java.awt.Font;
 import java.util.List;
 import javax.swing.BorderFactory;
+import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.JTable;
+import javax.swing.SwingConstants;
 import javax.swing.table.AbstractTableModel;
 import javax.swing.table.DefaultTableCellRenderer;
 import majic.gui.kit.Palette;
@@ -32,6 +34,9 @@ final class ValueTable extends JScrollPane {
         table.getAccessibleContext().setAccessibleName(TEXTS.get("values"));
         table.setDefaultRenderer(Object.class, new Cell());
         table.getTableHeader().setReorderingAllowed(false);
+        if (table.getTableHeader().getDefaultRenderer() instanceof JLabel label) {
+            label.setHorizontalAlignment(SwingConstants.LEADING);
+        }
         table.setCellSelectionEnabled(false);
         table.setFocusable(false);
         setBorder(BorderFactory.createMatteBorder(0, 1, 0, 0, Palette.mixed(0.15)));

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.TreeSet;
@@ -24,7 +25,6 @@ public final class ScriptControl {
     private boolean ending;
     private Runnable end = () -> {};
     private String outcome = "";
-    private List<NamedValue> values = List.of();
     private @Nullable Map<String, Value> valuesBefore;
 
     /**
@@ -33,7 +33,8 @@ public final class ScriptControl {
      * @param paused whether it goes on only by single lines
      * @param running the lines of which something runs
      * @param next the line that begins next when the script goes on; empty unless one waits
-     * @param values what the names stood for when the last line was reached, in the order of the names
+     * @param values what the names stood for when the line that begins next, or else the last one, was reached, in the
+     *     order of the names
      * @param outcome how the script ended: {@code done (3.2 s)}, {@code stopped}; empty while it runs
      */
     public record Progress(
@@ -102,11 +103,14 @@ public final class ScriptControl {
     public synchronized Progress progress() {
         Set<Integer> running = new TreeSet<>();
         turns.stream().filter(Turn::isRunning).forEach(turn -> running.add(turn.line));
-        OptionalInt next = turns.stream()
-                .filter(Turn::isWaiting)
-                .mapToInt(turn -> turn.line)
-                .findFirst();
-        return new Progress(paused, running, paused ? next : OptionalInt.empty(), values, outcome);
+        Optional<Turn> next = turns.stream().filter(Turn::isWaiting).findFirst();
+        Optional<Turn> shown = next.or(() -> turns.stream().reduce((first, second) -> second));
+        return new Progress(
+                paused,
+                running,
+                paused && next.isPresent() ? OptionalInt.of(next.get().line) : OptionalInt.empty(),
+                shown.map(turn -> turn.values).orElse(List.of()),
+                outcome);
     }
 
     /** Sets what ends the script, and ends it if that was requested before. */
@@ -136,17 +140,16 @@ public final class ScriptControl {
      */
     synchronized Turn reach(int line, Map<String, Value> names) {
         leave();
-        keep(names);
         turns.removeIf(Turn::isOver);
-        Turn turn = new Turn(line);
+        Turn turn = new Turn(line, compared(names));
         turns.add(turn);
         return turn;
     }
 
     /** A name that is known again behind a procedure is compared with the value that it had before the call. */
-    private void keep(Map<String, Value> names) {
+    private List<NamedValue> compared(Map<String, Value> names) {
         Map<String, Value> before = valuesBefore;
-        values = names.entrySet().stream()
+        List<NamedValue> values = names.entrySet().stream()
                 .map(named -> new NamedValue(
                         named.getKey(),
                         named.getValue(),
@@ -155,6 +158,7 @@ public final class ScriptControl {
         Map<String, Value> known = before == null ? new HashMap<>() : before;
         known.putAll(names);
         valuesBefore = known;
+        return values;
     }
 
     /** Ends the turn of the last statement, whose commands may still wait or run. */
@@ -167,13 +171,15 @@ public final class ScriptControl {
     /** A statement each time its turn comes, with its commands to robots. Guarded by the lock of its control. */
     final class Turn {
         private final int line;
+        private final List<NamedValue> values;
         private final List<GatedCommand> commands = new ArrayList<>();
         private boolean admitted;
         private boolean entered;
         private boolean left;
 
-        private Turn(int line) {
+        private Turn(int line, List<NamedValue> values) {
             this.line = line;
+            this.values = values;
         }
 
         /** Whether the statement, or a command of it, may begin. */

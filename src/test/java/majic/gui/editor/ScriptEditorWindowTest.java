@@ -121,6 +121,18 @@ class ScriptEditorWindowTest {
     }
 
     @Test
+    void theNamesOfTheLinesAboveAreCompletedAndExplained() throws IOException {
+        window.add("one");
+        RSyntaxTextArea area = editor.open("lap.majic", "let side = 30mm", "");
+        window.run(() -> area.setCaretPosition(area.getDocument().getLength()));
+        window.type("1 move $s");
+        editor.awaitCompletions(true);
+        window.press(KeyEvent.VK_TAB);
+        assertThat(area.getText()).endsWith("1 move $side");
+        window.await("the explanation", () -> window.text("wordHint").equals("$side a number of mm"));
+    }
+
+    @Test
     void escClosesTheCompletionsAndStopsOnlyThen() throws IOException {
         ToyBot bot = window.add("one");
         editor.open("lap.majic", "");
