@@ -2,6 +2,8 @@ package majic.gui;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
 import javax.swing.JFrame;
 import javax.swing.JMenu;
 import majic.gui.editor.EditorContext;
@@ -10,6 +12,7 @@ import majic.gui.editor.RecentFiles;
 import majic.gui.editor.RecentMenu;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.ProgramServices;
+import majic.script.Refusal;
 import majic.script.Session;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
@@ -37,12 +40,14 @@ final class FrameEditor {
             Session session,
             ProgramServices services,
             Runnable stopAll,
+            Function<String, Optional<Refusal>> submit,
             FrameDialogs dialogs,
             FrameTeams teams) {
         this.frame = frame;
         this.services = services;
         this.droppedFiles = new DroppedFiles(teams::open, dialogs::loadAct, dialogs::openRecording, this::open);
-        this.context = new EditorContext(session, services.settings(), stopAll, dialogs::makeActOf, droppedFiles::open);
+        this.context = new EditorContext(
+                session, services.settings(), stopAll, submit, dialogs::makeActOf, droppedFiles::open);
     }
 
     private EditorWindow window() {

@@ -118,7 +118,7 @@ public final class MajicFrame extends JFrame implements PictureViewer {
         dialogs = new FrameDialogs(this, session, services, selection, channel, this::stopButton);
         lab = new FrameLab(session, services, channel);
         teams = new FrameTeams(this, session, services, channel);
-        editor = new FrameEditor(this, session, services, this::stopAll, dialogs, teams);
+        editor = new FrameEditor(this, session, services, this::stopAll, commandLine::submit, dialogs, teams);
         RobotActions ofRobots = new RobotActions(
                 session.team(),
                 channel,

@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
+import java.util.Optional;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
 import javax.swing.JSlider;
@@ -143,8 +144,8 @@ class Screenshots {
                 wait 2s
                 3 drive 60mm/s 20deg/s for 3s
                 """);
-        EditorContext context =
-                new EditorContext(program.session(), program.settings(), () -> {}, act -> {}, files -> {});
+        EditorContext context = new EditorContext(
+                program.session(), program.settings(), () -> {}, line -> Optional.empty(), act -> {}, files -> {});
         EditorWindow[] made = new EditorWindow[1];
         SwingUtilities.invokeAndWait(() -> {
             made[0] = new EditorWindow(context, frame);

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import javax.swing.AbstractButton;
 import javax.swing.JFrame;
 import javax.swing.JLabel;
@@ -67,8 +68,8 @@ final class ToolPictures {
     }
 
     private EditorWindow open(Path script) throws Exception {
-        EditorContext context =
-                new EditorContext(program.session(), program.settings(), () -> {}, act -> {}, files -> {});
+        EditorContext context = new EditorContext(
+                program.session(), program.settings(), () -> {}, line -> Optional.empty(), act -> {}, files -> {});
         EditorWindow[] editor = new EditorWindow[1];
         SwingUtilities.invokeAndWait(() -> {
             editor[0] = new EditorWindow(context, frame);

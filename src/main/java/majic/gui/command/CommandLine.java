@@ -167,8 +167,12 @@ public final class CommandLine extends JTextField implements ClosesByEsc {
         }
     }
 
-    /** Submits a line, and remembers it if it is accepted. */
-    Optional<Refusal> submit(String line) {
+    /**
+     * Submits a line, which may have been typed elsewhere, and remembers it if it is accepted.
+     *
+     * @return why it is refused; empty if it is accepted
+     */
+    public Optional<Refusal> submit(String line) {
         Optional<Refusal> refusal = line.isBlank()
                 ? Optional.empty()
                 : parser.submit(line, why -> EventThread.later(() -> refusedLater(line, why)));

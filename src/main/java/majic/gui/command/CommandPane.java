@@ -76,7 +76,7 @@ public final class CommandPane extends JPanel {
      */
     public void complete(Questions questions) {
         messages.complete();
-        bottom.add(new QuestionStrip(line, questions), BorderLayout.NORTH);
+        bottom.add(new QuestionStrip(questions, line::submit, line::requestFocusInWindow), BorderLayout.NORTH);
     }
 
     public MessageArea messages() {

@@ -4,6 +4,7 @@ import java.awt.Component;
 import java.awt.Font;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import javax.swing.BorderFactory;
 import javax.swing.JButton;
 import javax.swing.JLabel;
@@ -11,6 +12,7 @@ import javax.swing.JPanel;
 import javax.swing.JTextField;
 import javax.swing.Timer;
 import majic.gui.kit.EventThread;
+import majic.gui.kit.HelpTopic;
 import majic.gui.kit.NamedLabel;
 import majic.gui.kit.Palette;
 import majic.gui.kit.TextChange;
@@ -23,17 +25,18 @@ import net.miginfocom.swing.MigLayout;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Shows the oldest question of the scripts above the command line, with a field or buttons for the answer. It takes the
- * keyboard focus only when it is clicked or reached by Tab. An answer is submitted as a typed line. Hidden while there
- * is no question. Must be used on the event dispatch thread.
+ * Shows the oldest question of the scripts in a window, with a field or buttons for the answer. It takes the keyboard
+ * focus only when it is clicked or reached by Tab. An answer is submitted as a typed line. Hidden while there is no
+ * question. Must be used on the event dispatch thread.
  */
-final class QuestionStrip extends JPanel {
+public final class QuestionStrip extends JPanel {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(QuestionStrip.class);
     private static final int REFRESH_MS = 500;
 
-    private final CommandLine line;
     private final transient Questions questions;
+    private final transient Function<String, Optional<Refusal>> submit;
+    private final transient Runnable giveFocus;
     private final JLabel question = new NamedLabel("question", "");
     private final JLabel count = new NamedLabel("questionCount", "");
     private final JPanel answers = new JPanel(new MigLayout("insets 0, gap 6"));
@@ -45,12 +48,15 @@ final class QuestionStrip extends JPanel {
     /**
      * Creates a strip that follows the questions.
      *
-     * @param line submits the answers, and has the focus after one
+     * @param submit submits the line of an answer; returns why it is refused, if it is
+     * @param giveFocus gives the focus to another component, when a question ends that has it
      */
-    QuestionStrip(CommandLine line, Questions questions) {
+    public QuestionStrip(Questions questions, Function<String, Optional<Refusal>> submit, Runnable giveFocus) {
         super(new MigLayout("insets 4 8 4 8, gap 8 2, hidemode 3", "[][grow, fill][]"));
-        this.line = line;
         this.questions = questions;
+        this.submit = submit;
+        this.giveFocus = giveFocus;
+        HelpTopic.set(this, "questions-of-scripts");
         setName("questionStrip");
         answers.setOpaque(false);
         add(question, "span 2, growx, wmin 0");
@@ -93,7 +99,7 @@ final class QuestionStrip extends JPanel {
         }
     }
 
-    /** Shows another question, or none; a field that had the focus gives it to the command line. */
+    /** Shows another question, or none; a field that had the focus gives it away. */
     private void show(@Nullable Question oldest) {
         boolean hadFocus = isFocusInside();
         shown = oldest;
@@ -112,7 +118,7 @@ final class QuestionStrip extends JPanel {
         revalidate();
         repaint();
         if (hadFocus) {
-            line.requestFocusInWindow();
+            giveFocus.run();
         }
     }
 
@@ -162,7 +168,7 @@ final class QuestionStrip extends JPanel {
             showOldest();
             return;
         }
-        Optional<Refusal> refusal = line.submit(answer);
+        Optional<Refusal> refusal = submit.apply(answer);
         refuse(refusal.map(Refusal::message).orElse(""));
         showOldest();
     }

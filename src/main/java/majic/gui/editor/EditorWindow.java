@@ -18,6 +18,7 @@ import javax.swing.JFrame;
 import javax.swing.JPanel;
 import javax.swing.JTabbedPane;
 import javax.swing.Timer;
+import majic.gui.command.QuestionStrip;
 import majic.gui.kit.ChooseFile;
 import majic.gui.kit.ClearOfStop;
 import majic.gui.kit.Confirm;
@@ -88,7 +89,12 @@ public final class EditorWindow extends JFrame {
         JPanel content = new JPanel(new BorderLayout());
         content.add(top, BorderLayout.NORTH);
         content.add(tabs, BorderLayout.CENTER);
-        content.add(status, BorderLayout.SOUTH);
+        JPanel bottom = new JPanel(new BorderLayout());
+        bottom.add(
+                new QuestionStrip(context.session().questions(), context.submit(), this::focusText),
+                BorderLayout.NORTH);
+        bottom.add(status, BorderLayout.SOUTH);
+        content.add(bottom, BorderLayout.SOUTH);
         setContentPane(content);
         setJMenuBar(new EditorMenu(this, context, actions));
     }

@@ -2,15 +2,20 @@ package majic.gui.editor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.awt.Component;
+import java.awt.Container;
 import java.awt.event.KeyEvent;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import javax.swing.JTable;
 import majic.gui.TestWindow;
 import majic.gui.ToyBot;
+import org.assertj.swing.edt.GuiActionRunner;
 import org.fife.ui.rsyntaxtextarea.RSyntaxTextArea;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Tag;
@@ -94,6 +99,36 @@ class ScriptRunWindowTest {
         return IntStream.range(0, table.getRowCount())
                 .mapToObj(row -> table.getValueAt(row, 0) + " " + table.getValueAt(row, 1))
                 .collect(Collectors.joining(", "));
+    }
+
+    @Test
+    void aScriptAsksInTheEditorToo() throws IOException {
+        ToyBot bot = window.add("one");
+        editor.open("ask.majic", "ask far = 30mm \"How far?\" for 1000s", "1 move $far");
+        editor.awaitStatus("No mistakes");
+        window.press(KeyEvent.VK_F5);
+        window.await(
+                "the question in the editor",
+                () -> find("answerField").filter(Component::isShowing).isPresent());
+        Component field = find("answerField").orElseThrow();
+        window.focus(field);
+        window.press(KeyEvent.VK_ENTER);
+        editor.awaitStatus("Last run: done");
+        assertThat(bot.told).containsExactly("move 30");
+    }
+
+    /** Finds a component of the editor; the main window may have one of the same name. */
+    private Optional<Component> find(String name) {
+        return GuiActionRunner.execute(() -> components(editor.frame())
+                .filter(component -> name.equals(component.getName()))
+                .findFirst());
+    }
+
+    private static Stream<Component> components(Container parent) {
+        return Stream.of(parent.getComponents())
+                .flatMap(child -> Stream.concat(
+                        Stream.of(child),
+                        child instanceof Container container ? components(container) : Stream.empty()));
     }
 
     @Test
