@@ -144,7 +144,7 @@ final class ScriptTokens extends TokenMakerBase {
                 case NUMBER, SPAN -> number(next);
                 case WORD -> word(token, next);
                 case QUOTED -> TEXT;
-                case VARIABLE -> VALUE;
+                case VARIABLE -> value();
                 case OPEN_QUOTE -> OPEN_TEXT;
                 case COMMA -> comma();
                 case LEFT, RIGHT -> bracket(token.kind() == Token.Kind.LEFT);
@@ -153,13 +153,19 @@ final class ScriptTokens extends TokenMakerBase {
             };
         }
 
+        private int value() {
+            namesRobots = false;
+            return VALUE;
+        }
+
         /** A bracket begins an expression or a part of a condition, but for that of a call. */
         private int bracket(boolean opens) {
             if (opens) {
                 brackets.push(!isCall);
                 isCall = false;
-            } else if (!brackets.isEmpty()) {
-                brackets.pop();
+            } else {
+                namesRobots = false;
+                brackets.poll();
             }
             return SIGN;
         }

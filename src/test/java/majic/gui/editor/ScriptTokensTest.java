@@ -56,6 +56,8 @@ class ScriptTokensTest {
                 "answer 5cm | c0",
                 "on 1 x > 150 | crn.0",
                 "while (1 x + $n) > 3 and 2 bumped == yes | c.rn.v..0jrn.n",
+                "while $n < 2 | cv.0",
+                "if ($n + 1) > 3 | c.v.0..0",
                 "to square side angle | covv",
                 "square 500 $n | o0v",
                 "square.stop | r.c"
