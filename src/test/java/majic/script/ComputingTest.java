@@ -211,6 +211,17 @@ class ComputingTest {
     }
 
     @Test
+    void aProgramAtASocketAnswersItsOwnQuestion() throws InterruptedException {
+        MajicParser socket = MajicParser.socket(fixture.session);
+        socket.parseText("ask far = 300mm \"How far?\" for 10s");
+        socket.parseText("1 move $far");
+        fixture.pause(1);
+        socket.parseText("answer 60mm");
+        socket.awaitAll();
+        assertThat(fixture.answers()).contains("1 move 60mm: done (60 mm, 0.2 s)");
+    }
+
+    @Test
     void aQuestionWithoutAnAnswerTakesTheDefault() throws InterruptedException {
         assertThat(fixture.runPipe("ask far = 300mm \"How far?\" for 10s", "1 move $far"))
                 .contains("How far? no answer, 300 mm", "1 move 300mm: done (300 mm, 1.0 s)");

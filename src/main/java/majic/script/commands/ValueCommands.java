@@ -90,7 +90,7 @@ final class ValueCommands {
     record Answer(Literal value) implements SessionCommand {
         @Override
         public Scheduling scheduling() {
-            return Scheduling.OVERTAKES;
+            return Scheduling.ANSWERS;
         }
 
         @Override

@@ -158,6 +158,7 @@ public final class Dispatcher {
         return switch (line.scheduling()) {
             case STOP -> source != LineSource.PIPE || (free && robotsHaveRoom(line));
             case OVERTAKES -> typed || (free && robotsHaveRoom(line));
+            case ANSWERS -> free || source != LineSource.PIPE;
             case AT_ONCE -> free && (typed || robotsHaveRoom(line));
             case AT_ONCE_IF_TYPED -> free && typed;
             case BESIDE, BESIDE_IN_ORDER, HOLDS -> false;
@@ -173,7 +174,7 @@ public final class Dispatcher {
         return source == LineSource.PROMPT
                 && switch (line.scheduling()) {
                     case BESIDE, BESIDE_IN_ORDER -> true;
-                    case STOP, OVERTAKES, AT_ONCE, AT_ONCE_IF_TYPED, HOLDS -> false;
+                    case STOP, OVERTAKES, ANSWERS, AT_ONCE, AT_ONCE_IF_TYPED, HOLDS -> false;
                 };
     }
 

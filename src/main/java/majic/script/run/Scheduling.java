@@ -6,6 +6,8 @@ public enum Scheduling {
     STOP,
     /** At once, past a wait; from a pipe or socket only if no line waits. */
     OVERTAKES,
+    /** An answer to a script: at once, past all lines that wait for the script; from a pipe in its turn. */
+    ANSWERS,
     /** At once if no line waits. */
     AT_ONCE,
     /** At once if typed and no line waits; from a pipe or socket in its turn, since it waits for what it ends. */

@@ -1,11 +1,9 @@
 package majic.script.run;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.BooleanSupplier;
 import java.util.function.IntFunction;
@@ -14,16 +12,10 @@ import majic.bot.MotionStopped;
 import majic.bot.Value;
 import majic.driver.Permit;
 import majic.log.Line;
-import majic.script.conditions.Comparisons;
-import majic.script.conditions.ConditionEvaluator;
 import majic.script.conditions.Selection;
-import majic.script.conditions.Truth;
 import majic.script.record.RecordedBlock;
 import majic.script.record.SessionRecord;
-import majic.script.syntax.Condition;
-import majic.script.syntax.Late;
 import majic.script.syntax.ScriptException;
-import majic.script.syntax.Token;
 import majic.team.Answer;
 import majic.team.Member;
 import majic.team.Owner;
@@ -32,23 +24,17 @@ import majic.time.Signal;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One script or behaviour while it runs: checks each command when its turn comes, evaluates conditions, repeats blocks.
- * A script owns the robots it commands; those of a behaviour are sublet to it. The first command that fails ends it.
- * Used by the thread that runs it; {@link #end()} may be called on any.
+ * One script or behaviour while it runs. A script owns the robots it commands; those of a behaviour are sublet to it.
+ * The first command that fails ends it. Used by the thread that runs it; {@link #end()} may be called on any.
  */
-public final class ScriptExecution extends Execution implements Statement.Visitor<@Nullable Void> {
+public final class ScriptExecution extends Execution {
     private static final int MOST_FILES = 8;
-    private static final int MOST_CALLS = 50;
     private static final String STOPPED = "stopped";
 
     /** How often the conditions of {@code on} are looked at, seconds. */
     private static final double WATCH_PERIOD_S = 0.05;
 
-    /**
-     * A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on.
-     */
-    private static final double SHORTEST_ROUND_S = 0.01;
-
+    private final Interpreter interpreter;
     private final Owner owner;
     private final boolean claims;
     private final Set<Member> used = new LinkedHashSet<>();
@@ -57,11 +43,6 @@ public final class ScriptExecution extends Execution implements Statement.Visito
     private final @Nullable ScriptControl control;
     private volatile boolean ended;
     private int files;
-    private int calls;
-    private boolean inWatch;
-    private boolean isReached;
-    private final List<Watch> watches = new ArrayList<>();
-    private Scope<Value> scope;
     private ScriptControl.@Nullable Turn turn;
     private IntFunction<String> replayLine = number -> "";
 
@@ -70,7 +51,7 @@ public final class ScriptExecution extends Execution implements Statement.Visito
         super(line, line.origin(), line.selection(), line.wasStoppedSinceTyped());
         this.owner = new Owner(Owner.Kind.SCRIPT, name, this::end);
         this.claims = true;
-        this.scope = names;
+        this.interpreter = new Interpreter(this, names);
         this.block = block;
         this.control = control;
         if (control != null) {
@@ -82,7 +63,7 @@ public final class ScriptExecution extends Execution implements Statement.Visito
         super(line, line.origin().withoutOthers(), robots, () -> false);
         this.owner = act;
         this.claims = false;
-        this.scope = new Scope<>();
+        this.interpreter = new Interpreter(this, new Scope<>());
         this.block = null;
         this.control = null;
     }
@@ -154,7 +135,7 @@ public final class ScriptExecution extends Execution implements Statement.Visito
         try {
             claim(RobotsIn.of(script, selection()).commanded());
             checkAlive();
-            interpret(script);
+            interpreter.interpret(script);
             if (waits) {
                 finish();
                 how = String.format(Locale.ROOT, "done (%.1f s)", time().secondsSince(began));
@@ -176,179 +157,12 @@ public final class ScriptExecution extends Execution implements Statement.Visito
         }
     }
 
-    /** Runs statements one behind the other. */
-    private void interpret(List<Statement> statements) {
-        for (Statement statement : statements) {
-            checkAlive();
-            runDueWatches();
-            statement.accept(this);
-        }
-    }
-
-    @Override
-    public @Nullable Void repeat(Statement.Repeat repeat) {
-        OptionalInt times = times(repeat);
-        for (int round = 0; times.isEmpty() || round < times.getAsInt(); round++) {
-            reach(repeat.at().line());
-            round(repeat.body());
-        }
-        isReached = false;
-        return null;
-    }
-
-    private OptionalInt times(Statement.Repeat repeat) {
-        if (!repeat.times().isOpen()) {
-            return repeat.times().sample();
-        }
-        reach(repeat.at().line());
-        OptionalInt times = repeat.times().with(values());
-        isReached = true;
-        return times;
-    }
-
-    private LiveValues values() {
-        return new LiveValues(this, true);
-    }
-
-    @Override
-    public @Nullable Void whileLoop(Statement.While loop) {
-        reach(loop.at().line());
-        while (holds(loop.condition(), loop.at())) {
-            round(loop.body());
-            reach(loop.at().line());
-        }
-        return null;
-    }
-
-    @Override
-    public @Nullable Void choice(Statement.If choice) {
-        reach(choice.at().line());
-        interpretBlock(holds(choice.condition(), choice.at()) ? choice.body() : choice.otherwise());
-        return null;
-    }
-
-    @Override
-    public @Nullable Void forRobots(Statement.ForRobots line) {
-        reach(line.at().line());
-        Command command = line.command();
-        List<Member> robots = selection().members(line.robots());
-        command.check(robots.stream()
-                .map(robot -> new Command.Check(session(), selection(), robot, false, true))
-                .toList());
-        command.perform(this, robots);
-        return null;
-    }
-
-    @Override
-    public @Nullable Void forSession(Statement.ForSession line) {
-        reach(line.at().line());
-        SessionCommand command = line.command();
-        command.check(new SessionCommand.Check(session(), selection(), false));
-        command.run(this);
-        return null;
-    }
-
-    @Override
-    public @Nullable Void argument(Statement.Argument argument) {
-        scope.declare(argument.parameter().name(), argument.value());
-        return null;
-    }
-
-    @Override
-    public @Nullable Void computed(Statement.Computed line) {
-        reach(line.at().line());
-        Statement now = line.line().with(values());
-        isReached = true;
-        return now.accept(this);
-    }
-
-    @Override
-    public @Nullable Void on(Statement.On on) {
-        reach(on.at().line());
-        watches.add(new Watch(on, scope));
-        return null;
-    }
-
-    @Override
-    public @Nullable Void procedure(Statement.ProcedureDefinition definition) {
-        return null;
-    }
-
-    @Override
-    public @Nullable Void call(Statement.Call call) {
-        reach(call.at().line());
-        if (calls == MOST_CALLS) {
-            throw new ScriptException(
-                    call.at(), call.at().text() + ": procedures call each other too deeply (" + MOST_CALLS + ")");
-        }
-        Scope<Value> caller = scope;
-        scope = caller.outermost().inner();
-        for (int index = 0; index < call.given().size(); index++) {
-            scope.declare(
-                    call.procedure().arguments().get(index).text(),
-                    call.given().get(index).computable());
-        }
-        calls++;
-        try {
-            interpret(call.procedure().body());
-        } finally {
-            calls--;
-            scope = caller;
-        }
-        return null;
-    }
-
-    /** Runs the statements of a block, whose own names end with it. */
-    private void interpretBlock(List<Statement> body) {
-        scope = scope.inner();
-        try {
-            interpret(body);
-        } finally {
-            scope = scope.around();
-        }
-    }
-
-    /** A block that waits for its condition, with the names it knows. */
-    private static final class Watch {
-        private final Statement.On block;
-        private final Scope<Value> scope;
-        private boolean held;
-
-        private Watch(Statement.On block, Scope<Value> scope) {
-            this.block = block;
-            this.scope = scope;
-        }
-    }
-
-    /** Runs the blocks whose conditions have become true, unless one of them runs. */
-    private void runDueWatches() {
-        if (inWatch || isOver()) {
-            return;
-        }
-        inWatch = true;
-        Scope<Value> interrupted = scope;
-        try {
-            for (Watch watch : List.copyOf(watches)) {
-                scope = watch.scope;
-                boolean holds = truth(watch.block.condition(), watch.block.at(), new LiveValues(this, false));
-                boolean due = holds && !watch.held;
-                watch.held = holds;
-                if (due) {
-                    interpretBlock(watch.block.body());
-                }
-            }
-        } finally {
-            scope = interrupted;
-            inWatch = false;
-        }
-    }
-
     /** Looks at the conditions of {@code on} while it waits. */
     @Override
     void awaitOrEnd(BooleanSupplier condition, double seconds) {
         long began = time().nanos();
-        while (!watches.isEmpty() && !inWatch && !isOver() && !condition.getAsBoolean()) {
-            runDueWatches();
+        while (interpreter.watches() && !isOver() && !condition.getAsBoolean()) {
+            interpreter.runDueWatches();
             double left = seconds - time().secondsSince(began);
             if (left <= 0) {
                 return;
@@ -360,33 +174,7 @@ public final class ScriptExecution extends Execution implements Statement.Visito
 
     @Override
     public Scope<Value> scope() {
-        return scope;
-    }
-
-    private void round(List<Statement> body) {
-        long motionsBefore = motions();
-        long began = time().nanos();
-        interpretBlock(body);
-        if (motions() == motionsBefore && time().secondsSince(began) < SHORTEST_ROUND_S) {
-            pause(SHORTEST_ROUND_S);
-        }
-    }
-
-    private boolean holds(Late<Condition> condition, Token at) {
-        Collection<Member> asked = new ArrayList<>(ConditionEvaluator.allAsked(condition.sample(), selection(), null));
-        awaitReadable(asked);
-        return truth(condition, at, values());
-    }
-
-    private boolean truth(Late<Condition> written, Token at, LiveValues values) {
-        Condition condition = written.with(values);
-        Comparisons.check(condition, selection(), null);
-        Truth truth = condition.accept(new ConditionEvaluator(selection(), null));
-        if (truth.undecided() != null) {
-            throw new ExecutionEnded(
-                    Answer.Outcome.FAILED, at.text() + " " + condition + " is undecided: " + truth.undecided());
-        }
-        return truth.holds();
+        return interpreter.scope();
     }
 
     private String ending(Throwable why, String title, String file) {
@@ -423,14 +211,11 @@ public final class ScriptExecution extends Execution implements Statement.Visito
             throw new ExecutionEnded(Answer.Outcome.FAILED, file + ": files run each other too deeply");
         }
         files++;
-        Scope<Value> caller = scope;
-        scope = new Scope<>();
         try {
-            interpret(script);
+            interpreter.interpretFile(script);
         } catch (ScriptException e) {
             throw new ExecutionEnded(Answer.Outcome.FAILED, e.mistake().in(file));
         } finally {
-            scope = caller;
             files--;
         }
     }
@@ -451,15 +236,12 @@ public final class ScriptExecution extends Execution implements Statement.Visito
     }
 
     /**
-     * Waits until a statement may begin that begins on a line; has no effect unless the script is paused, nor for a
-     * line that was reached to compute its values. The statements of a file that the script runs belong to the
-     * statement that runs the file.
+     * Waits until a statement may begin that begins on a line; has no effect unless the script is paused. The
+     * statements of a file that the script runs belong to the statement that runs the file.
      */
     void reach(int line) {
-        if (isReached) {
-            isReached = false;
-        } else if (control != null) {
-            ScriptControl.Turn next = turn == null || files == 0 ? control.reach(line, scope.all()) : turn;
+        if (control != null) {
+            ScriptControl.Turn next = turn == null || files == 0 ? control.reach(line, scope().all()) : turn;
             turn = next;
             await(next::mayBegin, Double.POSITIVE_INFINITY);
             next.enter();
@@ -536,7 +318,7 @@ public final class ScriptExecution extends Execution implements Statement.Visito
 
     /** Runs a behaviour, and waits for all its commands. */
     public void runAct(List<Statement> behaviour) {
-        interpret(behaviour);
+        interpreter.interpret(behaviour);
         finish();
     }
 
