@@ -2,6 +2,9 @@ package majic.gui.command;
 
 import java.awt.Component;
 import java.awt.Font;
+import java.awt.event.FocusAdapter;
+import java.awt.event.FocusEvent;
+import java.awt.event.FocusListener;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
@@ -26,8 +29,9 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Shows the oldest question of the scripts in a window, with a field or buttons for the answer. It takes the keyboard
- * focus only when it is clicked or reached by Tab. An answer is submitted as a typed line. Hidden while there is no
- * question. Must be used on the event dispatch thread.
+ * focus only when it is clicked or reached by Tab. An answer is submitted as a typed line. A question that ends while
+ * its field or a button has the focus stays until Enter or until the focus leaves, since what is typed for it must not
+ * go to the command line. Hidden while there is no question. Must be used on the event dispatch thread.
  */
 public final class QuestionStrip extends JPanel {
     private static final long serialVersionUID = 1L;
@@ -42,6 +46,12 @@ public final class QuestionStrip extends JPanel {
     private final JPanel answers = new JPanel(new MigLayout("insets 0, gap 6"));
     private final JLabel otherwise = new NamedLabel("questionDefault", "");
     private final JLabel refused = new NamedLabel("answerRefused", "");
+    private final transient FocusListener leaving = new FocusAdapter() {
+        @Override
+        public void focusLost(FocusEvent event) {
+            EventThread.later(QuestionStrip.this::showOldest);
+        }
+    };
     private final Timer refresh = new Timer(REFRESH_MS, event -> showTime());
     private transient @Nullable Question shown;
 
@@ -94,9 +104,18 @@ public final class QuestionStrip extends JPanel {
         List<Question> waiting = waiting();
         Question oldest = waiting.isEmpty() ? null : waiting.get(0);
         count.setText(waiting.size() > 1 ? TEXTS.get("question.count", 1, waiting.size()) : "");
-        if (oldest != shown) {
+        if (oldest != shown && !isFocusInside()) {
             show(oldest);
+        } else if (oldest != shown) {
+            refresh.stop();
+            otherwise.setText(TEXTS.get("question.ended"));
         }
+    }
+
+    private void showNext() {
+        List<Question> waiting = waiting();
+        show(waiting.isEmpty() ? null : waiting.get(0));
+        showOldest();
     }
 
     /** Shows another question, or none; a field that had the focus gives it away. */
@@ -149,6 +168,7 @@ public final class QuestionStrip extends JPanel {
         Runnable answer = () -> answer(asked, form.line(field.getText()));
         field.addActionListener(event -> answer.run());
         field.getDocument().addDocumentListener(new TextChange(() -> refuse("")));
+        field.addFocusListener(leaving);
         answers.add(field);
         addButton(TEXTS.get("question.answer"), "answer", answer);
         answers.add(new NamedLabel("answerRange", form.range()));
@@ -157,6 +177,7 @@ public final class QuestionStrip extends JPanel {
     private void addButton(String text, String name, Runnable action) {
         JButton button = new JButton(text);
         button.setName(name);
+        button.addFocusListener(leaving);
         button.addActionListener(event -> action.run());
         answers.add(button);
     }
@@ -165,12 +186,15 @@ public final class QuestionStrip extends JPanel {
     private void answer(Question asked, String answer) {
         List<Question> waiting = waiting();
         if (waiting.isEmpty() || waiting.get(0) != asked) {
-            showOldest();
+            showNext();
             return;
         }
         Optional<Refusal> refusal = submit.apply(answer);
-        refuse(refusal.map(Refusal::message).orElse(""));
-        showOldest();
+        if (refusal.isPresent()) {
+            refuse(refusal.get().message());
+        } else {
+            showNext();
+        }
     }
 
     private void refuse(String why) {

@@ -106,7 +106,24 @@ class QuestionWindowTest {
         window.focus("answerField");
         window.press(KeyEvent.VK_F12);
         window.await("STOP", window::isStopLatched);
+        window.await("the end", () -> window.text("questionDefault").equals("this question has ended"));
+        window.focus("commandLine");
         awaitNone();
+        assertThat(bot.told).noneMatch(told -> told.startsWith("move"));
+    }
+
+    @Test
+    void whatIsTypedForAQuestionThatHasEndedDoesNotGoToTheCommandLine() {
+        window.command("ask far = 30mm \"How far?\" for 1000s");
+        awaitQuestion("How far?");
+        window.type("1 move 5");
+        window.focus("answerField");
+        window.parser.parseText("answer 20mm");
+        window.await("the end", () -> window.text("questionDefault").equals("this question has ended"));
+        window.type("00");
+        window.press(KeyEvent.VK_ENTER);
+        awaitNone();
+        assertThat(window.text("commandLine")).isEqualTo("1 move 5");
         assertThat(bot.told).noneMatch(told -> told.startsWith("move"));
     }
 
