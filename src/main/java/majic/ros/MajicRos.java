@@ -22,11 +22,6 @@ import majic.ros.graph.KnownRobot;
 import majic.ros.graph.KnownRobots;
 import majic.ros.message.CompressedPicture;
 import majic.ros.message.OdometryMessage;
-import majic.ros.motion.BaseOwner;
-import majic.ros.motion.LastOdometry;
-import majic.ros.motion.ObstructionSource;
-import majic.ros.motion.RosMotion;
-import majic.ros.motion.RosMotion.PoseSource;
 import majic.ros.panel.RosPanel;
 import majic.ros.panel.RosPictureFile;
 import majic.ros.panel.RosReplay;
@@ -34,6 +29,11 @@ import majic.ros.panel.RosScene;
 import majic.ros.parameters.RosParameters;
 import majic.ros.readings.RequestedReading;
 import majic.ros.readings.RosReadings;
+import majic.velocity.BaseOwner;
+import majic.velocity.LastOdometry;
+import majic.velocity.ObstructionSource;
+import majic.velocity.VelocityMotion;
+import majic.velocity.VelocityMotion.PoseSource;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -58,7 +58,7 @@ public final class MajicRos extends BotDriver {
     private final RosScenes scenes = new RosScenes(time());
     private final AtomicInteger cameraViews = new AtomicInteger();
     private volatile boolean hasOdometry;
-    private volatile @Nullable RosMotion motions;
+    private volatile @Nullable VelocityMotion motions;
     private volatile LastOdometry last = LastOdometry.NONE;
     private volatile boolean mayMove;
 
@@ -105,7 +105,7 @@ public final class MajicRos extends BotDriver {
     @Override
     protected void open() {
         RosSession opening = new RosSession(address, waiting(), new SessionEvents());
-        RosMotion before = motions;
+        VelocityMotion before = motions;
         last = before == null ? last : before.last();
         motions = null;
         session.set(opening);
@@ -128,7 +128,7 @@ public final class MajicRos extends BotDriver {
     private void begin(RosSession opening) {
         hasOdometry = opening.base().odometry() != null;
         profile(RosProfiles.profile(opening.robot(), !hasOdometry));
-        RosMotion next = new RosMotion(
+        VelocityMotion next = new VelocityMotion(
                 owner,
                 opening,
                 RosProfiles.dynamics(opening.robot()),
@@ -190,7 +190,7 @@ public final class MajicRos extends BotDriver {
 
     @Override
     protected void shut() {
-        RosMotion moving = motions;
+        VelocityMotion moving = motions;
         if (moving != null) {
             moving.close();
         }
@@ -229,8 +229,8 @@ public final class MajicRos extends BotDriver {
         motions().confirmHalt();
     }
 
-    private RosMotion motions() {
-        RosMotion moving = motions;
+    private VelocityMotion motions() {
+        VelocityMotion moving = motions;
         if (moving == null) {
             throw new BotException(name() + " is not connected");
         }
@@ -336,7 +336,7 @@ public final class MajicRos extends BotDriver {
     private final class SessionEvents implements RosSession.Events {
         @Override
         public void odometry(RosSession from, OdometryMessage reading, long measuredNanos) {
-            RosMotion moving = motions;
+            VelocityMotion moving = motions;
             if (from == session.get() && moving != null) {
                 sensing.odometry(reading);
                 moving.reported(reading.pose(), reading.speedMmPerSec(), reading.turnRateDegPerSec(), measuredNanos);
@@ -345,7 +345,7 @@ public final class MajicRos extends BotDriver {
 
         @Override
         public void unusable(RosSession from, String reason) {
-            RosMotion moving = motions;
+            VelocityMotion moving = motions;
             if (from == session.get() && moving != null) {
                 moving.unusable(reason);
             }
@@ -353,7 +353,7 @@ public final class MajicRos extends BotDriver {
 
         @Override
         public void lost(RosSession from, LinkLost cause) {
-            RosMotion moving = motions;
+            VelocityMotion moving = motions;
             if (from != session.get() || moving == null) {
                 return;
             }

@@ -3,7 +3,7 @@ package majic.ros;
 import majic.bot.BotProfile;
 import majic.bot.Range;
 import majic.ros.graph.KnownRobot;
-import majic.ros.motion.BaseDynamics;
+import majic.velocity.BaseDynamics;
 
 /** Converts an entry of the table of robots for the driver and the motions. */
 final class RosProfiles {

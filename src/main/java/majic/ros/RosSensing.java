@@ -19,9 +19,6 @@ import majic.driver.RobotWait;
 import majic.ros.bridge.ServiceFailed;
 import majic.ros.message.Hazard;
 import majic.ros.message.OdometryMessage;
-import majic.ros.motion.Obstruction;
-import majic.ros.motion.Obstruction.Side;
-import majic.ros.motion.ObstructionSource;
 import majic.ros.navigation.Navigation;
 import majic.ros.navigation.NavigationServers;
 import majic.ros.parameters.RosAccess;
@@ -31,6 +28,9 @@ import majic.ros.readings.BridgeClient;
 import majic.ros.readings.RosReadings;
 import majic.ros.readings.RosSensors;
 import majic.ros.readings.RosTopic;
+import majic.velocity.Obstruction;
+import majic.velocity.Obstruction.Side;
+import majic.velocity.ObstructionSource;
 import org.jspecify.annotations.Nullable;
 
 /** What a robot has beside its wheels: sensors, services and goals, with their parameters and commands. Thread-safe. */

@@ -30,9 +30,9 @@ import majic.ros.message.OdometryMessage;
 import majic.ros.message.StampClock;
 import majic.ros.message.UnusableMessage;
 import majic.ros.message.VelocityForm;
-import majic.ros.motion.VelocityOutput;
 import majic.time.SuspendDetector;
 import majic.time.WaitPolicy;
+import majic.velocity.VelocityOutput;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 /**
  * The limits of a base that its control uses. Immutable. All numbers are positive.

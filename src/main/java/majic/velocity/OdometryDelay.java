@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import java.util.function.DoubleSupplier;
 import majic.driver.SentRates;

@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
@@ -13,7 +13,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** A base without odometry: its position is calculated from the velocities sent. */
 class EstimatedBaseTest {
     @AutoClose
-    private final ModelRobot robot = new ModelRobot(BaseModel.Traits.USUAL, RosMotion.PoseSource.COMMANDS).connected();
+    private final ModelRobot robot =
+            new ModelRobot(BaseModel.Traits.USUAL, VelocityMotion.PoseSource.COMMANDS).connected();
 
     private final ModelDriver bot = robot.bot();
 

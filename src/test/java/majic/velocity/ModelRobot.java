@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import java.util.concurrent.atomic.AtomicReference;
 import majic.bot.Pose;
@@ -15,10 +15,10 @@ final class ModelRobot implements TestedRobot {
     final ModelDriver bot;
 
     ModelRobot(BaseModel.Traits traits) {
-        this(traits, RosMotion.PoseSource.ODOMETRY);
+        this(traits, VelocityMotion.PoseSource.ODOMETRY);
     }
 
-    ModelRobot(BaseModel.Traits traits, RosMotion.PoseSource source) {
+    ModelRobot(BaseModel.Traits traits, VelocityMotion.PoseSource source) {
         double timeoutS = traits.timeoutMs() == 0 ? Double.POSITIVE_INFINITY : traits.timeoutMs() / 1e3;
         bot = new ModelDriver(clock.time(), timeoutS, source);
         base = new BaseModel(traits, bot::received);

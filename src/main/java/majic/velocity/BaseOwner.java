@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import majic.bot.BotState;
 import majic.driver.RobotWait;

@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import majic.bot.BotProfile;
 import majic.bot.BotState;
@@ -20,17 +20,17 @@ final class ModelDriver extends BotDriver {
     static final double FASTEST_DEG_PER_SEC = 160;
 
     private final BaseDynamics dynamics;
-    private final RosMotion.PoseSource source;
+    private final VelocityMotion.PoseSource source;
     private final Owner owner = new Owner();
     volatile @Nullable BaseModel base;
-    volatile @Nullable RosMotion motions;
+    volatile @Nullable VelocityMotion motions;
     volatile @Nullable Obstruction obstruction;
     volatile double lateS;
     private volatile @Nullable BotState state;
     private volatile boolean wasMoving;
     private volatile LastOdometry last = LastOdometry.NONE;
 
-    ModelDriver(TimeSource time, double timeoutS, RosMotion.PoseSource source) {
+    ModelDriver(TimeSource time, double timeoutS, VelocityMotion.PoseSource source) {
         super(new RosType(), size(), new BotEnvironment(time, Settings.inMemory()));
         this.dynamics = BaseDynamics.of(FASTEST_MM_PER_SEC, FASTEST_DEG_PER_SEC, timeoutS);
         this.source = source;
@@ -49,8 +49,8 @@ final class ModelDriver extends BotDriver {
 
     /** Receives a message of the odometry. */
     void received(BaseModel.Reading reading) {
-        RosMotion now = motions;
-        if (now != null && source == RosMotion.PoseSource.ODOMETRY) {
+        VelocityMotion now = motions;
+        if (now != null && source == VelocityMotion.PoseSource.ODOMETRY) {
             now.reported(reading.raw(), reading.mmPerSec(), reading.degPerSec(), measuredNanos());
         }
     }
@@ -62,7 +62,7 @@ final class ModelDriver extends BotDriver {
 
     /** Ends the connection. */
     void cut() {
-        RosMotion now = motions;
+        VelocityMotion now = motions;
         if (now != null && isConnected()) {
             wasMoving = now.isMoving();
             String after = now.afterLoss();
@@ -73,8 +73,8 @@ final class ModelDriver extends BotDriver {
         }
     }
 
-    private RosMotion motions() {
-        RosMotion now = motions;
+    private VelocityMotion motions() {
+        VelocityMotion now = motions;
         if (now == null) {
             throw new LinkLost("not connected");
         }
@@ -91,7 +91,7 @@ final class ModelDriver extends BotDriver {
 
     @Override
     protected void open() {
-        RosMotion opened = new RosMotion(owner, owner, dynamics, last, source);
+        VelocityMotion opened = new VelocityMotion(owner, owner, dynamics, last, source);
         motions = opened;
         opened.begin(wasMoving);
         owner.waiting().awaitConnecting(opened::hasReported, 3);
@@ -99,7 +99,7 @@ final class ModelDriver extends BotDriver {
 
     @Override
     protected void shut() {
-        RosMotion now = motions;
+        VelocityMotion now = motions;
         if (now != null) {
             now.close();
         }

@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
@@ -21,8 +21,8 @@ import org.jspecify.annotations.Nullable;
  * is published at once and repeated until the odometry shows the base stationary. Of a base without odometry the
  * position is calculated from the velocities sent, and its stop is not confirmed by anything. Thread-safe.
  */
-public final class RosMotion {
-    private static final Logger LOG = System.getLogger(RosMotion.class.getName());
+public final class VelocityMotion {
+    private static final Logger LOG = System.getLogger(VelocityMotion.class.getName());
 
     /** Long enough to brake from the highest speed, seconds. */
     private static final double HALT_S = 4;
@@ -68,7 +68,7 @@ public final class RosMotion {
      * @param before where the base was before its connection was lost
      * @param source whether it has odometry
      */
-    public RosMotion(
+    public VelocityMotion(
             BaseOwner owner, VelocityOutput output, BaseDynamics dynamics, LastOdometry before, PoseSource source) {
         this.owner = owner;
         this.dynamics = dynamics;
@@ -90,7 +90,7 @@ public final class RosMotion {
     public void begin(boolean mayMove) {
         if (reckoning != null) {
             estimate();
-            owner.every("ros dead reckoning", IDLE_S, this::estimate);
+            owner.every("dead reckoning", IDLE_S, this::estimate);
         }
         if (mayMove) {
             sender.stop();
@@ -289,7 +289,7 @@ public final class RosMotion {
 
     private void schedule() {
         if (scheduled.compareAndSet(false, true)) {
-            owner.once("ros velocity", VelocitySender.PERIOD_S, this::tick);
+            owner.once("velocity", VelocitySender.PERIOD_S, this::tick);
         }
     }
 

@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -15,7 +15,7 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 
 /** A stop of a base: at once, repeated, confirmed by the odometry. */
-class RosStopTest {
+class VelocityStopTest {
     @AutoClose
     private final ModelRobot robot =
             new ModelRobot(BaseModel.Traits.USUAL.drivingOn().heavy(300)).connected();

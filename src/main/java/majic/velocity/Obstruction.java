@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 /**
  * A contact, or another reason for which a base cannot go on, as its sensors report it. Immutable.

@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import majic.bot.Unit;
 import majic.bot.Value;

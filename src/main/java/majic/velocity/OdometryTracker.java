@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import java.util.ArrayDeque;
 import java.util.Deque;

@@ -1,4 +1,4 @@
-package majic.ros.motion;
+package majic.velocity;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
