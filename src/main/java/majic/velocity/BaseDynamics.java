@@ -11,6 +11,7 @@ package majic.velocity;
  * @param accelerationDegPerSec2 the change of turn rate that it can follow, deg/s²
  * @param timeoutS after this time without a velocity the base stops by itself; infinite for a base that drives on, NaN
  *     if that is not known
+ * @param accuracy how exact its readings are
  */
 public record BaseDynamics(
         double slowestMmPerSec,
@@ -19,7 +20,8 @@ public record BaseDynamics(
         double fastestDegPerSec,
         double accelerationMmPerSec2,
         double accelerationDegPerSec2,
-        double timeoutS) {
+        double timeoutS,
+        Accuracy accuracy) {
     /** The lowest speed and rate of bases of which no others are known: above the steps of a TurtleBot3 (sheet 8). */
     private static final double SLOWEST_MM_PER_SEC = 12;
 
@@ -27,6 +29,36 @@ public record BaseDynamics(
 
     /** The highest speed and rate are reached from rest within this time, seconds. */
     private static final double RAMP_S = 0.8;
+
+    /**
+     * The dynamics of a base with the accuracy of odometry.
+     *
+     * @param slowestMmPerSec as of the record
+     * @param slowestDegPerSec as of the record
+     * @param fastestMmPerSec as of the record
+     * @param fastestDegPerSec as of the record
+     * @param accelerationMmPerSec2 as of the record
+     * @param accelerationDegPerSec2 as of the record
+     * @param timeoutS as of the record
+     */
+    public BaseDynamics(
+            double slowestMmPerSec,
+            double slowestDegPerSec,
+            double fastestMmPerSec,
+            double fastestDegPerSec,
+            double accelerationMmPerSec2,
+            double accelerationDegPerSec2,
+            double timeoutS) {
+        this(
+                slowestMmPerSec,
+                slowestDegPerSec,
+                fastestMmPerSec,
+                fastestDegPerSec,
+                accelerationMmPerSec2,
+                accelerationDegPerSec2,
+                timeoutS,
+                Accuracy.ODOMETRY);
+    }
 
     /** Refuses numbers that are not positive. */
     public BaseDynamics {

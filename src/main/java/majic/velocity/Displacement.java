@@ -43,8 +43,10 @@ sealed interface Displacement {
      * @param start the state at the start
      * @param amount mm, ahead positive
      * @param limits in mm
+     * @param accuracy of the base
      */
-    record Straight(TrackedState start, double amount, ApproachController.Limits limits) implements Displacement {
+    record Straight(TrackedState start, double amount, ApproachController.Limits limits, Accuracy accuracy)
+            implements Displacement {
         /** deg/s for each degree off the heading. */
         private static final double HEADING_GAIN = 1.5;
 
@@ -53,16 +55,18 @@ sealed interface Displacement {
 
         private static final double MOST_DEG_PER_SEC = 15;
 
-        /** The distance from the target that counts as reached. */
-        private static final double TOLERANCE_MM = 1;
-
         static Straight of(TrackedState start, double mm, double cruiseMmPerSec, BaseDynamics base) {
             double cruise = Math.min(cruiseMmPerSec, base.fastestMmPerSec());
             double creep = Math.min(base.slowestMmPerSec(), cruise);
             return new Straight(
                     start,
                     mm,
-                    new ApproachController.Limits(cruise, creep, base.accelerationMmPerSec2(), TOLERANCE_MM));
+                    new ApproachController.Limits(
+                            cruise,
+                            creep,
+                            base.accelerationMmPerSec2(),
+                            base.accuracy().reachedMm()),
+                    base.accuracy());
         }
 
         @Override
@@ -91,12 +95,12 @@ sealed interface Displacement {
 
         @Override
         public double acceptable() {
-            return 5;
+            return accuracy.acceptableMm();
         }
 
         @Override
         public double tolerable() {
-            return 10;
+            return accuracy.tolerableMm();
         }
 
         @Override
@@ -111,18 +115,22 @@ sealed interface Displacement {
      * @param start the state at the start
      * @param amount degrees, counterclockwise positive
      * @param limits in degrees
+     * @param accuracy of the base
      */
-    record Turn(TrackedState start, double amount, ApproachController.Limits limits) implements Displacement {
-        /** The angle from the target that counts as reached. */
-        private static final double TOLERANCE_DEG = 0.15;
-
+    record Turn(TrackedState start, double amount, ApproachController.Limits limits, Accuracy accuracy)
+            implements Displacement {
         static Turn of(TrackedState start, double degrees, double cruiseDegPerSec, BaseDynamics base) {
             double cruise = Math.min(cruiseDegPerSec, base.fastestDegPerSec());
             double creep = Math.min(base.slowestDegPerSec(), cruise);
             return new Turn(
                     start,
                     degrees,
-                    new ApproachController.Limits(cruise, creep, base.accelerationDegPerSec2(), TOLERANCE_DEG));
+                    new ApproachController.Limits(
+                            cruise,
+                            creep,
+                            base.accelerationDegPerSec2(),
+                            base.accuracy().reachedDeg()),
+                    base.accuracy());
         }
 
         @Override
@@ -147,12 +155,12 @@ sealed interface Displacement {
 
         @Override
         public double acceptable() {
-            return 0.5;
+            return accuracy.acceptableDeg();
         }
 
         @Override
         public double tolerable() {
-            return 1;
+            return accuracy.tolerableDeg();
         }
 
         @Override

@@ -10,11 +10,6 @@ final class MotionWatcher {
     /** A base that has not moved for so long in spite of a velocity is taken to be blocked, seconds. */
     private static final double BLOCKED_S = 2;
 
-    /** What counts as progress within that time. */
-    private static final double PROGRESS_MM = 5;
-
-    private static final double PROGRESS_DEG = 1;
-
     /** A contact that was reported longer before the motion than this was over when it began, seconds. */
     private static final double OLD_S = 0.3;
 
@@ -70,8 +65,9 @@ final class MotionWatcher {
     boolean isBlocked(TrackedState now, boolean commanded) {
         long nowNanos = base.time().nanos();
         if (!commanded
-                || now.pose().distanceMm(progressed.pose()) >= PROGRESS_MM
-                || Math.abs(now.turnedDeg() - progressed.turnedDeg()) >= PROGRESS_DEG) {
+                || now.pose().distanceMm(progressed.pose()) >= base.accuracy().progressMm()
+                || Math.abs(now.turnedDeg() - progressed.turnedDeg())
+                        >= base.accuracy().progressDeg()) {
             progressed = now;
             progressNanos = nowNanos;
         }

@@ -27,6 +27,7 @@ final class MovingBase {
     private final RobotWait waiting;
     private final VelocitySender sender;
     private final OdometryDelay delay;
+    private final Accuracy accuracy;
     private volatile @Nullable TrackedState now;
     private volatile long measuredNanos;
     private volatile @Nullable Unusable unusable;
@@ -45,10 +46,15 @@ final class MovingBase {
 
     private record Unusable(String reason, long atNanos) {}
 
-    MovingBase(RobotWait waiting, VelocitySender sender, OdometryDelay delay) {
+    MovingBase(RobotWait waiting, VelocitySender sender, OdometryDelay delay, Accuracy accuracy) {
         this.waiting = waiting;
         this.sender = sender;
         this.delay = delay;
+        this.accuracy = accuracy;
+    }
+
+    Accuracy accuracy() {
+        return accuracy;
     }
 
     TimeSource time() {

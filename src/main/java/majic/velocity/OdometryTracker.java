@@ -10,11 +10,6 @@ import org.jspecify.annotations.Nullable;
  * base is reset. Time is that of the arrival: the stamps of a robot may jump. Has no clock. Not thread-safe.
  */
 final class OdometryTracker {
-    /** A stationary base is slower than this by every measure, mm/s and deg/s. */
-    private static final double STATIONARY_MM_PER_SEC = 8;
-
-    private static final double STATIONARY_DEG_PER_SEC = 1.5;
-
     /** Poses are compared over this time, seconds: the noise of two poses in a row would look like a motion. */
     private static final double WINDOW_S = 0.2;
 
@@ -45,6 +40,9 @@ final class OdometryTracker {
     private double turnedDeg;
     private int jumps;
     private boolean reportsVelocities;
+
+    /** When the last reading arrived that showed a motion, seconds; minus infinity before the first one. */
+    private double fastS = Double.NEGATIVE_INFINITY;
 
     /**
      * Begins with the first reading that is added.
@@ -120,8 +118,11 @@ final class OdometryTracker {
             movedMmPerSec = travelledMm(old.pose(), pose) / seconds;
             movedDegPerSec = (turnedDeg - old.turnedDeg()) / seconds;
         }
-        boolean stationary =
-                continuous && isStationary(mmPerSec, degPerSec) && isStationary(movedMmPerSec, movedDegPerSec);
+        boolean slow = continuous && isStationary(mmPerSec, degPerSec) && isStationary(movedMmPerSec, movedDegPerSec);
+        if (!slow) {
+            fastS = atNanos / 1e9;
+        }
+        boolean stationary = slow && atNanos / 1e9 - fastS >= limits.accuracy().restS();
         return new TrackedState(
                 pose,
                 turnedDeg,
@@ -138,8 +139,9 @@ final class OdometryTracker {
         return to.aheadMm(from) > 0 ? -distance : distance;
     }
 
-    private static boolean isStationary(double mmPerSec, double degPerSec) {
-        return Math.abs(mmPerSec) < STATIONARY_MM_PER_SEC && Math.abs(degPerSec) < STATIONARY_DEG_PER_SEC;
+    private boolean isStationary(double mmPerSec, double degPerSec) {
+        return Math.abs(mmPerSec) < limits.accuracy().stationaryMmPerSec()
+                && Math.abs(degPerSec) < limits.accuracy().stationaryDegPerSec();
     }
 
     /** Keeps the states within the window, and the last one that is older. */

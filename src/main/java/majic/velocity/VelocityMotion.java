@@ -74,7 +74,7 @@ public final class VelocityMotion {
         this.dynamics = dynamics;
         this.obstructions = owner.obstructions();
         this.sender = new VelocitySender(output, owner.waiting().time(), new Sent());
-        this.base = new MovingBase(owner.waiting(), sender, new OdometryDelay(owner::roundTripS));
+        this.base = new MovingBase(owner.waiting(), sender, new OdometryDelay(owner::roundTripS), dynamics.accuracy());
         this.driving = new VelocityDrive(base, obstructions, dynamics);
         this.tracker = new OdometryTracker(dynamics, before);
         this.last = before;
