@@ -1,6 +1,7 @@
 package majic.bot;
 
 import java.io.IOException;
+import java.net.BindException;
 import java.net.ConnectException;
 import java.net.NoRouteToHostException;
 import java.net.SocketTimeoutException;
@@ -106,6 +107,9 @@ public class ConnectFailed extends BotException {
     private static Reason ofOne(Throwable cause) {
         if (cause instanceof UnknownHostException) {
             return Reason.UNKNOWN_HOST;
+        }
+        if (cause instanceof BindException) {
+            return Reason.BUSY;
         }
         if (cause instanceof ConnectException) {
             return Reason.REFUSED;
