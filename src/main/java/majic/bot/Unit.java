@@ -25,7 +25,9 @@ public enum Unit {
     /** Hundredths. */
     PERCENT("%", 1),
     /** Degrees of Celsius' scale. */
-    CELSIUS("°C", 1);
+    CELSIUS("°C", 1),
+    /** Degrees of latitude or longitude, to about 10 mm. */
+    LAT_LON("°", 7);
 
     private final String symbol;
     private final int digits;

@@ -225,7 +225,9 @@ public sealed interface Value {
         if (!Double.isFinite(number)) {
             return String.valueOf(number);
         }
-        int digits = Math.abs(number) >= 100 ? 0 : Math.abs(number) >= 10 ? 1 : 3;
+        int usual = Math.abs(number) >= 100 ? 0 : Math.abs(number) >= 10 ? 1 : 3;
+        // A unit with more digits than any number usually has needs all of them.
+        int digits = mostDigits > 3 ? mostDigits : usual;
         BigDecimal rounded = BigDecimal.valueOf(number)
                 .setScale(Math.min(digits, mostDigits), RoundingMode.HALF_UP)
                 .stripTrailingZeros();
