@@ -49,8 +49,22 @@ public final class ParameterTable {
          *
          * @param parameter its description; its name is that which is looked up
          * @param reader gives the present value, as in {@link ParameterTable#add}
+         * @param writer sets it, as in {@link Entry#writes}; null if it can only be read
          */
-        record Found(Parameter parameter, Supplier<Value> reader) {}
+        record Found(
+                Parameter parameter,
+                Supplier<Value> reader,
+                @Nullable Consumer<List<Value>> writer) {
+            /**
+             * A parameter that can only be read.
+             *
+             * @param parameter its description
+             * @param reader gives the present value
+             */
+            public Found(Parameter parameter, Supplier<Value> reader) {
+                this(parameter, reader, null);
+            }
+        }
     }
 
     /** A parameter with its reader and writer. */
@@ -230,9 +244,7 @@ public final class ParameterTable {
     Entry find(String bot, String name) {
         Entry found = merged().find(name);
         if (found == null) {
-            found = finder.find(name)
-                    .map(other -> add(other.parameter(), other.reader()))
-                    .orElse(null);
+            found = finder.find(name).map(this::add).orElse(null);
         }
         if (found == null) {
             List<String> names = all().stream().map(Parameter::name).toList();
@@ -240,6 +252,12 @@ public final class ParameterTable {
                     name, name + ": " + bot + " has no such parameter" + Suggestion.didYouMean(name, names));
         }
         return found;
+    }
+
+    private Entry add(Finder.Found found) {
+        Entry entry = add(found.parameter(), found.reader());
+        Consumer<List<Value>> writer = found.writer();
+        return writer == null ? entry : entry.writes(writer);
     }
 
     /** Returns all; the same list object as long as none changes, so that frequent callers can compare by identity. */
