@@ -40,7 +40,7 @@ public final class BotFactory {
      * The types in the order of the thesis, then the one of today's robots, those of other desks; others follow by
      * name.
      */
-    private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros", "mqtt");
+    private static final List<String> ORDER = List.of("aibo", "pioneer", "hemisson", "ros", "mavlink", "mqtt");
 
     private static final Pattern SERVER = Pattern.compile(
             "(?<type>\\w+)(?:\\+\\w+)?:(?:tcp:)?//(?<host>\\[[^]]+]|[^/:?]+)(?<port>:\\d+)?(?<rest>.*)");

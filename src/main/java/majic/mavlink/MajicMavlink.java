@@ -1,0 +1,373 @@
+package majic.mavlink;
+
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.atomic.AtomicReference;
+import majic.bot.BotAddress;
+import majic.bot.BotException;
+import majic.bot.BotState;
+import majic.bot.LinkLost;
+import majic.bot.Parameter;
+import majic.bot.Pose;
+import majic.bot.RangeScan;
+import majic.bot.RangeSensor;
+import majic.bot.Value;
+import majic.driver.BotDriver;
+import majic.driver.Motion;
+import majic.driver.RobotWait;
+import majic.environment.BotEnvironment;
+import majic.mavlink.frame.MavlinkMessageType;
+import majic.mavlink.message.AutopilotVersion;
+import majic.mavlink.message.ObstacleRing;
+import majic.mavlink.message.RangeReading;
+import majic.mavlink.message.VehicleHeartbeat;
+import majic.mavlink.motion.FailsafeText;
+import majic.mavlink.motion.VehicleMotion;
+import majic.mavlink.parameters.NamedParameters;
+import majic.mavlink.parameters.VehicleAccess;
+import majic.mavlink.parameters.VehicleCommands;
+import majic.mavlink.parameters.VehicleParameters;
+import majic.mavlink.ranging.VehicleRanges;
+import majic.mavlink.session.Received;
+import majic.mavlink.session.VehicleSession;
+import majic.velocity.LastOdometry;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A vehicle that speaks MAVLink. Rovers and boats with ArduPilot 4 are driven by velocities, ten a second, and each
+ * motion is controlled here by the position that the autopilot reports; the autopilot follows a velocity for 3 s at
+ * most. Aircraft and submarines are shown, stopped and taken down or home; they are never armed and never moved
+ * otherwise.
+ *
+ * <p>The connection is given up when the vehicle has been silent for 3 s.
+ */
+public final class MajicMavlink extends BotDriver {
+    private static final double HEARTBEAT_S = 1;
+    private static final double CHECK_S = 0.25;
+    private static final int OLDEST_MAJOR = 4;
+
+    private final MavlinkAddress address;
+    private final AtomicReference<VehicleAccess.@Nullable Parts> parts = new AtomicReference<>();
+    private final VehicleAccess access = new VehicleAccess(parts::get);
+    private final VehicleParameters parameters = new VehicleParameters(access);
+    private final VehicleCommands commands = new VehicleCommands(access);
+    private volatile @Nullable VehicleSession session;
+    private volatile LastOdometry last = LastOdometry.NONE;
+    private volatile boolean mayMove;
+    private volatile boolean armByMotion;
+    private volatile boolean describesRanges;
+
+    /**
+     * Creates the driver of a vehicle, with the system's clock and no settings.
+     *
+     * @param address as users type it: {@code mavlink:udp://:14550}, {@code mavlink://192.168.1.20:5760},
+     *     {@code mavlink:/dev/ttyUSB0?baud=57600}, with {@code ?system=3} for one of several
+     * @throws BotException if it is no such address
+     */
+    public MajicMavlink(String address) {
+        this(BotAddress.parse(address), BotEnvironment.plain());
+    }
+
+    /**
+     * Creates the driver of a vehicle.
+     *
+     * @param address with the scheme {@code mavlink}
+     * @param environment the clock and settings to use
+     * @throws BotException if it is no such address; the message shows a right one
+     */
+    public MajicMavlink(BotAddress address, BotEnvironment environment) {
+        super(
+                new MavlinkType(),
+                VehicleLimits.usual(MavlinkAddress.parse(address).radiusMm()),
+                environment);
+        this.address = MavlinkAddress.parse(address);
+        // Readers of messages leave out old ones, each by its own pace.
+        table().measured(time()::nanos);
+        parameters.describe(table());
+        table().add(
+                        Parameter.onOff("armByMotion", "whether a motion arms a rover or boat that is not armed"),
+                        () -> Value.onOff(armByMotion))
+                .kept()
+                .writes(values -> armByMotion = values.get(0).isYes());
+        table().findOthers(new NamedParameters(access));
+        every("mavlink heartbeat", HEARTBEAT_S, this::heartbeat);
+        every("mavlink check", CHECK_S, this::check);
+    }
+
+    private void heartbeat() {
+        VehicleSession open = session;
+        if (open != null) {
+            open.heartbeat();
+        }
+    }
+
+    private void check() {
+        VehicleSession open = session;
+        if (open != null) {
+            open.check();
+        }
+    }
+
+    @Override
+    protected double longestAgeS() {
+        return LONGEST_AGE_S;
+    }
+
+    @Override
+    protected void open() {
+        VehicleAccess.Parts before = parts.getAndSet(null);
+        last = before == null ? last : before.motion().last();
+        VehicleSession opening = new VehicleSession(address.endpoint(), address.system(), waiting(), new Events());
+        session = opening;
+        opening.open();
+        begin(opening);
+        adviseAbout(opening);
+    }
+
+    private void begin(VehicleSession opened) {
+        double fastest = VehicleLimits.fastest(opened);
+        profile(VehicleLimits.profile(address.radiusMm(), fastest));
+        VehicleMotion motion = parts(opened).motion();
+        VehicleCommands.NAMES.forEach(this::removeCommand);
+        commands.of(opened.vehicle(), opened.modes()).forEach(this::add);
+        motion.begin(mayMove);
+        mayMove = false;
+    }
+
+    /** The parts of a session; made by its first message that needs them, on whatever thread. */
+    private VehicleAccess.Parts parts(VehicleSession of) {
+        synchronized (parts) {
+            VehicleAccess.Parts open = parts.get();
+            if (open == null || open.session() != of) {
+                open = new VehicleAccess.Parts(
+                        of,
+                        new VehicleMotion(new Owner(), of, VehicleLimits.dynamics(), last),
+                        new VehicleRanges(of.reports(), time()));
+                parts.set(open);
+            }
+            return open;
+        }
+    }
+
+    /** Sends notices about what matters before the vehicle moves. */
+    private void adviseAbout(VehicleSession opened) {
+        Optional<AutopilotVersion> version = opened.version();
+        if (!opened.modes().isKnown()) {
+            notice("its autopilot is neither ArduPilot nor PX4, or the kind of vehicle is unknown: MAJIC shows it, but"
+                    + " cannot stop it");
+        } else if (opened.modes().isPx4()) {
+            notice("its autopilot is PX4: MAJIC shows and stops it, but does not drive it");
+        } else if (!opened.vehicle().isOnSurface()) {
+            notice("it is a " + opened.vehicle().title() + ": MAJIC shows and stops it, but does not arm or move it");
+        } else if (version.isEmpty()) {
+            notice("its autopilot has not reported its version; MAJIC needs ArduPilot 4 or newer to drive it");
+        } else if (version.get().major() < OLDEST_MAJOR) {
+            notice("its autopilot is ArduPilot " + version.get() + "; MAJIC needs version 4 or newer to drive it");
+        }
+        if (FailsafeText.goesOn(opened)) {
+            notice(
+                    "if MAJIC ends without a stop, its own navigation goes on to where it was sent (FS_GCS_ENABLE is 0); to"
+                            + " change that, set param/FS_GCS_ENABLE 1");
+        }
+    }
+
+    /** The kind of vehicle and the version of its autopilot. */
+    @Override
+    public String introduction() {
+        VehicleSession open = session;
+        if (open == null || !isConnected()) {
+            return super.introduction();
+        }
+        return super.introduction() + " (" + open.vehicle().title() + ", system " + open.system()
+                + open.version().map(version -> ", version " + version).orElse("") + ")";
+    }
+
+    /** The connection and the number of the vehicle on it. */
+    @Override
+    public Optional<String> identity() {
+        VehicleSession open = session;
+        return open == null || open.system() == 0
+                ? Optional.empty()
+                : Optional.of(open.endpoint().key() + " system " + open.system());
+    }
+
+    @Override
+    protected void shut() {
+        VehicleAccess.Parts open = parts.get();
+        VehicleSession closing = session;
+        if (open != null && open.session() == closing) {
+            open.motion().close();
+        }
+        if (closing != null) {
+            closing.close();
+        }
+    }
+
+    @Override
+    protected Value moveBy(double mm, Motion motion) {
+        return motion().move(mm, cruiseMmPerSec(), motion);
+    }
+
+    @Override
+    protected Value turnBy(double degrees, Motion motion) {
+        return motion().turn(degrees, cruiseTurnDegPerSec(), motion);
+    }
+
+    @Override
+    protected void driveAt(double mmPerSec, double degPerSec) {
+        motion().drive(mmPerSec, degPerSec);
+    }
+
+    /** A vehicle that others fly is not stopped because MAJIC is closed. */
+    @Override
+    protected void haltAhead() {
+        VehicleMotion moving = motion();
+        if (connection() != Connection.CLOSED || moving.isHeld() || moving.isMovingOnSurface()) {
+            moving.haltAhead();
+        }
+    }
+
+    @Override
+    protected void halt() {
+        motion().halt();
+    }
+
+    @Override
+    public void confirmHalt() {
+        motion().confirmHalt();
+    }
+
+    private VehicleMotion motion() {
+        VehicleAccess.Parts open = parts.get();
+        if (open == null) {
+            throw new BotException(name() + " is not connected");
+        }
+        return open.motion();
+    }
+
+    /** The range finders that have reported so far. */
+    @Override
+    public List<RangeSensor> rangeSensors() {
+        VehicleAccess.Parts open = parts.get();
+        return open == null ? List.of() : open.ranges().sensors();
+    }
+
+    private void publishRanges(VehicleAccess.Parts open, MavlinkMessageType type) {
+        if (!describesRanges && open.ranges().areThere()) {
+            describesRanges = true;
+            parameters.describeRanges(table(), this::profile);
+        }
+        Optional<Pose> pose = open.motion().poseNow();
+        if (!hasScanListeners() || pose.isEmpty()) {
+            return;
+        }
+        double now = time().nanos() / 1e9;
+        VehicleRanges ranges = open.ranges();
+        if (type == MavlinkMessageType.OBSTACLE_DISTANCE) {
+            open.session()
+                    .reports()
+                    .newest(ObstacleRing.class)
+                    .map(Received::value)
+                    .filter(ObstacleRing::isUsable)
+                    .ifPresent(ring ->
+                            publishScan(new RangeScan(ranges.sensor(ring), now, pose.get(), ranges.ranges(ring))));
+        } else {
+            open.session().reports().ranges().values().stream()
+                    .filter(received -> received.atNanos() == time().nanos())
+                    .map(Received::value)
+                    .filter(RangeReading::isHorizontal)
+                    .forEach(reading ->
+                            publishScan(new RangeScan(ranges.sensor(reading), now, pose.get(), (float) reading.mm())));
+        }
+    }
+
+    /** Handles what happens in the session. */
+    private final class Events implements VehicleSession.Listener {
+        @Override
+        public void moved(VehicleSession from) {
+            if (from == session) {
+                parts(from).motion().moved();
+            }
+        }
+
+        @Override
+        public void heartbeat(VehicleSession from, VehicleHeartbeat heartbeat) {
+            if (from == session) {
+                parts(from).motion().heartbeat(heartbeat);
+                news();
+            }
+        }
+
+        @Override
+        public void reported(VehicleSession from, MavlinkMessageType type) {
+            if (from != session) {
+                return;
+            }
+            if (type == MavlinkMessageType.DISTANCE_SENSOR || type == MavlinkMessageType.OBSTACLE_DISTANCE) {
+                publishRanges(parts(from), type);
+            }
+            news();
+        }
+
+        @Override
+        public void restarted(VehicleSession from) {
+            if (from == session) {
+                parts(from).motion().restarted();
+                MajicMavlink.this.notice("the autopilot has restarted");
+            }
+        }
+
+        @Override
+        public void lost(VehicleSession from, LinkLost cause) {
+            VehicleAccess.Parts open = parts.get();
+            if (from != session) {
+                return;
+            }
+            String after = "";
+            if (open != null && open.session() == from) {
+                mayMove |= open.motion().isHeld() || open.motion().isMoving();
+                after = open.motion().afterLoss();
+                open.motion().end();
+            }
+            MajicMavlink.this.lost(new LinkLost(cause.getMessage() + after, cause));
+        }
+
+        @Override
+        public void notice(String message) {
+            MajicMavlink.this.notice(message);
+        }
+    }
+
+    /** The driver as its motions use it. */
+    private final class Owner implements VehicleMotion.MotionOwner {
+        @Override
+        public String name() {
+            return MajicMavlink.this.name();
+        }
+
+        @Override
+        public RobotWait waiting() {
+            return MajicMavlink.this.waiting();
+        }
+
+        @Override
+        public void once(String what, double seconds, Runnable task) {
+            MajicMavlink.this.once(what, seconds, task);
+        }
+
+        @Override
+        public void publish(BotState state) {
+            MajicMavlink.this.publish(state);
+        }
+
+        @Override
+        public void notice(String message) {
+            MajicMavlink.this.notice(message);
+        }
+
+        @Override
+        public boolean armsByMotion() {
+            return armByMotion;
+        }
+    }
+}

@@ -1,0 +1,17 @@
+package majic.mavlink.line;
+
+import java.io.IOException;
+import majic.mavlink.frame.MavlinkFrame;
+
+/** Receives what arrives on a connection, on its reader thread, and must not wait. */
+public interface FrameListener {
+    /** Takes a frame, of whatever vehicle. */
+    void received(MavlinkFrame frame);
+
+    /**
+     * Takes the end of the connection; called once, unless the listener has left it before.
+     *
+     * @param cause half a sentence
+     */
+    void ended(IOException cause);
+}

@@ -1,0 +1,19 @@
+package majic.mavlink.line;
+
+import java.net.InetSocketAddress;
+import majic.mavlink.frame.FrameDecoder;
+import majic.mavlink.frame.FrameEncoder;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One end that frames come from: a vehicle, or a radio or proxy with several behind it.
+ *
+ * @param address where datagrams go to; null for the only other end of a stream
+ * @param decoder of its bytes
+ * @param encoder of what is sent to it
+ */
+record LinePeer(@Nullable InetSocketAddress address, FrameDecoder decoder, FrameEncoder encoder) {
+    static LinePeer at(@Nullable InetSocketAddress address) {
+        return new LinePeer(address, new FrameDecoder(), new FrameEncoder());
+    }
+}

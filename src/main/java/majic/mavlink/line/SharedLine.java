@@ -1,0 +1,220 @@
+package majic.mavlink.line;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import majic.driver.FirstBytes;
+import majic.driver.LinkHandler;
+import majic.driver.LinkReader;
+import majic.link.Link;
+import majic.link.UdpLink;
+import majic.mavlink.frame.FrameCounts;
+import majic.mavlink.frame.MavlinkFrame;
+import majic.mavlink.frame.MavlinkMessageType;
+import majic.mavlink.frame.OutgoingMessage;
+import majic.mavlink.message.VehicleHeartbeat;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One open connection, which all its users share. Thread-safe: a write waits for nothing but the other writes of its
+ * link.
+ */
+final class SharedLine {
+    /** Peers whose frames are decoded at most; of UDP anything may arrive. */
+    private static final int MOST_PEERS = 256;
+
+    private final Link link;
+    private final @Nullable UdpLink datagrams;
+    private final List<FrameListener> listeners = new CopyOnWriteArrayList<>();
+    private final Map<Integer, LineVehicle> vehicles = new ConcurrentHashMap<>();
+    private final Map<InetSocketAddress, LinePeer> strangers = new LinkedHashMap<>();
+    private final List<LinePeer> peers = new CopyOnWriteArrayList<>();
+    private final LinePeer onlyPeer = LinePeer.at(null);
+    private final FirstBytes firstBytes = new FirstBytes();
+    private volatile @Nullable IOException cause;
+
+    /** A vehicle that has sent a frame: where it was last, and the version of its heartbeats. */
+    private record LineVehicle(
+            LinePeer peer, int version, @Nullable VehicleHeartbeat heartbeat) {}
+
+    private boolean opened;
+
+    SharedLine(Link link) {
+        this.link = link;
+        this.datagrams = link instanceof UdpLink udp ? udp : null;
+        if (datagrams == null) {
+            peers.add(onlyPeer);
+        }
+    }
+
+    /** Opens the link and begins to read, unless another user has; one that opens it at the same time is awaited. */
+    synchronized void openOnce(int timeoutMs) throws IOException {
+        IOException before = cause;
+        if (before != null) {
+            throw new IOException(before.getMessage(), before);
+        }
+        if (opened) {
+            return;
+        }
+        try {
+            link.open(timeoutMs);
+        } catch (IOException e) {
+            cause = e;
+            throw e;
+        }
+        opened = true;
+        new LinkReader<>(link, "the other end closed it", new Handler()).start("mavlink " + link.address());
+    }
+
+    void add(FrameListener listener) {
+        listeners.add(listener);
+    }
+
+    void remove(FrameListener listener) {
+        listeners.remove(listener);
+    }
+
+    /** Why the connection has ended; null while it is open. */
+    @Nullable
+    IOException cause() {
+        return cause;
+    }
+
+    FirstBytes firstBytes() {
+        return firstBytes;
+    }
+
+    /** The newest heartbeats of autopilots, by their systems. */
+    Map<Integer, VehicleHeartbeat> autopilots() {
+        Map<Integer, VehicleHeartbeat> found = new TreeMap<>();
+        vehicles.forEach((system, vehicle) -> {
+            VehicleHeartbeat heartbeat = vehicle.heartbeat();
+            if (heartbeat != null) {
+                found.put(system, heartbeat);
+            }
+        });
+        return found;
+    }
+
+    /** Sends to one vehicle; to all peers if it has sent nothing yet. */
+    void send(int system, OutgoingMessage message) throws IOException {
+        LineVehicle vehicle = vehicles.get(system);
+        if (vehicle == null) {
+            sendToAll(message);
+        } else {
+            send(vehicle.peer(), message, vehicle.version());
+        }
+    }
+
+    /** Sends once to each peer, in MAVLink 1 only if all its vehicles use that. */
+    void sendToAll(OutgoingMessage message) throws IOException {
+        if (datagrams != null && peers.isEmpty()) {
+            datagrams.write(onlyPeer.encoder().encode(message, 2));
+        }
+        for (LinePeer peer : peers) {
+            send(peer, message, version(peer));
+        }
+    }
+
+    private int version(LinePeer peer) {
+        Collection<LineVehicle> all = vehicles.values();
+        List<LineVehicle> here =
+                all.stream().filter(vehicle -> vehicle.peer() == peer).toList();
+        return !here.isEmpty() && here.stream().allMatch(vehicle -> vehicle.version() == 1) ? 1 : 2;
+    }
+
+    private void send(LinePeer peer, OutgoingMessage message, int version) throws IOException {
+        byte[] frame = peer.encoder().encode(message, version);
+        InetSocketAddress address = peer.address();
+        if (datagrams != null && address != null) {
+            datagrams.write(frame, address);
+        } else {
+            link.write(frame);
+        }
+    }
+
+    /** What has arrived where a vehicle was last. */
+    FrameCounts counts(int system) {
+        LineVehicle vehicle = vehicles.get(system);
+        return vehicle == null ? FrameCounts.NONE : vehicle.peer().decoder().counts();
+    }
+
+    void close() {
+        link.close();
+    }
+
+    private void take(LinePeer peer, MavlinkFrame frame) {
+        LineVehicle before = vehicles.get(frame.system());
+        int version = before == null ? frame.version() : before.version();
+        VehicleHeartbeat heartbeat = before == null ? null : before.heartbeat();
+        if (frame.type() == MavlinkMessageType.HEARTBEAT && frame.isOfAutopilot()) {
+            VehicleHeartbeat newest = VehicleHeartbeat.of(frame.payload());
+            if (newest.isOfAutopilot()) {
+                heartbeat = newest;
+                version = frame.version();
+            }
+        }
+        vehicles.put(frame.system(), new LineVehicle(peer, version, heartbeat));
+    }
+
+    /** Decodes each peer's bytes by themselves. */
+    private final class Handler implements LinkHandler<MavlinkFrame> {
+        @Override
+        public void decode(byte[] bytes, int count, Consumer<MavlinkFrame> messages) {
+            firstBytes.received(bytes, count);
+            LinePeer peer = peer();
+            peer.decoder().decode(bytes, count, frame -> {
+                know(peer);
+                take(peer, frame);
+                messages.accept(frame);
+            });
+        }
+
+        private LinePeer peer() {
+            InetSocketAddress sender = datagrams == null ? null : datagrams.sender();
+            if (sender == null) {
+                return onlyPeer;
+            }
+            for (LinePeer peer : peers) {
+                if (sender.equals(peer.address())) {
+                    return peer;
+                }
+            }
+            if (strangers.size() >= MOST_PEERS) {
+                strangers.clear();
+            }
+            return strangers.computeIfAbsent(sender, LinePeer::at);
+        }
+
+        /** What has sent a whole frame is sent to from now on. */
+        private void know(LinePeer peer) {
+            InetSocketAddress address = peer.address();
+            if (datagrams != null && address != null && strangers.remove(address) != null) {
+                if (peers.size() >= MOST_PEERS) {
+                    peers.remove(0);
+                }
+                peers.add(peer);
+                datagrams.addPeer(address);
+            }
+        }
+
+        @Override
+        public void received(MavlinkFrame frame) {
+            listeners.forEach(listener -> listener.received(frame));
+        }
+
+        @Override
+        public void ended(IOException reason) {
+            cause = reason;
+            link.close();
+            listeners.forEach(listener -> listener.ended(reason));
+        }
+    }
+}

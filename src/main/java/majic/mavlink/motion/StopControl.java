@@ -1,0 +1,205 @@
+package majic.mavlink.motion;
+
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
+import java.util.Optional;
+import java.util.OptionalLong;
+import majic.bot.BotException;
+import majic.bot.LinkLost;
+import majic.bot.Value;
+import majic.driver.RobotWait;
+import majic.mavlink.message.CommandAck;
+import majic.mavlink.message.MavlinkRequests;
+import majic.mavlink.message.VehicleHeartbeat;
+import majic.mavlink.session.Received;
+import majic.mavlink.session.VehicleSession;
+import majic.time.TimeSource;
+import majic.time.WaitPolicy;
+
+/**
+ * The stop of a vehicle: a mode in which it stays where it is, and a zero velocity for one on the surface. Sent again
+ * every 100 ms until a heartbeat or an answer shows it. Never disarms. Thread-safe; only {@link #confirm} waits.
+ */
+public final class StopControl {
+    private static final Logger LOG = System.getLogger(StopControl.class.getName());
+
+    /** From one sending to the next, seconds. */
+    static final double PERIOD_S = 0.1;
+
+    /** A stop that is not shown is sent for so long, seconds. */
+    private static final double LONGEST_S = 10;
+
+    private static final double CONFIRM_S = 4;
+    private static final int CLOSING_TIMES = 5;
+
+    private final VehicleSession session;
+    private final TimeSource time;
+    private final Runnable schedule;
+    private volatile Order order = Order.NONE;
+
+    /** A stop that was ordered. */
+    private record Order(boolean pending, long atNanos) {
+        static final Order NONE = new Order(false, 0);
+
+        boolean exists() {
+            return atNanos != 0;
+        }
+    }
+
+    /**
+     * Creates the control.
+     *
+     * @param schedule has {@link #repeat} called after 100 ms
+     */
+    StopControl(VehicleSession session, TimeSource time, Runnable schedule) {
+        this.session = session;
+        this.time = time;
+        this.schedule = schedule;
+    }
+
+    /**
+     * Sends the stop at once.
+     *
+     * @throws LinkLost if the connection has ended
+     */
+    public void order() {
+        order = new Order(true, Math.max(1, time.nanos()));
+        try {
+            write();
+        } finally {
+            schedule.run();
+        }
+    }
+
+    private void write() {
+        OptionalLong mode = session.modes().stop();
+        if (mode.isPresent()) {
+            session.send(MavlinkRequests.command(
+                    session.system(),
+                    MavlinkRequests.SET_MODE,
+                    0,
+                    session.modes().arguments(mode.getAsLong())));
+        }
+        if (session.vehicle().isOnSurface()) {
+            session.send(MavlinkRequests.velocity(session.system(), 0, 0));
+        }
+    }
+
+    /** Sends the stop again unless it is shown; on the timer thread. */
+    void repeat() {
+        Order now = order;
+        if (!now.pending() || session.hasEnded()) {
+            return;
+        }
+        if (isShown() || time.secondsSince(now.atNanos()) > LONGEST_S) {
+            end(now);
+            return;
+        }
+        try {
+            writeAgain(now);
+        } catch (LinkLost e) {
+            LOG.log(Level.DEBUG, "the stop was not sent again", e);
+        } finally {
+            schedule.run();
+        }
+    }
+
+    /** Not while a new motion cancels the stop: its mode must not be followed by that of the stop. */
+    private synchronized void writeAgain(Order now) {
+        if (order == now) {
+            write();
+        }
+    }
+
+    private synchronized void end(Order now) {
+        if (order == now) {
+            order = new Order(false, now.atNanos());
+        }
+    }
+
+    /** Ends the repetition: a motion begins that was commanded after the stop. */
+    synchronized void cancel() {
+        order = Order.NONE;
+    }
+
+    /**
+     * Has an ordered stop shown before the connection is closed, after the timer of the robot has ended; takes half a
+     * second at most.
+     */
+    void finish(RobotWait waiting) {
+        for (int times = 0; order.pending() && times < CLOSING_TIMES && !session.hasEnded(); times++) {
+            if (waiting.awaitClosing(() -> isShown() || session.hasEnded(), PERIOD_S)) {
+                return;
+            }
+            try {
+                write();
+            } catch (LinkLost e) {
+                LOG.log(Level.DEBUG, "the last stop was not sent again", e);
+                return;
+            }
+        }
+    }
+
+    /** Whether a stop was ordered since the last motion began. */
+    public boolean isOrdered() {
+        return order.exists();
+    }
+
+    /** When the stop was ordered. */
+    long orderedNanos() {
+        return order.atNanos();
+    }
+
+    /** Whether a heartbeat or an answer after the stop shows its mode. */
+    private boolean isShown() {
+        long from = order.atNanos();
+        boolean inMode = session.reports()
+                .newest(VehicleHeartbeat.class)
+                .filter(received -> received.atNanos() > from && isStopMode(received))
+                .isPresent();
+        return inMode || answer(from).filter(CommandAck::isAccepted).isPresent();
+    }
+
+    private boolean isStopMode(Received<VehicleHeartbeat> received) {
+        OptionalLong mode = session.modes().stop();
+        return mode.isPresent() && mode.getAsLong() == received.value().customMode();
+    }
+
+    private Optional<CommandAck> answer(long from) {
+        return session.commands().answer(MavlinkRequests.SET_MODE, from);
+    }
+
+    /**
+     * Waits until the stop is shown; does nothing if none was ordered, or on a thread that must not wait.
+     *
+     * @throws BotException if it is refused, or not shown in time
+     * @throws LinkLost if the connection ended meanwhile
+     */
+    public void confirm(String name, RobotWait waiting) {
+        if (!order.exists() || !WaitPolicy.isAllowed()) {
+            return;
+        }
+        String mode = session.modes().stop().stream()
+                .mapToObj(session.modes()::name)
+                .findFirst()
+                .orElseThrow(() -> new BotException(
+                        name + " has an autopilot for which MAJIC has no stop; stop it by its" + " radio control"));
+        waiting.await(() -> !order.exists() || isShown() || isRefused(order) || session.hasEnded(), CONFIRM_S);
+        Order last = order;
+        // A motion that was commanded after the stop ends it.
+        if (!last.exists() || isShown()) {
+            return;
+        }
+        if (session.hasEnded()) {
+            throw new LinkLost("connection lost before the autopilot confirmed the stop");
+        }
+        String what = isRefused(last)
+                ? "'s autopilot refuses " + mode + session.texts().reasonsSince(last.atNanos())
+                : " has not confirmed " + mode + " within " + Value.plain(CONFIRM_S) + " s";
+        throw new BotException(name + what + "; stop it by its radio control");
+    }
+
+    private boolean isRefused(Order now) {
+        return answer(now.atNanos()).filter(answer -> !answer.isAccepted()).isPresent();
+    }
+}

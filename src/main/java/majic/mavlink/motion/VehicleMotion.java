@@ -1,0 +1,487 @@
+package majic.mavlink.motion;
+
+import java.util.Optional;
+import majic.bot.BotException;
+import majic.bot.BotState;
+import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
+import majic.bot.Pose;
+import majic.bot.Unit;
+import majic.bot.Value;
+import majic.driver.Motion;
+import majic.driver.RobotWait;
+import majic.mavlink.message.AttitudeReport;
+import majic.mavlink.message.GlobalPosition;
+import majic.mavlink.message.LocalPosition;
+import majic.mavlink.message.MavlinkRequests;
+import majic.mavlink.message.VehicleHeartbeat;
+import majic.mavlink.session.VehicleClass;
+import majic.mavlink.session.VehicleSession;
+import majic.time.SuspendDetector;
+import majic.time.TimeSource;
+import majic.time.WaitPolicy;
+import majic.velocity.BaseDynamics;
+import majic.velocity.BaseOwner;
+import majic.velocity.LastOdometry;
+import majic.velocity.ObstructionSource;
+import majic.velocity.VelocityMotion;
+import majic.velocity.VelocityMotion.PoseSource;
+import majic.velocity.VelocityOutput;
+
+/**
+ * What moves one vehicle during one connection. A vehicle on the surface is driven by velocities in the mode GUIDED,
+ * which its autopilot follows for 3 s at most; others are only stopped. Thread-safe.
+ */
+public final class VehicleMotion {
+    /** Between two targets of a velocity that stays, seconds: ten a second. */
+    private static final double TARGET_S = 0.09;
+
+    /** An attitude that is older does not belong to a position, seconds. */
+    private static final double ATTITUDE_S = 0.5;
+
+    /** A drive whose mode was taken over is not begun again by calls within this time of the last one, seconds. */
+    private static final double TAKEN_OVER_S = 1;
+
+    /** A global position that is older says nothing about whether the local one is known, seconds. */
+    private static final double GLOBAL_S = 3;
+
+    /** A vehicle that others than MAJIC stop comes to rest within this time, seconds. */
+    private static final double REST_S = 6;
+
+    private static final double RESTING_MM_PER_SEC = 300;
+
+    /** A pose that is older is not that of a scan, seconds. */
+    private static final double POSE_S = 0.3;
+
+    private final MotionOwner owner;
+    private final VehicleSession session;
+    private final TimeSource time;
+    private final StopControl stop;
+    private final GuidedMode mode;
+    private final VelocityMotion velocities;
+    private final SuspendDetector suspend = new SuspendDetector();
+    private volatile double sentMmPerSec;
+    private volatile double sentDegPerSec;
+    private volatile long sentNanos;
+    private volatile long droveNanos;
+    private volatile boolean stopDue;
+
+    /** What the motions use of the driver. */
+    public interface MotionOwner {
+        /** The name of the robot in messages. */
+        String name();
+
+        /** The clock, and the signal that is raised after each message. */
+        RobotWait waiting();
+
+        /** Runs a task once on the timer thread; one of the same name is replaced. */
+        void once(String what, double seconds, Runnable task);
+
+        /** Publishes where the vehicle is. */
+        void publish(BotState state);
+
+        /** Sends a notice to the user. */
+        void notice(String message);
+
+        /** Whether a motion may arm the vehicle. */
+        boolean armsByMotion();
+    }
+
+    /**
+     * Creates the motions; sends nothing.
+     *
+     * @param dynamics the limits of the vehicle
+     * @param before where it was before its connection was lost
+     */
+    public VehicleMotion(MotionOwner owner, VehicleSession session, BaseDynamics dynamics, LastOdometry before) {
+        this.owner = owner;
+        this.session = session;
+        this.time = owner.waiting().time();
+        this.stop = new StopControl(session, time, this::scheduleStop);
+        this.mode = new GuidedMode(session, stop, time);
+        this.velocities = new VelocityMotion(new Base(), new Targets(), dynamics, before, PoseSource.ODOMETRY);
+    }
+
+    private void scheduleStop() {
+        owner.once("mavlink stop", StopControl.PERIOD_S, stop::repeat);
+    }
+
+    /**
+     * Begins; sends a stop if the vehicle may still move by commands of an earlier connection.
+     *
+     * @param mayMove whether it may
+     */
+    public void begin(boolean mayMove) {
+        if (mayMove && session.vehicle().isOnSurface()) {
+            orderStop();
+        }
+    }
+
+    /** Takes a new position; on the reader thread. */
+    public void moved() {
+        LocalPosition position =
+                session.reports().newest(LocalPosition.class).orElseThrow().value();
+        AttitudeReport attitude =
+                session.reports().newest(AttitudeReport.class, ATTITUDE_S).orElse(null);
+        if (attitude == null || !attitude.isUsable() || !position.isUsable()) {
+            velocities.unusable("the autopilot reports no attitude");
+            return;
+        }
+        if (position.isZero() && !isPlaced()) {
+            velocities.unusable("the autopilot has no position yet");
+            return;
+        }
+        double yaw = Math.toRadians(attitude.yawDeg());
+        double speed = 1000 * (position.northMPerSec() * Math.cos(yaw) + position.eastMPerSec() * Math.sin(yaw));
+        Pose raw = new Pose(1000 * position.northM(), -1000 * position.eastM(), -attitude.yawDeg());
+        velocities.reported(raw, speed, -attitude.yawDegPerSec(), time.nanos());
+    }
+
+    private boolean isPlaced() {
+        return session.reports()
+                .newest(GlobalPosition.class, GLOBAL_S)
+                .filter(GlobalPosition::isKnown)
+                .isPresent();
+    }
+
+    /** Takes a heartbeat; on the reader thread. */
+    public void heartbeat(VehicleHeartbeat heartbeat) {
+        mode.heartbeat(heartbeat);
+    }
+
+    /** Takes the restart of the autopilot; on the reader thread. */
+    public void restarted() {
+        mode.restarted();
+    }
+
+    /** Where the vehicle was last. */
+    public LastOdometry last() {
+        return velocities.last();
+    }
+
+    /**
+     * Moves straight.
+     *
+     * @param mm ahead positive
+     * @param cruiseMmPerSec the highest speed
+     * @return the distance covered
+     * @throws MotionFailed if the vehicle cannot be moved, or something ended the motion
+     */
+    public Value move(double mm, double cruiseMmPerSec, Motion motion) {
+        return prepare(motion) ? velocities.move(mm, cruiseMmPerSec, motion) : Value.of(0, Unit.MM);
+    }
+
+    /**
+     * Turns on the spot; otherwise as {@link #move}.
+     *
+     * @param degrees to the left positive
+     * @param cruiseDegPerSec the highest rate
+     */
+    public Value turn(double degrees, double cruiseDegPerSec, Motion motion) {
+        return prepare(motion) ? velocities.turn(degrees, cruiseDegPerSec, motion) : Value.of(0, Unit.DEG);
+    }
+
+    /**
+     * Begins a drive or changes its velocity; waits for nothing.
+     *
+     * @throws MotionFailed if the vehicle cannot be moved, or the drive has ended
+     * @throws LinkLost if the connection has ended
+     */
+    public void drive(double mmPerSec, double degPerSec) {
+        failUnlessDrivable();
+        failUnlessArmed();
+        String lost = mode.lostBecause();
+        boolean goesOn = droveNanos != 0 && time.secondsSince(droveNanos) < TAKEN_OVER_S;
+        droveNanos = time.nanos();
+        if (lost != null && goesOn) {
+            throw new MotionFailed(lost);
+        }
+        mode.set();
+        velocities.drive(mmPerSec, degPerSec);
+    }
+
+    /**
+     * Makes the vehicle ready for a motion: armed, and in the mode GUIDED.
+     *
+     * @return false if the guard of the motion holds already
+     * @throws MotionFailed if it cannot be moved
+     */
+    boolean prepare(Motion motion) {
+        failUnlessDrivable();
+        if (!motion.pause(0)) {
+            return false;
+        }
+        if (!isArmed() && owner.armsByMotion() && !arm(motion)) {
+            return false;
+        }
+        failUnlessArmed();
+        return mode.enter(motion);
+    }
+
+    private void failUnlessDrivable() {
+        if (!session.vehicle().isOnSurface()) {
+            throw new MotionFailed("it is a " + session.vehicle().title()
+                    + "; MAJIC moves only rovers and boats by motions, and takes aircraft and submarines down or home");
+        }
+        if (session.modes().guided().isEmpty()) {
+            throw new MotionFailed("MAJIC does not drive vehicles of its autopilot, only those of ArduPilot");
+        }
+    }
+
+    private void failUnlessArmed() {
+        if (!isArmed()) {
+            long from = time.nanos() - (long) (60 * 1e9);
+            throw new MotionFailed("it is not armed; \"arm\" does that, or \"set armByMotion on\" lets motions do it"
+                    + session.texts().reasonsSince(from));
+        }
+    }
+
+    private boolean isArmed() {
+        return session.newestHeartbeat().armed();
+    }
+
+    /**
+     * Arms a vehicle on the surface, and waits until it is.
+     *
+     * @return false if the guard of the motion ended it
+     * @throws MotionFailed with the reasons of the autopilot, if it refuses
+     */
+    public boolean arm(Motion motion) {
+        if (!session.vehicle().isOnSurface()) {
+            throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC arms only rovers and boats");
+        }
+        if (!session.commands().run(motion, "arm", MavlinkRequests.ARM, 1)) {
+            return false;
+        }
+        if (!motion.await(this::isArmed, 3)) {
+            throw new MotionFailed("the autopilot accepts to arm, but its heartbeats do not show it");
+        }
+        return true;
+    }
+
+    /**
+     * Disarms a vehicle on the surface, which stops its motors.
+     *
+     * @throws MotionFailed if the autopilot refuses it, or the vehicle is not on the surface
+     */
+    public void disarm(Motion motion) {
+        if (!session.vehicle().isOnSurface()) {
+            throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC disarms only rovers and boats");
+        }
+        session.commands().run(motion, "disarm", MavlinkRequests.ARM, 0);
+        motion.await(() -> !isArmed(), 3);
+    }
+
+    /**
+     * Sets a mode that the user has named, and waits until it is shown.
+     *
+     * @param name one of the modes of the vehicle
+     * @throws MotionFailed if the autopilot refuses it
+     */
+    public void setMode(String name, Motion motion) {
+        long number = session.modes().number(name).orElseThrow(() -> new BotException("there is no mode " + name));
+        motion.send(() -> {
+            stop.cancel();
+            mode.release();
+        });
+        session.commands()
+                .run(
+                        motion,
+                        "change its mode to " + name,
+                        MavlinkRequests.SET_MODE,
+                        session.modes().arguments(number));
+        motion.await(() -> session.newestHeartbeat().customMode() == number, 3);
+    }
+
+    /**
+     * Sends a vehicle on the surface to a place by its own navigation, until it is there.
+     *
+     * @throws MotionFailed if it does not arrive
+     */
+    public String goToGlobal(int latitudeE7, int longitudeE7, Motion motion) {
+        return prepare(motion)
+                ? new GlobalCourse(session, mode, time, latitudeE7, longitudeE7).run(motion, this::orderStop)
+                : "not begun: the condition holds already";
+    }
+
+    /**
+     * Writes the stop ahead of everything else; on any thread, waits for nothing but the link. A command whose permit
+     * was checked before may still follow, so the next {@link #halt} writes it again.
+     */
+    public void haltAhead() {
+        stopDue = true;
+        orderStop();
+    }
+
+    private void orderStop() {
+        mode.stopped();
+        stop.order();
+    }
+
+    /** Ends what moves the vehicle: by the stop if one was ordered, otherwise by a zero velocity. */
+    public void halt() {
+        if (stopDue) {
+            stopDue = false;
+            orderStop();
+        }
+        if (session.vehicle().isOnSurface()) {
+            velocities.halt();
+        }
+    }
+
+    /** Whether MAJIC moves the vehicle, or has left it in a mode in which it may move. */
+    public boolean isHeld() {
+        return mode.isHeld();
+    }
+
+    /**
+     * Waits until the vehicle has stopped: the mode of the stop is shown, and it is stationary.
+     *
+     * @throws BotException if it is not confirmed in time
+     */
+    public void confirmHalt() {
+        boolean ordered = stop.isOrdered();
+        stop.confirm(owner.name(), owner.waiting());
+        if (ordered && (!isArmed() || session.vehicle() == VehicleClass.BOAT)) {
+            return;
+        }
+        if (session.vehicle().isOnSurface()) {
+            velocities.confirmHalt();
+        } else if (ordered) {
+            awaitRest();
+        }
+    }
+
+    private void awaitRest() {
+        if (WaitPolicy.isAllowed() && !owner.waiting().await(this::isAtRest, REST_S)) {
+            throw new BotException(owner.name() + " is in "
+                    + session.modes().name(session.newestHeartbeat().customMode())
+                    + ", but has not come to rest within " + Value.plain(REST_S) + " s");
+        }
+    }
+
+    /** A vehicle that reports no velocity cannot be found moving. */
+    private boolean isAtRest() {
+        return session.hasEnded()
+                || session.reports()
+                        .newest(LocalPosition.class, 1)
+                        .map(position -> 1000 * Math.hypot(position.northMPerSec(), position.eastMPerSec()))
+                        .filter(speed -> speed >= RESTING_MM_PER_SEC)
+                        .isEmpty();
+    }
+
+    /** Whether a vehicle on the surface moves. */
+    public boolean isMovingOnSurface() {
+        return session.vehicle().isOnSurface() && isMoving();
+    }
+
+    /** Where the vehicle is, as published last; empty if that is not of this moment. */
+    public Optional<Pose> poseNow() {
+        LastOdometry now = velocities.last();
+        return time.secondsSince(now.atNanos()) <= POSE_S ? Optional.of(now.pose()) : Optional.empty();
+    }
+
+    /** Whether the vehicle moves, or was sent a velocity that is in force. */
+    public boolean isMoving() {
+        return velocities.isMoving();
+    }
+
+    /** Ends in order, while there is still a connection. */
+    public void close() {
+        stop.finish(owner.waiting());
+        if (session.vehicle().isOnSurface()) {
+            velocities.close();
+        } else {
+            velocities.end();
+        }
+    }
+
+    /** Ends all waiting: the connection has ended. */
+    public void end() {
+        mode.release();
+        velocities.end();
+    }
+
+    /** What the vehicle does whose connection was lost, as the second half of a sentence; may be empty. */
+    public String afterLoss() {
+        return session.vehicle().isOnSurface()
+                ? velocities.afterLoss()
+                : "; what it does now is up to its autopilot: " + FailsafeText.of(session);
+    }
+
+    /** Sends the velocities of the control as targets. */
+    private final class Targets implements VelocityOutput {
+        /** Ten targets a second suffice, and a radio carries no more; a change to zero is sent at once. */
+        @Override
+        public void publish(double mmPerSec, double degPerSec) {
+            boolean moves = mmPerSec != 0 || degPerSec != 0;
+            boolean moved = sentMmPerSec != 0 || sentDegPerSec != 0;
+            if (moves == moved && sentNanos != 0 && time.secondsSince(sentNanos) < TARGET_S) {
+                return;
+            }
+            if (moves && !mode.isHeld()) {
+                return;
+            }
+            if (moves) {
+                refuseAfterSuspend();
+            }
+            sentMmPerSec = mmPerSec;
+            sentDegPerSec = degPerSec;
+            sentNanos = time.nanos();
+            session.send(MavlinkRequests.velocity(session.system(), mmPerSec, degPerSec));
+        }
+
+        /** What was commanded before this computer was suspended must not go on by itself. */
+        private void refuseAfterSuspend() {
+            if (suspend.wasSuspended()) {
+                LinkLost cause = new LinkLost("this computer was asleep");
+                // On another thread: this one may hold locks that the end of the session needs.
+                time.runAsync("mavlink suspended", () -> WaitPolicy.without(() -> session.end(cause)));
+                throw cause;
+            }
+        }
+    }
+
+    /** The driver as the control of velocities uses it. */
+    private final class Base implements BaseOwner {
+        @Override
+        public String name() {
+            return owner.name();
+        }
+
+        @Override
+        public RobotWait waiting() {
+            return owner.waiting();
+        }
+
+        @Override
+        public ObstructionSource obstructions() {
+            return () -> mode.newest();
+        }
+
+        @Override
+        public double roundTripS() {
+            return 0;
+        }
+
+        @Override
+        public void once(String what, double seconds, Runnable task) {
+            owner.once(what, seconds, task);
+        }
+
+        @Override
+        public void every(String what, double seconds, Runnable task) {
+            throw new IllegalStateException("only a base without odometry needs it");
+        }
+
+        @Override
+        public void publish(BotState state) {
+            owner.publish(state);
+        }
+
+        @Override
+        public void notice(String message) {
+            owner.notice(message);
+        }
+    }
+}

@@ -1,0 +1,123 @@
+package majic.mavlink.session;
+
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import majic.bot.BotException;
+import majic.driver.RobotWait;
+import majic.mavlink.message.MavlinkRequests;
+import majic.mavlink.message.ParameterValue;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The parameters of an autopilot. There are more than a thousand, so each is read when it is asked for. Thread-safe.
+ */
+public final class AutopilotParameters {
+    private static final double ANSWER_S = 1.5;
+    private static final int TIMES = 3;
+    private static final int REAL = 9;
+
+    private final VehicleSession session;
+    private final RobotWait waiting;
+    private final Map<String, Received<ParameterValue>> values = new ConcurrentHashMap<>();
+
+    AutopilotParameters(VehicleSession session, RobotWait waiting) {
+        this.session = session;
+        this.waiting = waiting;
+    }
+
+    /** Takes a value, which may come unasked; on the reader thread. */
+    void take(ParameterValue value) {
+        values.put(value.name(), new Received<>(value, waiting.time().nanos()));
+    }
+
+    /**
+     * Returns the value that came last.
+     *
+     * @param name in capitals
+     * @return empty if none has come
+     */
+    public Optional<Double> known(String name) {
+        return Optional.ofNullable(values.get(name)).map(received -> number(received.value()));
+    }
+
+    /** Asks for values and waits for none of them. */
+    void request(String... names) {
+        for (String name : names) {
+            session.send(MavlinkRequests.readParameter(session.system(), name));
+        }
+    }
+
+    /**
+     * Reads a value; asks three times.
+     *
+     * @param name in capitals
+     * @return the value; empty if it is not answered, as for a name that there is not
+     */
+    public Optional<Double> read(String name) {
+        return Optional.ofNullable(ask(name)).map(this::number);
+    }
+
+    private @Nullable ParameterValue ask(String name) {
+        long from = waiting.time().nanos();
+        for (int times = 0; times < TIMES; times++) {
+            session.send(MavlinkRequests.readParameter(session.system(), name));
+            if (waiting.await(() -> newest(name, from) != null || session.hasEnded(), ANSWER_S)) {
+                break;
+            }
+        }
+        return newest(name, from);
+    }
+
+    private @Nullable ParameterValue newest(String name, long sinceNanos) {
+        Received<ParameterValue> received = values.get(name);
+        return received != null && received.atNanos() >= sinceNanos ? received.value() : null;
+    }
+
+    /**
+     * Sets a value, and reads what the autopilot has then.
+     *
+     * @param name in capitals
+     * @throws BotException if there is no such parameter, or it has another value afterwards
+     */
+    public void set(String name, double value) {
+        ParameterValue before = ask(name);
+        if (before == null) {
+            throw new BotException(name + ": " + unanswered(name));
+        }
+        if (before.type() != REAL && value != Math.rint(value)) {
+            throw new BotException(name + ": not a whole number");
+        }
+        long from = waiting.time().nanos();
+        for (int times = 0; times < TIMES; times++) {
+            session.send(MavlinkRequests.setParameter(session.system(), name, wire(before, value), before.type()));
+            if (waiting.await(() -> newest(name, from) != null || session.hasEnded(), ANSWER_S)) {
+                break;
+            }
+        }
+        ParameterValue after = newest(name, from);
+        if (after == null) {
+            throw new BotException(name + ": the autopilot did not confirm the new value");
+        }
+        if (number(after) != (float) value) {
+            throw new BotException(String.format(
+                    Locale.ROOT, "%s: the autopilot keeps %s in place of %s", name, number(after), value));
+        }
+    }
+
+    /** What it means that a read is not answered, as half a sentence. */
+    public static String unanswered(String name) {
+        return "the autopilot has no parameter " + name + ", or did not answer within "
+                + String.format(Locale.ROOT, "%.1f", TIMES * ANSWER_S) + " s";
+    }
+
+    /** PX4 sends whole numbers as bits (MAVLink sheet 8). */
+    private double number(ParameterValue value) {
+        return session.modes().isPx4() && value.type() != REAL ? value.bits() : value.value();
+    }
+
+    private double wire(ParameterValue before, double value) {
+        return session.modes().isPx4() && before.type() != REAL ? Float.intBitsToFloat((int) value) : value;
+    }
+}

@@ -1,0 +1,87 @@
+package majic.mavlink.session;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.Collectors;
+import majic.mavlink.message.StatusPiece;
+import majic.time.TimeSource;
+
+/** The texts of an autopilot: joins their pieces and passes those that matter on to the user. Thread-safe. */
+public final class StatusTexts {
+    /** Texts of this severity or a higher one matter (MAVLink sheet 6). */
+    private static final int WARNING = 4;
+
+    private static final int KEPT = 40;
+    private static final int LONGEST = 1000;
+
+    /** The same text is not shown again for this time: refusals to arm are repeated every 30 s. */
+    private static final double REPEATED_S = 120;
+
+    private final TimeSource time;
+    private final Consumer<String> notices;
+    private final Deque<Text> texts = new ArrayDeque<>();
+    private final StringBuilder pieces = new StringBuilder();
+    private int joined;
+
+    private record Text(int severity, String text, long atNanos) {}
+
+    StatusTexts(TimeSource time, Consumer<String> notices) {
+        this.time = time;
+        this.notices = notices;
+    }
+
+    /** Takes a piece; on the reader thread. */
+    void take(StatusPiece piece) {
+        String whole = join(piece);
+        if (!whole.isBlank() && add(new Text(piece.severity(), whole, time.nanos()))) {
+            notices.accept("the autopilot reports: " + whole);
+        }
+    }
+
+    private synchronized String join(StatusPiece piece) {
+        if (piece.id() != joined || piece.piece() == 0 || pieces.length() > LONGEST) {
+            pieces.setLength(0);
+        }
+        joined = piece.id();
+        pieces.append(piece.text());
+        if (!piece.isLast()) {
+            return "";
+        }
+        String whole = pieces.toString().strip();
+        pieces.setLength(0);
+        return whole;
+    }
+
+    /** Returns whether the user should see it. */
+    private synchronized boolean add(Text text) {
+        boolean known = texts.stream()
+                .anyMatch(old -> old.text().equals(text.text()) && time.secondsSince(old.atNanos()) < REPEATED_S);
+        texts.addLast(text);
+        if (texts.size() > KEPT) {
+            texts.removeFirst();
+        }
+        return text.severity() <= WARNING && !known;
+    }
+
+    /** Returns the newest text; empty before the first. */
+    public synchronized String newest() {
+        return texts.isEmpty() ? "" : texts.getLast().text();
+    }
+
+    /**
+     * Returns the warnings since a time, each once, behind a colon.
+     *
+     * @param nanos on the driver's clock
+     * @return {@code ": Arm: Accels inconsistent; Arm: AHRS: waiting for home"}; empty if there are none
+     */
+    public synchronized String reasonsSince(long nanos) {
+        List<String> reasons = texts.stream()
+                .filter(text -> text.severity() <= WARNING && text.atNanos() >= nanos)
+                .map(Text::text)
+                .distinct()
+                .toList();
+        return reasons.isEmpty() ? "" : reasons.stream().collect(Collectors.joining("; ", ": ", ""));
+    }
+}

@@ -1,0 +1,100 @@
+package majic.mavlink.session;
+
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentHashMap;
+import majic.mavlink.frame.MavlinkFrame;
+import majic.mavlink.frame.MavlinkMessageType;
+import majic.mavlink.message.AttitudeReport;
+import majic.mavlink.message.AutopilotVersion;
+import majic.mavlink.message.BatteryReport;
+import majic.mavlink.message.GlobalPosition;
+import majic.mavlink.message.GpsFix;
+import majic.mavlink.message.LocalPosition;
+import majic.mavlink.message.ObstacleRing;
+import majic.mavlink.message.RangeReading;
+import majic.mavlink.message.VehicleHeartbeat;
+import majic.time.TimeSource;
+
+/** The newest messages of one vehicle, each with the time of its arrival. Thread-safe. */
+public final class VehicleReports {
+    private static final int MOST_RANGE_FINDERS = 16;
+
+    private final TimeSource time;
+    private final Map<Class<?>, Received<?>> newest = new ConcurrentHashMap<>();
+    private final Map<Integer, Received<RangeReading>> ranges = new ConcurrentHashMap<>();
+    private final Map<MavlinkMessageType, Long> counts = new ConcurrentHashMap<>();
+
+    VehicleReports(TimeSource time) {
+        this.time = time;
+    }
+
+    /** Takes a message of the vehicle; on the reader thread. */
+    void take(MavlinkFrame frame) {
+        counts.merge(frame.type(), 1L, Long::sum);
+        switch (frame.type()) {
+            case HEARTBEAT -> put(VehicleHeartbeat.of(frame.payload()));
+            case ATTITUDE -> put(AttitudeReport.of(frame.payload()));
+            case LOCAL_POSITION_NED -> put(LocalPosition.of(frame.payload()));
+            case GLOBAL_POSITION_INT -> put(GlobalPosition.of(frame.payload()));
+            case GPS_RAW_INT -> put(GpsFix.of(frame.payload()));
+            case AUTOPILOT_VERSION -> put(AutopilotVersion.of(frame.payload()));
+            case OBSTACLE_DISTANCE -> put(ObstacleRing.of(frame.payload()));
+            case BATTERY_STATUS -> putFirst(BatteryReport.ofBattery(frame.payload()));
+            case SYS_STATUS -> putSystem(BatteryReport.ofSystem(frame.payload()));
+            case DISTANCE_SENSOR -> put(RangeReading.of(frame.payload()));
+            default -> {}
+        }
+    }
+
+    private void put(Object message) {
+        newest.put(message.getClass(), new Received<>(message, time.nanos()));
+    }
+
+    private void putFirst(BatteryReport battery) {
+        if (battery.id() == 0) {
+            put(battery);
+        }
+    }
+
+    /** What a BATTERY_STATUS says of the same battery is as new. */
+    private void putSystem(BatteryReport battery) {
+        if (count(MavlinkMessageType.BATTERY_STATUS) == 0) {
+            put(battery);
+        }
+    }
+
+    private void put(RangeReading reading) {
+        if (ranges.size() < MOST_RANGE_FINDERS || ranges.containsKey(reading.id())) {
+            ranges.put(reading.id(), new Received<>(reading, time.nanos()));
+        }
+    }
+
+    /** Returns how many messages of a kind have come. */
+    long count(MavlinkMessageType type) {
+        return counts.getOrDefault(type, 0L);
+    }
+
+    /** Returns the newest message of a class; empty before the first. */
+    @SuppressWarnings("unchecked")
+    public <T> Optional<Received<T>> newest(Class<T> type) {
+        return Optional.ofNullable((Received<T>) newest.get(type));
+    }
+
+    /**
+     * Returns the newest message of a class that is not older than a time.
+     *
+     * @param seconds the greatest age
+     */
+    public <T> Optional<T> newest(Class<T> type, double seconds) {
+        return newest(type)
+                .filter(received -> time.secondsSince(received.atNanos()) <= seconds)
+                .map(Received::value);
+    }
+
+    /** Returns the newest readings of the range finders, by their numbers. */
+    public Map<Integer, Received<RangeReading>> ranges() {
+        return new TreeMap<>(ranges);
+    }
+}

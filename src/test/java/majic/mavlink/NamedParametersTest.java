@@ -1,0 +1,71 @@
+package majic.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import majic.bot.BotException;
+import majic.bot.Parameter;
+import majic.bot.ParameterException;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+
+/** The parameters of an autopilot by their names. */
+class NamedParametersTest {
+    @AutoClose
+    private final DrivenRover robot = new DrivenRover().ready();
+
+    private final MajicMavlink bot = robot.bot();
+
+    private static Value number(double value) {
+        return Value.of(value, Unit.NONE);
+    }
+
+    @Test
+    void aParameterIsReadWhenItIsAskedForAndListedFromThenOn() {
+        assertThat(bot.parameters()).extracting(Parameter::name).noneMatch(name -> name.startsWith("param/"));
+
+        assertThat(bot.get("param/WP_SPEED")).isEqualTo(number(2));
+        robot.rover.parameters.put("WP_SPEED", 3f);
+        assertThat(bot.get("param/wp_speed")).isEqualTo(number(3));
+
+        assertThat(bot.parameters()).extracting(Parameter::name).contains("param/WP_SPEED");
+    }
+
+    @Test
+    void aNameThatIsNotAnsweredIsUnknownWithTheReason() {
+        assertThat(bot.get("param/NO_SUCH").toString())
+                .isEqualTo("unknown (the autopilot has no parameter NO_SUCH, or did not answer within 4.5 s)");
+        assertThat(robot.rover.received.stream()
+                        .filter(got -> got.id() == 20 && got.text(4, 16).equals("NO_SUCH")))
+                .hasSize(3);
+    }
+
+    @Test
+    void aParameterThatIsSetIsReadAfterwards() {
+        bot.set("param/FS_GCS_ENABLE", 1);
+
+        assertThat(robot.rover.parameters.get("FS_GCS_ENABLE")).isEqualTo(1f);
+        assertThat(bot.get("failsafe").toString()).contains("HOLD");
+    }
+
+    @Test
+    void aParameterThatThereIsNotCannotBeSet() {
+        assertThatThrownBy(() -> bot.set("param/NO_SUCH", 1))
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("the autopilot has no parameter NO_SUCH");
+    }
+
+    @Test
+    void aWholeParameterTakesNoFraction() {
+        assertThatThrownBy(() -> bot.set("param/FS_ACTION", 1.5)).hasMessageContaining("not a whole number");
+    }
+
+    @Test
+    void aNameThatNoAutopilotCanHaveIsRefusedAtOnce() {
+        assertThatThrownBy(() -> bot.get("param/A_NAME_OF_MORE_THAN_16"))
+                .isInstanceOf(ParameterException.class)
+                .hasMessageContaining("up to 16 letters");
+    }
+}

@@ -1,0 +1,167 @@
+package majic.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import majic.bot.ConnectFailed;
+import majic.bot.Value;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+
+/** Connecting to a rover: what is sent, what is reported, what is refused. */
+class RoverConnectingTest {
+    @AutoClose
+    private final DrivenRover robot = new DrivenRover();
+
+    private final ScriptedRover rover = robot.rover;
+    private final MajicMavlink bot = robot.bot();
+
+    @Test
+    void connectingNeitherArmsNorMovesNorChangesTheMode() {
+        bot.connect();
+        robot.pass(2);
+
+        assertThat(rover.commands(400)).isEmpty();
+        assertThat(rover.commands(176)).isEmpty();
+        assertThat(rover.targets()).isEmpty();
+        assertThat(rover.armed).isFalse();
+    }
+
+    @Test
+    void aHeartbeatOfAGroundStationIsSentOnceASecondFromTheStart() {
+        bot.connect();
+        int before = heartbeats();
+        robot.pass(5);
+
+        assertThat(before).isPositive();
+        assertThat(heartbeats() - before).isBetween(4, 6);
+        assertThat(rover.received).allMatch(got -> got.system() == 255 && got.component() == 190);
+    }
+
+    private int heartbeats() {
+        return (int) rover.received.stream().filter(got -> got.id() == 0).count();
+    }
+
+    @Test
+    void attitudeAndPositionAreAskedForTenTimesASecond() {
+        bot.connect();
+
+        assertThat(rover.commands(511)).anyMatch(got -> got.f32(0) == 30 && got.f32(4) == 100_000);
+        assertThat(rover.commands(511)).anyMatch(got -> got.f32(0) == 32 && got.f32(4) == 100_000);
+    }
+
+    @Test
+    void afterARestartTheyAreAskedForAgain() {
+        bot.connect();
+        robot.pass(3);
+        int before = rover.commands(511).size();
+
+        rover.restart();
+        robot.pass(5);
+
+        assertThat(rover.commands(511).size()).isGreaterThan(before);
+        assertThat(robot.notices()).contains("the autopilot has restarted");
+        assertThat(bot.isConnected()).isTrue();
+    }
+
+    @Test
+    void aVehicleWhoseNavigationGoesOnWithoutMajicIsReported() {
+        bot.connect();
+
+        assertThat(robot.notices()).anyMatch(notice -> notice.contains("set param/FS_GCS_ENABLE 1"));
+        assertThat(bot.get("failsafe").toString()).contains("FS_GCS_ENABLE is 0");
+    }
+
+    @Test
+    void aVehicleWithAFailsafeIsNot() {
+        rover.parameters.put("FS_GCS_ENABLE", 1f);
+
+        bot.connect();
+
+        assertThat(robot.notices()).noneMatch(notice -> notice.contains("FS_GCS_ENABLE"));
+        assertThat(bot.get("failsafe").toString()).contains("goes to HOLD");
+    }
+
+    @Test
+    void aVehicleOfMavlink1IsSentMavlink1() {
+        rover.version = 1;
+
+        bot.connect();
+
+        assertThat(rover.commands(511)).isNotEmpty().allMatch(got -> got.version() == 1);
+    }
+
+    @Test
+    void whatItReportsIsThere() {
+        bot.connect();
+        robot.pass(1.5);
+
+        assertThat(bot.get("mode")).isEqualTo(Value.text("MANUAL"));
+        assertThat(bot.get("armed")).isEqualTo(Value.yesNo(false));
+        assertThat(bot.get("latitude").toString()).matches("47\\.000\\d{1,4} °");
+        assertThat(bot.get("longitude").toString()).isEqualTo("9 °");
+        assertThat(bot.get("satellites").number()).isEqualTo(11);
+        assertThat(bot.get("fix")).isEqualTo(Value.text("3-D"));
+        assertThat(bot.get("voltage").number()).isEqualTo(12.4);
+        assertThat(bot.get("battery").number()).isEqualTo(80);
+        assertThat(bot.get("model")).isEqualTo(Value.text("rover 4.6.0"));
+        assertThat(bot.get("damagedFrames").number()).isZero();
+    }
+
+    @Test
+    void theFirstPoseIsTheStartWhereverTheVehicleIs() {
+        bot.connect();
+
+        assertThat(bot.state().pose().xMm()).isZero();
+        assertThat(bot.state().pose().yMm()).isZero();
+        assertThat(bot.state().pose().headingDeg()).isZero();
+    }
+
+    @Test
+    void aVehicleThatSaysNothingIsNotConnected() {
+        rover.silent = true;
+
+        assertThatThrownBy(bot::connect)
+                .isInstanceOf(ConnectFailed.class)
+                .hasMessageContaining("no vehicle has sent anything");
+    }
+
+    @Test
+    void anotherSystemThanTheOneThatIsWantedIsNamed() {
+        try (DrivenRover other = new DrivenRover("?system=3")) {
+            assertThatThrownBy(other.bot()::connect)
+                    .isInstanceOf(ConnectFailed.class)
+                    .hasMessageContaining("no vehicle with system 3")
+                    .hasMessageContaining("1 (rover)");
+        }
+    }
+
+    @Test
+    void otherKindsOfVehiclesAndAutopilotsAreSaid() {
+        rover.type = 2;
+        bot.connect();
+
+        assertThat(robot.notices()).anyMatch(notice -> notice.contains("it is a copter"));
+    }
+
+    @Test
+    void px4IsSaid() {
+        rover.autopilot = 12;
+        bot.connect();
+
+        assertThat(robot.notices()).anyMatch(notice -> notice.contains("PX4"));
+    }
+
+    @Test
+    void silenceOfThreeSecondsIsALostLink() {
+        bot.connect();
+        robot.pass(1);
+        long silentMs = robot.peer.millis();
+
+        rover.silent = true;
+        robot.clock().until(() -> !bot.isConnected());
+
+        assertThat(robot.peer.millis() - silentMs).isBetween(2900L, 3500L);
+        assertThat(bot.lostReason()).get().asString().contains("silent for 3 s");
+    }
+}

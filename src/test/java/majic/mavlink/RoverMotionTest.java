@@ -1,0 +1,269 @@
+package majic.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
+import majic.bot.BotException;
+import majic.bot.MotionFailed;
+import majic.bot.MotionReport;
+import majic.bot.Pose;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+
+/** Motions of a rover: velocities in GUIDED, what refuses and what ends them. */
+class RoverMotionTest {
+    @AutoClose
+    private final DrivenRover robot = new DrivenRover();
+
+    private final ScriptedRover rover = robot.rover;
+    private final MajicMavlink bot = robot.bot();
+
+    private void ready() {
+        robot.ready();
+    }
+
+    private CompletableFuture<MotionReport> moving(double mm) {
+        CompletableFuture<MotionReport> motion = robot.clock().aside(() -> bot.move(mm));
+        robot.clock().until(() -> rover.mmPerSec() > 300);
+        return motion;
+    }
+
+    private Throwable failure(CompletableFuture<MotionReport> motion) {
+        try {
+            robot.clock().join(motion);
+        } catch (CompletionException e) {
+            return e.getCause();
+        }
+        throw new AssertionError("the motion did not fail");
+    }
+
+    @Test
+    void aMoveSetsGuidedAndEndsWithZeroTargetsWhereItShould() {
+        ready();
+
+        MotionReport report = bot.move(3000);
+
+        assertThat(report.amount()).isNotNull();
+        assertThat(rover.pose.xMm()).isCloseTo(3000, within(100.0));
+        assertThat(rover.mode).isEqualTo(ScriptedRover.GUIDED);
+        assertThat(rover.mmPerSec()).isZero();
+        List<VehicleFrames.Got> targets = rover.targets();
+        assertThat(targets).allMatch(got -> got.u8(52) == 8 && (got.u16(48) == 0x05E7 || got.u16(48) == 0x05FF));
+        VehicleFrames.Got last = targets.get(targets.size() - 1);
+        assertThat(last.f32(16)).isZero();
+        assertThat(last.f32(44)).isZero();
+    }
+
+    @Test
+    void aTurnToTheLeftIsSentAsANegativeYawRateOnTheSpot() {
+        ready();
+
+        bot.turn(90);
+
+        assertThat(rover.pose.headingDeg()).isCloseTo(90, within(2.0));
+        assertThat(rover.targets())
+                .filteredOn(got -> got.f32(44) != 0)
+                .isNotEmpty()
+                .allMatch(got -> got.u16(48) == 0x05FF && got.f32(16) == 0);
+        assertThat(rover.targets().get(0).f32(44)).isNegative();
+    }
+
+    @Test
+    void targetsAreSentTenTimesASecondWhileItMoves() {
+        ready();
+        CompletableFuture<MotionReport> motion = moving(5000);
+        int before = rover.targets().size();
+        robot.pass(2);
+
+        assertThat(rover.targets().size() - before).isBetween(18, 22);
+        robot.clock().join(motion);
+    }
+
+    @Test
+    void anUnarmedRoverRefusesToMoveAndNamesTheReasonsOfItsAutopilot() {
+        bot.connect();
+        rover.text("PreArm: AHRS: waiting for home");
+        robot.pass(0.1);
+
+        assertThatThrownBy(() -> bot.move(1000))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("it is not armed")
+                .hasMessageContaining("PreArm: AHRS: waiting for home");
+        assertThat(rover.commands(400)).isEmpty();
+        assertThat(rover.mode).isZero();
+    }
+
+    @Test
+    void armArmsOrNamesTheReasons() {
+        bot.connect();
+        rover.armRefusal = "Arm: Accels inconsistent";
+
+        assertThatThrownBy(() -> bot.run("arm", List.of()))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("refuses to arm (failed): Arm: Accels inconsistent");
+
+        rover.armRefusal = "";
+        bot.run("arm", List.of());
+        assertThat(rover.armed).isTrue();
+        bot.run("disarm", List.of());
+        assertThat(rover.armed).isFalse();
+        assertThat(rover.commands(400)).allMatch(got -> got.f32(4) == 0);
+    }
+
+    @Test
+    void armByMotionLetsTheFirstMotionArm() {
+        bot.connect();
+        bot.set("armByMotion", "on");
+
+        bot.move(1000);
+
+        assertThat(rover.pose.xMm()).isCloseTo(1000, within(100.0));
+        assertThat(rover.armed).isTrue();
+    }
+
+    @Test
+    void aModeThatIsRefusedEndsTheMotionWithTheReason() {
+        ready();
+        rover.modeRefusal = "Flight mode change failed";
+
+        assertThatThrownBy(() -> bot.move(1000))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("does not take on the mode GUIDED (failed): Flight mode change failed");
+    }
+
+    @Test
+    void aModeThatAnotherHasSetEndsTheMotionAndIsNotTakenBack() {
+        ready();
+        CompletableFuture<MotionReport> motion = moving(10_000);
+        robot.pass(1.5);
+        int modes = rover.commands(176).size();
+
+        rover.changeMode(0);
+
+        assertThat(failure(motion))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("the mode was changed to MANUAL by another");
+        robot.pass(3);
+        assertThat(rover.mode).isZero();
+        assertThat(rover.commands(176)).hasSize(modes);
+    }
+
+    @Test
+    void aDriveWhoseModeWasTakenOverIsNotBegunAgainByItsRenewals() {
+        ready();
+        for (int call = 0; call < 15; call++) {
+            bot.drive(500, 0);
+            robot.pass(0.1);
+        }
+        rover.changeMode(0);
+        int refused = 0;
+        for (int call = 0; call < 20; call++) {
+            try {
+                bot.drive(500, 0);
+            } catch (BotException e) {
+                refused++;
+            }
+            robot.pass(0.1);
+        }
+
+        assertThat(refused).isGreaterThanOrEqualTo(19);
+        assertThat(rover.mode).isZero();
+    }
+
+    @Test
+    void aRoverThatIsDisarmedEndsItsMotion() {
+        ready();
+        CompletableFuture<MotionReport> motion = moving(10_000);
+        robot.pass(1.5);
+
+        rover.armed = false;
+
+        assertThat(failure(motion)).isInstanceOf(MotionFailed.class).hasMessageContaining("it was disarmed");
+    }
+
+    @Test
+    void aPositionThatIsLostEndsTheMotionWithinASecond() {
+        ready();
+        CompletableFuture<MotionReport> motion = moving(10_000);
+        long lostMs = robot.peer.millis();
+
+        rover.positionless = true;
+
+        assertThat(failure(motion)).isInstanceOf(MotionFailed.class);
+        assertThat(robot.peer.millis() - lostMs).isLessThan(2500);
+        robot.pass(2);
+        assertThat(rover.mmPerSec()).isZero();
+    }
+
+    @Test
+    void aRoverWithoutAPositionIsNotMoved() {
+        rover.positionless = true;
+        ready();
+
+        assertThatThrownBy(() -> bot.move(1000)).isInstanceOf(MotionFailed.class);
+        assertThat(rover.pose).isEqualTo(Pose.START);
+    }
+
+    @Test
+    void theDriveEndsWhenItIsNotRenewed() {
+        ready();
+
+        bot.drive(500, 0);
+        robot.pass(3);
+
+        assertThat(rover.mmPerSec()).isZero();
+        assertThat(rover.pose.xMm()).isBetween(50.0, 800.0);
+    }
+
+    @Test
+    void gotoGlobalLeavesTheWayToTheAutopilot() {
+        rover.frame = Pose.START;
+        ready();
+        robot.pass(1);
+
+        String answer = bot.run("gotoGlobal", List.of(Value.of(47.0001, Unit.NONE), Value.of(9, Unit.NONE)));
+
+        assertThat(answer).startsWith("arrived");
+        assertThat(rover.pose.xMm()).isCloseTo(11_119, within(2500.0));
+        VehicleFrames.Got sent = rover.received.stream()
+                .filter(got -> got.id() == 75)
+                .findFirst()
+                .orElseThrow();
+        assertThat(sent.i32(16)).isEqualTo(470_001_000);
+        assertThat(sent.f32(4)).isEqualTo(1);
+    }
+
+    @Test
+    void nothingMovesAnAircraft() {
+        rover.type = 2;
+        ready();
+
+        assertThatThrownBy(() -> bot.move(1000)).hasMessageContaining("it is a copter");
+        assertThatThrownBy(() -> bot.turn(10)).hasMessageContaining("it is a copter");
+        assertThatThrownBy(() -> bot.drive(500, 0)).hasMessageContaining("it is a copter");
+        assertThatThrownBy(() -> bot.run("arm", List.of())).isInstanceOf(BotException.class);
+        assertThatThrownBy(() -> bot.set("mode", "AUTO")).hasMessageContaining("does not set AUTO");
+        assertThat(rover.targets()).isEmpty();
+        assertThat(rover.commands(176)).isEmpty();
+        assertThat(rover.commands(400)).isEmpty();
+    }
+
+    @Test
+    void anAircraftIsTakenDownAndHome() {
+        rover.type = 2;
+        ready();
+
+        bot.run("land", List.of());
+        assertThat(rover.mode).isEqualTo(9);
+        bot.run("home", List.of());
+        assertThat(rover.mode).isEqualTo(6);
+        bot.run("hold", List.of());
+        assertThat(rover.mode).isEqualTo(17);
+    }
+}
