@@ -30,7 +30,7 @@ class RoverMotionTest {
 
     private CompletableFuture<MotionReport> moving(double mm) {
         CompletableFuture<MotionReport> motion = robot.clock().aside(() -> bot.move(mm));
-        robot.clock().until(() -> rover.mmPerSec() > 300);
+        robot.clock().until(() -> rover.mmPerSec() > 300 || motion.isDone());
         return motion;
     }
 
@@ -140,7 +140,7 @@ class RoverMotionTest {
     @Test
     void aModeThatAnotherHasSetEndsTheMotionAndIsNotTakenBack() {
         ready();
-        CompletableFuture<MotionReport> motion = moving(10_000);
+        CompletableFuture<MotionReport> motion = moving(5000);
         robot.pass(1.5);
         int modes = rover.commands(176).size();
 
@@ -179,7 +179,7 @@ class RoverMotionTest {
     @Test
     void aRoverThatIsDisarmedEndsItsMotion() {
         ready();
-        CompletableFuture<MotionReport> motion = moving(10_000);
+        CompletableFuture<MotionReport> motion = moving(5000);
         robot.pass(1.5);
 
         rover.armed = false;
@@ -190,7 +190,7 @@ class RoverMotionTest {
     @Test
     void aPositionThatIsLostEndsTheMotionWithinASecond() {
         ready();
-        CompletableFuture<MotionReport> motion = moving(10_000);
+        CompletableFuture<MotionReport> motion = moving(5000);
         long lostMs = robot.peer.millis();
 
         rover.positionless = true;

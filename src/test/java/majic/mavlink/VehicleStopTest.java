@@ -22,8 +22,8 @@ class VehicleStopTest {
     private final MajicMavlink bot = robot.bot();
 
     private CompletableFuture<MotionReport> moving() {
-        CompletableFuture<MotionReport> motion = robot.clock().aside(() -> bot.move(10_000));
-        robot.clock().until(() -> rover.mmPerSec() > 300);
+        CompletableFuture<MotionReport> motion = robot.clock().aside(() -> bot.move(5000));
+        robot.clock().until(() -> rover.mmPerSec() > 300 || motion.isDone());
         return motion;
     }
 

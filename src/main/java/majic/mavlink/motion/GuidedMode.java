@@ -142,6 +142,7 @@ final class GuidedMode implements ObstructionSource {
             return;
         }
         sentNanos = time.nanos();
+        stop.otherModeSent();
         if (!held) {
             hold.set(new Hold(Claim.SET, sentNanos, ""));
         }

@@ -4,6 +4,7 @@ import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.Optional;
 import java.util.OptionalLong;
+import java.util.concurrent.atomic.AtomicInteger;
 import majic.bot.BotException;
 import majic.bot.LinkLost;
 import majic.bot.Value;
@@ -32,10 +33,18 @@ public final class StopControl {
     private static final double CONFIRM_S = 4;
     private static final int CLOSING_TIMES = 5;
 
+    /** A stop is sent so often in any case: what shows it may be older than the command that it stops. */
+    private static final int LEAST_TIMES = 3;
+
+    /** An answer belongs to another command of the same kind if that was sent so shortly before, seconds. */
+    private static final double OTHER_S = 1.5;
+
     private final VehicleSession session;
     private final TimeSource time;
     private final Runnable schedule;
     private volatile Order order = Order.NONE;
+    private final AtomicInteger times = new AtomicInteger();
+    private volatile long otherNanos;
 
     /** A stop that was ordered. */
     private record Order(boolean pending, long atNanos) {
@@ -63,6 +72,7 @@ public final class StopControl {
      * @throws LinkLost if the connection has ended
      */
     public void order() {
+        times.set(0);
         order = new Order(true, Math.max(1, time.nanos()));
         try {
             write();
@@ -72,6 +82,7 @@ public final class StopControl {
     }
 
     private void write() {
+        times.incrementAndGet();
         OptionalLong mode = session.modes().stop();
         if (mode.isPresent()) {
             session.send(MavlinkRequests.command(
@@ -91,7 +102,7 @@ public final class StopControl {
         if (!now.pending() || session.hasEnded()) {
             return;
         }
-        if (isShown() || time.secondsSince(now.atNanos()) > LONGEST_S) {
+        if (times.get() >= LEAST_TIMES && isShown() || time.secondsSince(now.atNanos()) > LONGEST_S) {
             end(now);
             return;
         }
@@ -117,6 +128,11 @@ public final class StopControl {
         }
     }
 
+    /** Takes note that another mode is being set, whose answer is none to a stop. */
+    void otherModeSent() {
+        otherNanos = time.nanos();
+    }
+
     /** Ends the repetition: a motion begins that was commanded after the stop. */
     synchronized void cancel() {
         order = Order.NONE;
@@ -127,7 +143,7 @@ public final class StopControl {
      * second at most.
      */
     void finish(RobotWait waiting) {
-        for (int times = 0; order.pending() && times < CLOSING_TIMES && !session.hasEnded(); times++) {
+        for (int more = 0; order.pending() && more < CLOSING_TIMES && !session.hasEnded(); more++) {
             if (waiting.awaitClosing(() -> isShown() || session.hasEnded(), PERIOD_S)) {
                 return;
             }
@@ -157,7 +173,9 @@ public final class StopControl {
                 .newest(VehicleHeartbeat.class)
                 .filter(received -> received.atNanos() > from && isStopMode(received))
                 .isPresent();
-        return inMode || answer(from).filter(CommandAck::isAccepted).isPresent();
+        boolean isAnswered = (from - otherNanos) / 1e9 > OTHER_S || otherNanos == 0;
+        return inMode
+                || isAnswered && answer(from).filter(CommandAck::isAccepted).isPresent();
     }
 
     private boolean isStopMode(Received<VehicleHeartbeat> received) {

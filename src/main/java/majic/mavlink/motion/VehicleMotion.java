@@ -282,6 +282,7 @@ public final class VehicleMotion {
         long number = session.modes().number(name).orElseThrow(() -> new BotException("there is no mode " + name));
         motion.send(() -> {
             stop.cancel();
+            stop.otherModeSent();
             mode.release();
         });
         session.commands()
