@@ -30,6 +30,7 @@ public final class Body {
     private double speedMmPerSec;
     private double turnDegPerSec;
     private boolean blocked;
+    private boolean aloft;
     private int bumps;
     private Contact contact = Contact.NONE;
     private double wallFreeMm;
@@ -104,6 +105,43 @@ public final class Body {
         blocked = false;
         wallFreeMm = 0;
         moveTo(p);
+    }
+
+    /**
+     * Lets the body fly above all walls and other bodies, so that it meets none and no sensor of another body detects
+     * it; or puts it among them again.
+     *
+     * @param flies whether it is above them from now on
+     */
+    public void aloft(boolean flies) {
+        aloft = flies;
+    }
+
+    /**
+     * Whether it is above all walls and other bodies.
+     *
+     * @return true while it meets nothing
+     */
+    public boolean isAloft() {
+        return aloft;
+    }
+
+    /**
+     * Moves the body at once, in any direction, as a vehicle that flies moves in a step. Through a wall or another body
+     * it goes only aloft.
+     *
+     * @param next where to, so near that nothing can be between
+     * @return false if something is there; the body stayed where it was, and the first of such moves counts as a bump
+     */
+    public boolean slide(Pose next) {
+        boolean free = fits.test(next);
+        if (free) {
+            wallFreeMm = 0;
+            moveTo(next);
+        }
+        bumps += free || blocked ? 0 : 1;
+        blocked = !free;
+        return free;
     }
 
     /**

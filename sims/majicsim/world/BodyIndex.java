@@ -46,7 +46,7 @@ final class BodyIndex {
         }
     }
 
-    /** Adds all bodies of which a part may be within this distance; also some that are farther. */
+    /** Adds all bodies on the floor of which a part may be within this distance; also some that are farther. */
     void near(double xMm, double yMm, double withinMm, List<Body> found) {
         double look = withinMm + largestReachMm;
         int lastRow = row(yMm + look);
@@ -56,7 +56,7 @@ final class BodyIndex {
                 List<Body> square = squares.get(row * columns + column);
                 for (int i = 0; i < square.size(); i++) {
                     Body body = square.get(i);
-                    if (body.mayReach(xMm, yMm, withinMm)) {
+                    if (!body.isAloft() && body.mayReach(xMm, yMm, withinMm)) {
                         found.add(body);
                     }
                 }
@@ -65,7 +65,7 @@ final class BodyIndex {
     }
 
     /**
-     * Adds all bodies of which a part may be in the cone; also some that are not.
+     * Adds all bodies on the floor of which a part may be in the cone; also some that are not.
      *
      * @param around the bounds of the cone
      */
@@ -77,7 +77,7 @@ final class BodyIndex {
                 List<Body> square = squares.get(row * columns + column);
                 for (int i = 0; i < square.size(); i++) {
                     Body body = square.get(i);
-                    if (cone.mayMeet(body)) {
+                    if (!body.isAloft() && cone.mayMeet(body)) {
                         found.add(body);
                     }
                 }

@@ -35,7 +35,7 @@ final class Motion {
 
     /** Updates what the body touches. */
     void detectContact(Body body, boolean anyBlocked) {
-        boolean mayTouch = anyBlocked || body.contact().touching();
+        boolean mayTouch = !body.isAloft() && (anyBlocked || body.contact().touching());
         body.contact(mayTouch ? touched(body) : Contact.NONE);
     }
 

@@ -19,9 +19,9 @@ final class Obstacles {
         this.bodies = bodies;
     }
 
-    /** Whether the body could stand there. */
+    /** Whether the body could be there. */
     boolean areClearOf(Body body, Pose at) {
-        return areWallsClearOf(body, at) && areBodiesClearOf(body, at);
+        return body.isAloft() || areWallsClearOf(body, at) && areBodiesClearOf(body, at);
     }
 
     /** Whether the body could stand there if it were alone. */

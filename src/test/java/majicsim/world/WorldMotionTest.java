@@ -50,6 +50,21 @@ class WorldMotionTest {
     }
 
     @Test
+    void aBodyAloftMeetsNothingAndIsNotDetected() {
+        Body flying = add(Body.disc("flying", 60, new Pose(0, 0, 0)));
+        Body other = add(Body.disc("other", 60, new Pose(500, 0, 180)));
+        assertThat(flying.slide(new Pose(450, 0, 0))).isFalse();
+        assertThat(flying.bumps()).isEqualTo(1);
+        assertThat(world.ray(other, 500, 0, 180, 1000).found()).isTrue();
+        flying.aloft(true);
+        assertThat(flying.slide(new Pose(450, 0, 0))).isTrue();
+        assertThat(flying.slide(new Pose(1990, 0, 0))).isTrue();
+        assertThat(world.ray(other, 500, 0, 0, 1450).found()).isFalse();
+        flying.aloft(false);
+        assertThat(world.isFree(flying, flying.pose())).isFalse();
+    }
+
+    @Test
     void aBlockedBodyCanBackAwayAndIsFreeAgain() {
         Body body = add(Body.disc("disc", 60, new Pose(1930, 0, 0)));
         body.velocity(300, 0);
