@@ -21,6 +21,7 @@ public final class Faults {
     private volatile double delayMs;
     private volatile double bytesPerSecond = Double.POSITIVE_INFINITY;
     private volatile double garbleProbability;
+    private volatile double lossProbability;
     private volatile boolean halving;
     private volatile boolean readingStopped;
     private volatile boolean unreachable;
@@ -103,6 +104,17 @@ public final class Faults {
         garbleProbability = probability;
     }
 
+    /**
+     * Loses datagrams. Lines other than those of datagrams lose nothing.
+     *
+     * @param probability of each datagram, 0 to 1
+     * @throws IllegalArgumentException if it is outside that range; nothing changes
+     */
+    public void lose(double probability) {
+        check(probability >= 0 && probability <= 1, "a probability must be 0 to 1, not " + probability);
+        lossProbability = probability;
+    }
+
     /** Delivers each message in two pieces, the second one lab step after the first. */
     public void halfPackets() {
         halving = true;
@@ -143,6 +155,7 @@ public final class Faults {
         delayMs = 0;
         bytesPerSecond = Double.POSITIVE_INFINITY;
         garbleProbability = 0;
+        lossProbability = 0;
         halving = false;
         readingStopped = false;
         outageUntilNanos.set(NO_OUTAGE);
@@ -192,6 +205,12 @@ public final class Faults {
 
     boolean isOutage() {
         return time.nowNanos() < outageUntilNanos.get();
+    }
+
+    /** Whether the next datagram is lost; drawn anew each time. */
+    boolean drawLoss() {
+        double probability = lossProbability;
+        return probability > 0 && noise.chance(probability);
     }
 
     boolean isHalving() {

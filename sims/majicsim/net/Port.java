@@ -12,6 +12,15 @@ public interface Port extends AutoCloseable {
     String address();
 
     /**
+     * What distinguishes it from the robot's other ports.
+     *
+     * @return what follows the robot's name in the name of this address; empty for a TCP port
+     */
+    default String suffix() {
+        return "";
+    }
+
+    /**
      * Reports that lab time has advanced: sends and delivers what was held back and is due. Called with the lab's lock
      * held.
      *

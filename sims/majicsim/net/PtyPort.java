@@ -52,6 +52,11 @@ public final class PtyPort implements Port {
     }
 
     @Override
+    public String suffix() {
+        return "-pty";
+    }
+
+    @Override
     public void step(long labNanos) {
         wiring.tick(labNanos);
         line.release();

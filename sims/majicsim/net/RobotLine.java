@@ -33,6 +33,11 @@ abstract class RobotLine implements Line {
      */
     abstract int write(byte[] bytes);
 
+    /** Whether what has just arrived is lost on its way; asked once for each piece, with the lock held. */
+    boolean losesArrival() {
+        return false;
+    }
+
     /** Whether everything given to {@link #write} has left. */
     abstract boolean isFlushed();
 
@@ -67,7 +72,7 @@ abstract class RobotLine implements Line {
     final void receive(byte[] bytes) {
         wiring.lock().lock();
         try {
-            if (wiring.faults().isReachable()) {
+            if (wiring.faults().isReachable() && !losesArrival()) {
                 in.enter(bytes);
             }
         } catch (RuntimeException e) {
