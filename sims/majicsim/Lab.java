@@ -14,6 +14,8 @@ import majicsim.aibo.AiboHandling;
 import majicsim.aibo.AiboRobot;
 import majicsim.hemisson.HemissonHandling;
 import majicsim.hemisson.HemissonRobot;
+import majicsim.mavlink.MavlinkHandling;
+import majicsim.mavlink.MavlinkVehicle;
 import majicsim.net.Faults;
 import majicsim.net.LabTime;
 import majicsim.net.LineCount;
@@ -87,17 +89,16 @@ public final class Lab implements AutoCloseable {
     /**
      * How to reach the robots: "aibo", "pioneer", "hemisson" and "ros" as "127.0.0.1:port", and "pioneer-pty" and
      * "hemisson-pty" as the paths of pseudo-terminals where the system has them. The address of a ROS robot in a
-     * namespace has that behind the port.
+     * namespace has that behind the port. MAVLink vehicles are "mavlink", "mavlink2" and so on, and "mavlink-udp" is
+     * where the datagrams of the first one come from.
      *
      * @return addresses by name, in the order of the robots' numbers
      */
     public Map<String, String> addresses() {
         Map<String, String> addresses = new LinkedHashMap<>();
         for (LabRobot robot : robots) {
-            String suffix = "";
             for (Port port : robot.ports()) {
-                addresses.put(robot.name() + suffix, port.address() + robot.path());
-                suffix = "-pty";
+                addresses.put(robot.name() + port.suffix(), port.address() + robot.path());
             }
         }
         return addresses;
@@ -201,6 +202,24 @@ public final class Lab implements AutoCloseable {
      */
     public void besideRos(Consumer<RosHandling> action) {
         beside(RosRobot.class, ros -> action.accept(ros.handling()));
+    }
+
+    /**
+     * Acts on a MAVLink vehicle itself: its radio pilot, its switch, its battery. The lab does not step meanwhile.
+     *
+     * @param robot its name
+     * @param action what to do; must not wait for anything
+     * @throws IllegalArgumentException if there is no such vehicle
+     */
+    public void besideMavlink(String robot, Consumer<MavlinkHandling> action) {
+        LabRobot one = named(robot);
+        locked(() -> {
+            if (!(one.wiring().firmware() instanceof MavlinkVehicle vehicle)) {
+                throw new IllegalArgumentException(robot + " is no MAVLink vehicle");
+            }
+            action.accept(vehicle.handling());
+            return action;
+        });
     }
 
     /**

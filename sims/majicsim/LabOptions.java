@@ -1,6 +1,7 @@
 package majicsim;
 
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.mavlink.MavlinkOptions;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.ros.options.RosOptions;
 import majicsim.world.Room;
@@ -20,6 +21,7 @@ import org.jspecify.annotations.Nullable;
  * @param pioneers how many Pioneers of that model, 1 to {@value #MOST_PIONEERS}; the further ones start behind the
  *     other robots; {@link #roomFor} returns a room for them
  * @param ros the kind of ROS robot; null for a lab without one
+ * @param mavlink the MAVLink vehicles; null for a lab without any
  */
 public record LabOptions(
         Room room,
@@ -30,7 +32,8 @@ public record LabOptions(
         String pioneerModel,
         HemissonOptions hemisson,
         int pioneers,
-        @Nullable RosOptions ros) {
+        @Nullable RosOptions ros,
+        @Nullable MavlinkOptions mavlink) {
     /** How many Pioneers a lab has at most. */
     public static final int MOST_PIONEERS = 500;
 
@@ -52,7 +55,7 @@ public record LabOptions(
     /**
      * A room with the space for a lab's robots.
      *
-     * @param pioneers how many Pioneers; a ROS robot needs as much space as one
+     * @param pioneers how many Pioneers; a ROS robot or MAVLink vehicle needs as much space as one
      * @return the standard room, or a larger hall
      */
     public static Room roomFor(int pioneers) {
@@ -62,10 +65,11 @@ public record LabOptions(
     /**
      * How many robots the lab has.
      *
-     * @return all Pioneers, the Aibo, the Hemisson, and the ROS robots if there are any
+     * @return all Pioneers, the Aibo, the Hemisson, the ROS robots and the MAVLink vehicles if there are any
      */
     public int robots() {
-        return pioneers + OTHER_ROBOTS + (ros == null ? 0 : ros.robots());
+        int vehicles = mavlink == null ? 0 : mavlink.vehicles().size();
+        return pioneers + OTHER_ROBOTS + (ros == null ? 0 : ros.robots()) + vehicles;
     }
 
     /**
@@ -93,7 +97,7 @@ public record LabOptions(
      * @return noisy options
      */
     public LabOptions withNoise(long newSeed) {
-        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel, hemisson, pioneers, ros);
+        return new LabOptions(room, false, newSeed, ports, jitter, pioneerModel, hemisson, pioneers, ros, mavlink);
     }
 
     /**
@@ -103,7 +107,7 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withRoom(Room newRoom) {
-        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers, ros);
+        return new LabOptions(newRoom, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers, ros, mavlink);
     }
 
     /**
@@ -113,7 +117,7 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withPorts(LabPorts newPorts) {
-        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel, hemisson, pioneers, ros);
+        return new LabOptions(room, exact, seed, newPorts, jitter, pioneerModel, hemisson, pioneers, ros, mavlink);
     }
 
     /**
@@ -124,7 +128,7 @@ public record LabOptions(
      * @throws IllegalArgumentException if there is no such Pioneer; the message lists the models
      */
     public LabOptions withPioneer(String newModel) {
-        return new LabOptions(room, exact, seed, ports, jitter, newModel, hemisson, pioneers, ros);
+        return new LabOptions(room, exact, seed, ports, jitter, newModel, hemisson, pioneers, ros, mavlink);
     }
 
     /**
@@ -134,7 +138,7 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withHemisson(HemissonOptions newHemisson) {
-        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, newHemisson, pioneers, ros);
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, newHemisson, pioneers, ros, mavlink);
     }
 
     /**
@@ -145,7 +149,7 @@ public record LabOptions(
      * @throws IllegalArgumentException if there cannot be that many
      */
     public LabOptions withPioneers(int count) {
-        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, count, ros);
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, count, ros, mavlink);
     }
 
     /**
@@ -155,7 +159,17 @@ public record LabOptions(
      * @return the options
      */
     public LabOptions withRos(@Nullable RosOptions newRos) {
-        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers, newRos);
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers, newRos, mavlink);
+    }
+
+    /**
+     * The same lab with MAVLink vehicles.
+     *
+     * @param newMavlink their kinds; null for none
+     * @return the options
+     */
+    public LabOptions withMavlink(@Nullable MavlinkOptions newMavlink) {
+        return new LabOptions(room, exact, seed, ports, jitter, pioneerModel, hemisson, pioneers, ros, newMavlink);
     }
 
     private static LabOptions standard(boolean exact, LabPorts ports) {
@@ -168,6 +182,7 @@ public record LabOptions(
                 PioneerRobot.STANDARD_MODEL,
                 HemissonOptions.standard(),
                 1,
+                null,
                 null);
     }
 }

@@ -6,9 +6,9 @@ import majicsim.net.Wiring;
 import majicsim.world.Body;
 
 /**
- * One robot of the lab with its body and its ports; the second port, if there is one, is a pseudo-terminal. Several ROS
- * robots share the firmware and the port of the first one, which closes them for all; the path behind the address tells
- * them apart.
+ * One robot of the lab with its body and its ports; beside a TCP port it may have a pseudo-terminal or a port for
+ * datagrams. Several ROS robots share the firmware and the port of the first one, which closes them for all; the path
+ * behind the address tells them apart.
  */
 record LabRobot(String name, Body body, Wiring wiring, List<Port> ports, String path, boolean isSharing) {
 

@@ -11,6 +11,9 @@ import java.util.function.Function;
 import majicsim.aibo.AiboRobot;
 import majicsim.hemisson.HemissonRobot;
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.mavlink.MavlinkOptions;
+import majicsim.mavlink.MavlinkVehicle;
+import majicsim.mavlink.VehicleOptions;
 import majicsim.net.Clients;
 import majicsim.net.Faults;
 import majicsim.net.Firmware;
@@ -19,6 +22,7 @@ import majicsim.net.LabTime;
 import majicsim.net.Port;
 import majicsim.net.PtyPort;
 import majicsim.net.TcpPort;
+import majicsim.net.UdpPort;
 import majicsim.net.Wiring;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.ros.RosRobot;
@@ -74,6 +78,7 @@ final class LabSetup {
                     new PortChoice(options.ports().hemisson(), Clients.ONE));
             addPty(hemisson);
             addRos(options.ros());
+            addMavlink(options.mavlink());
             for (int number = 2; number <= options.pioneers(); number++) {
                 add("pioneer" + number, this::pioneer, PioneerRobot::body, new PortChoice(0, Clients.ONE));
             }
@@ -128,6 +133,32 @@ final class LabSetup {
         }
     }
 
+    /** Vehicles with system ids from 1 on, some of which send datagrams too. */
+    private void addMavlink(@Nullable MavlinkOptions kinds) throws IOException {
+        List<VehicleOptions> vehicles = kinds == null ? List.of() : kinds.vehicles();
+        for (int i = 0; i < vehicles.size(); i++) {
+            String name = i == 0 ? "mavlink" : "mavlink" + (i + 1);
+            int system = i + 1;
+            VehicleOptions kind = vehicles.get(i);
+            MavlinkVehicle vehicle = add(
+                    name,
+                    (in, home, own) -> new MavlinkVehicle(name, in, home, own, kind, system),
+                    MavlinkVehicle::body,
+                    new PortChoice(options.ports().mavlink(i), Clients.ONE));
+            if (kind.udpPort() != 0) {
+                addUdp(vehicle.radio(), kind.udpPort());
+            }
+        }
+    }
+
+    /** A socket for datagrams for the robot that was added last; its faults are those of its network port too. */
+    private void addUdp(Firmware radio, int peerPort) throws IOException {
+        LabRobot added = robots.get(robots.size() - 1);
+        Wiring own = added.wiring();
+        Wiring wiring = new Wiring(lock, radio, own.faults(), own.waking(), own.due());
+        added.ports().add(UdpPort.open(peerPort, wiring));
+    }
+
     private PioneerRobot pioneer(World in, Pose home, Noise own) {
         return new PioneerRobot(in, home, own, options.pioneerModel());
     }
@@ -150,13 +181,18 @@ final class LabSetup {
         try {
             return TcpPort.open(choice.port(), choice.clients(), wiring);
         } catch (BindException e) {
-            if (!USUAL_PORTS.contains(choice.port())) {
+            if (!isUsual(choice.port())) {
                 throw new IOException(
                         "port " + choice.port() + " for the " + name + " is taken; 0 takes a free one", e);
             }
             LOG.log(Level.INFO, "port {0} is taken, so the {1} takes a free one", String.valueOf(choice.port()), name);
             return TcpPort.open(0, choice.clients(), wiring);
         }
+    }
+
+    private static boolean isUsual(int port) {
+        int vehicle = (port - LabPorts.MAVLINK) / LabPorts.MAVLINK_STEP;
+        return USUAL_PORTS.contains(port) || port == LabPorts.USUAL.mavlink(vehicle) && vehicle >= 0;
     }
 
     private interface Maker<R> {

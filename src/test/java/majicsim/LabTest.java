@@ -115,7 +115,7 @@ class LabTest {
     void aTakenPortThatWasWishedForIsAnError() throws IOException {
         try (ServerSocket taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             int port = taken.getLocalPort();
-            LabOptions wish = LabOptions.exactOnFreePorts().withPorts(new LabPorts(0, 0, port, 0));
+            LabOptions wish = LabOptions.exactOnFreePorts().withPorts(new LabPorts(0, 0, port, 0, 0));
             assertThatThrownBy(() -> Lab.open(wish))
                     .isInstanceOf(IOException.class)
                     .hasMessage("port " + port + " for the hemisson is taken; 0 takes a free one");
@@ -142,7 +142,7 @@ class LabTest {
 
     @Test
     void aPortNumberThatIsNoneIsRefused() {
-        assertThatThrownBy(() -> new LabPorts(65536, 0, 0, 0)).hasMessage("a port must be 0 to 65535, not 65536");
+        assertThatThrownBy(() -> new LabPorts(65536, 0, 0, 0, 0)).hasMessage("a port must be 0 to 65535, not 65536");
     }
 
     @Test

@@ -10,6 +10,11 @@ import java.util.Map;
 import majicsim.aibo.AiboRobot;
 import majicsim.hemisson.HemissonRobot;
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.mavlink.MavlinkOptions;
+import majicsim.mavlink.MavlinkVehicle;
+import majicsim.mavlink.message.Frame;
+import majicsim.mavlink.message.Message;
+import majicsim.mavlink.message.MessageType;
 import majicsim.net.Firmware;
 import majicsim.net.FirmwareClock;
 import majicsim.net.LabTime;
@@ -86,6 +91,29 @@ class RestingRobotsTest {
         Maker ros = (world, noise) -> new RosRobot(world, List.of(START), noise, RosOptions.parse("1"));
 
         assertThat(rested(ros, commands)).hasSizeGreaterThan(30).isEqualTo(stepped(ros, commands));
+    }
+
+    @Test
+    void aMavlinkVehicleSendsTheSame() {
+        Map<Integer, byte[]> commands = Map.of(
+                3, mavlink(511, 30, 70_000),
+                400, mavlink(176, 1, 15),
+                1001, mavlink(400, 1, 0),
+                1402, mavlink(176, 1, 0),
+                1603, mavlink(400, 0, 0));
+        MavlinkOptions kinds = MavlinkOptions.parse("rover+ready");
+        Maker rover = (world, noise) -> new MavlinkVehicle(
+                "mavlink", world, START, noise, kinds.vehicles().get(0), 1);
+
+        assertThat(rested(rover, commands)).hasSizeGreaterThan(150).isEqualTo(stepped(rover, commands));
+    }
+
+    private static byte[] mavlink(int command, double param1, double param2) {
+        Message message = new Message(MessageType.COMMAND_LONG)
+                .with("command", command)
+                .with("param1", param1)
+                .with("param2", param2);
+        return new Frame(2, 0, 255, 190, message).toBytes();
     }
 
     private static byte[] json(String quoted) {

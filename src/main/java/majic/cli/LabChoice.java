@@ -10,6 +10,7 @@ import majic.program.UsageException;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.mavlink.MavlinkOptions;
 import majicsim.pioneer.PioneerRobot;
 import majicsim.ros.options.RosOptions;
 import majicsim.world.Room;
@@ -115,6 +116,27 @@ final class LabChoice {
     private @Nullable String rosModel;
 
     @Option(
+            names = "--mavlink-port",
+            scope = ScopeType.INHERIT,
+            paramLabel = "N",
+            description =
+                    "TCP port of the first MAVLink vehicle (5760, or a free one); each further one listens 10 above.")
+    private int mavlinkPort = LabPorts.MAVLINK;
+
+    @Option(
+            names = "--mavlink",
+            scope = ScopeType.INHERIT,
+            paramLabel = "MODELS",
+            arity = "0..1",
+            parameterConsumer = MavlinkModelConsumer.class,
+            description = {
+                "Puts MAVLink vehicles into the lab, with commas between them: rover (ArduRover, the default), boat or copter",
+                "(ArduCopter), and what is different about each: +ready (it can be armed at once, not after 44 s), +v1 (MAVLink 1"
+                        + " alone), +udp=14550 (also sends to a ground station at this port)."
+            })
+    private @Nullable String mavlinkModels;
+
+    @Option(
             names = "--pioneers",
             scope = ScopeType.INHERIT,
             paramLabel = "N",
@@ -128,18 +150,32 @@ final class LabChoice {
         boolean model = !pioneerModel.equalsIgnoreCase(PioneerRobot.STANDARD_MODEL);
         boolean hemisson = !hemissonModel.equalsIgnoreCase(KTEAM);
         boolean ros = rosModel != null || rosPort != LabPorts.ROS;
-        return ros || exact || seed != 1 || world != null || speed != 1 || ports || model || hemisson || pioneers != 1;
+        boolean mavlink = mavlinkModels != null || mavlinkPort != LabPorts.MAVLINK;
+        return ros
+                || mavlink
+                || exact
+                || seed != 1
+                || world != null
+                || speed != 1
+                || ports
+                || model
+                || hemisson
+                || pioneers != 1;
     }
 
     /** Returns the options with which a lab of this choice is opened. */
     LabOptions options() throws IOException {
         RosOptions ros = rosModel == null ? null : model("--ros", rosModel, RosOptions::parse);
-        Room room =
-                world == null ? LabOptions.roomFor(pioneers() + (ros == null ? 0 : ros.robots())) : Room.load(world);
-        LabPorts ports = new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort), port(rosPort));
+        MavlinkOptions mavlink =
+                mavlinkModels == null ? null : model("--mavlink", mavlinkModels, MavlinkOptions::parse);
+        int others = (ros == null ? 0 : ros.robots())
+                + (mavlink == null ? 0 : mavlink.vehicles().size());
+        Room room = world == null ? LabOptions.roomFor(pioneers() + others) : Room.load(world);
+        LabPorts ports =
+                new LabPorts(port(aiboPort), port(pioneerPort), port(hemissonPort), port(rosPort), port(mavlinkPort));
         String pioneer = model("--pioneer-model", pioneerModel, PioneerRobot::modelNamed);
         HemissonOptions hemisson = model("--hemisson-model", hemissonModel, HemissonOptions::parse);
-        return new LabOptions(room, exact, seed, ports, !exact, pioneer, hemisson, pioneers(), ros);
+        return new LabOptions(room, exact, seed, ports, !exact, pioneer, hemisson, pioneers(), ros, mavlink);
     }
 
     /** Returns its speed, after a check. */
@@ -156,6 +192,9 @@ final class LabChoice {
         reportIfTaken("pioneer", pioneerPort, addresses);
         if (rosModel != null) {
             reportIfTaken("ros", rosPort, addresses);
+        }
+        if (mavlinkModels != null) {
+            reportIfTaken("mavlink", mavlinkPort, addresses);
         }
     }
 
@@ -197,6 +236,18 @@ final class LabChoice {
         public void consumeParameters(Stack<String> words, ArgSpec option, CommandSpec command) {
             boolean isModel = !words.isEmpty() && words.peek().matches("\\d.*");
             option.setValue(isModel ? words.pop() : STANDARD);
+        }
+    }
+
+    /** Takes the next word only if it names vehicles, so that a file or a command can follow {@code --mavlink}. */
+    private static final class MavlinkModelConsumer implements IParameterConsumer {
+        private static final String STANDARD = "rover";
+        private static final String MODELS = "(?i)(rover|boat|copter)([+,].*)?";
+
+        @Override
+        public void consumeParameters(Stack<String> words, ArgSpec option, CommandSpec command) {
+            boolean areModels = !words.isEmpty() && words.peek().matches(MODELS);
+            option.setValue(areModels ? words.pop() : STANDARD);
         }
     }
 

@@ -32,8 +32,8 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     /** The number that distinguishes a further robot of a type from the first: {@code pioneer2}. */
     private static final Pattern COUNT = Pattern.compile("\\d+$");
 
-    /** Its addresses are those of a server, {@code ros://host:port}; the others can be serial lines too. */
-    private static final String ROS = "ros";
+    /** Their addresses are a scheme and a server, {@code ros://host:port}; those of the others name the link too. */
+    private static final Set<String> SCHEMES = Set.of("ros", "mavlink");
 
     /** What may follow the port in the address of a ROS robot. */
     private static final Pattern NAMESPACE = Pattern.compile("(?<=:\\d{1,5})/.*");
@@ -153,7 +153,7 @@ public final class SimulatedLab implements LabAccess, AutoCloseable {
     @Override
     public Optional<BotAddress> address(String robot) {
         String type = COUNT.matcher(robot).replaceFirst("");
-        String prefix = type.equals(ROS) ? "//" : "tcp://";
+        String prefix = SCHEMES.contains(type) ? "//" : "tcp://";
         return Optional.ofNullable(lab.addresses().get(robot)).map(where -> new BotAddress(type, prefix + where));
     }
 

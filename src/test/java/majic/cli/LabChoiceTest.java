@@ -9,6 +9,7 @@ import majic.program.UsageException;
 import majicsim.hemisson.modules.ModuleKind;
 import majicsim.hemisson.options.Dialect;
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.mavlink.MavlinkOptions;
 import majicsim.world.Room;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -100,6 +101,32 @@ class LabChoiceTest {
         assertThatThrownBy(choice::options)
                 .isInstanceOf(UsageException.class)
                 .hasMessageStartingWith("--hemisson-model " + model + ": " + reason);
+    }
+
+    @Test
+    void aRoverIsTheUsualMavlinkVehicle() throws IOException {
+        line.parseArgs("--mavlink", "--exact");
+        assertThat(choice.options().mavlink()).isEqualTo(MavlinkOptions.parse("rover"));
+        assertThat(choice.options().robots()).isEqualTo(4);
+        assertThat(choice.isGiven()).isTrue();
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"copter", "rover,copter", "boat+ready,copter+udp=14550"})
+    void mavlinkVehiclesAreChosenByWords(String models) throws IOException {
+        line.parseArgs("--mavlink=" + models);
+        assertThat(choice.options().mavlink()).isEqualTo(MavlinkOptions.parse(models));
+        line.parseArgs("--mavlink", models);
+        assertThat(choice.options().mavlink()).isEqualTo(MavlinkOptions.parse(models));
+    }
+
+    @Test
+    void aMavlinkVehicleThatIsNoneIsRefusedWithTheReason() {
+        line.parseArgs("--mavlink=rover+fast");
+        assertThatThrownBy(choice::options)
+                .isInstanceOf(UsageException.class)
+                .hasMessageStartingWith(
+                        "--mavlink rover+fast: there is no 'fast' for a MAVLink vehicle; known are rover, ");
     }
 
     @Test
