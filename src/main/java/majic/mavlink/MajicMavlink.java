@@ -88,10 +88,15 @@ public final class MajicMavlink extends BotDriver {
                         Parameter.onOff("armByMotion", "whether a motion arms a rover or boat that is not armed"),
                         () -> Value.onOff(armByMotion))
                 .kept()
-                .writes(values -> armByMotion = values.get(0).isYes());
+                .writes(values -> armByMotion(values.get(0).isYes()));
         table().findOthers(new NamedParameters(access));
         every("mavlink heartbeat", HEARTBEAT_S, this::heartbeat);
         every("mavlink check", CHECK_S, this::check);
+    }
+
+    /** Sets whether a motion arms the vehicle; needs no connection. */
+    void armByMotion(boolean arms) {
+        armByMotion = arms;
     }
 
     private void heartbeat() {

@@ -26,6 +26,7 @@ import majic.team.Team;
 import majic.time.TimeSource.Membership;
 import majicsim.LabOptions;
 import majicsim.hemisson.options.HemissonOptions;
+import majicsim.mavlink.MavlinkOptions;
 import majicsim.ros.options.RosOptions;
 
 /**
@@ -76,6 +77,11 @@ public final class LabRig implements AutoCloseable {
     /** Creates a lab as {@link #exact()}, with this Hemisson and its extras, as {@code kteam+camera+overrun}. */
     public static LabRig exactWithHemisson(String model) {
         return new LabRig(LabOptions.exactOnFreePorts().withHemisson(HemissonOptions.parse(model)));
+    }
+
+    /** Creates a lab as {@link #exact()}, with these MAVLink vehicles, as {@code rover+ready,copter}. */
+    public static LabRig exactWithMavlink(String vehicles) {
+        return new LabRig(LabOptions.exactOnFreePorts().withMavlink(MavlinkOptions.parse(vehicles)));
     }
 
     /** Creates a lab as {@link #exact()}, with this ROS robot, as {@code 2+stamped}. */

@@ -4,6 +4,7 @@ import java.util.function.Consumer;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.drivertest.TestedRobot;
+import majicsim.mavlink.MavlinkHandling;
 import majicsim.ros.RosHandling;
 
 /** A robot of an exact lab and its driver, for the conformance tests. */
@@ -37,6 +38,11 @@ public final class LabRobot implements TestedRobot {
     /** Orders faults of the ROS robot and its computer. */
     public void besideRos(Consumer<RosHandling> action) {
         rig.lab().simulators().besideRos(action);
+    }
+
+    /** Acts on a MAVLink vehicle itself. */
+    public void besideMavlink(Consumer<MavlinkHandling> action) {
+        rig.lab().simulators().besideMavlink(type, action);
     }
 
     /** Makes a second driver of the robot, as another program has one; not connected, to be closed. */

@@ -24,7 +24,7 @@ class PluginsTest {
     void withoutPluginsThereAreTheRobotsOfTheThesisAndThoseThatSpeakRos() {
         assertThat(Plugins.in(folder.resolve("none")).types())
                 .extracting(BotType::name)
-                .containsExactly("aibo", "pioneer", "hemisson", "ros", "mqtt");
+                .containsExactly("aibo", "pioneer", "hemisson", "ros", "mavlink", "mqtt");
     }
 
     @Test
