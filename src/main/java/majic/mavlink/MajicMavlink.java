@@ -1,5 +1,6 @@
 package majic.mavlink;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicReference;
@@ -278,10 +279,10 @@ public final class MajicMavlink extends BotDriver {
                             publishScan(new RangeScan(ranges.sensor(ring), now, pose.get(), ranges.ranges(ring))));
         } else {
             open.session().reports().ranges().values().stream()
-                    .filter(received -> received.atNanos() == time().nanos())
+                    .max(Comparator.comparingLong(Received::atNanos))
                     .map(Received::value)
                     .filter(RangeReading::isHorizontal)
-                    .forEach(reading ->
+                    .ifPresent(reading ->
                             publishScan(new RangeScan(ranges.sensor(reading), now, pose.get(), (float) reading.mm())));
         }
     }

@@ -31,7 +31,16 @@ class JavaOnPagesTest {
     private static final Pattern CLASS = Pattern.compile("(?m)^public (?:final )?class (\\w+)");
     private static final Pattern ADDRESS = Pattern.compile("\\(\"(pioneer|hemisson):.*?\"\\)");
     private static final String IMPORTS = Stream.of(
-                    "act", "act.file", "act.make", "aibo", "bot", "environment", "hemisson", "mavlink", "pioneer", "ros")
+                    "act",
+                    "act.file",
+                    "act.make",
+                    "aibo",
+                    "bot",
+                    "environment",
+                    "hemisson",
+                    "mavlink",
+                    "pioneer",
+                    "ros")
             .map(name -> "import majic." + name + ".*; ")
             .reduce("import java.util.*; import java.nio.file.*; ", String::concat);
 

@@ -18,6 +18,11 @@ class MavlinkConformanceTest extends DriverConformance {
     }
 
     @Override
+    protected double brakingMm() {
+        return 300;
+    }
+
+    @Override
     protected double lostWithinS() {
         return 4;
     }

@@ -48,6 +48,7 @@ class RoverMotionTest {
         ready();
 
         MotionReport report = bot.move(3000);
+        robot.pass(1);
 
         assertThat(report.amount()).isNotNull();
         assertThat(rover.pose.xMm()).isCloseTo(3000, within(100.0));

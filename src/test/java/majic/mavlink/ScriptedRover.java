@@ -21,7 +21,7 @@ final class ScriptedRover {
     static final int GUIDED = 15;
 
     private static final double FASTEST_MM_PER_SEC = 2000;
-    private static final double LAG_S = 0.25;
+    private static final double LAG_S = 0.2;
     private static final int TARGET_MS = 3000;
     private static final double EARTH_MM_PER_DEG = Math.toRadians(6_371_000_000.0);
 

@@ -72,7 +72,7 @@ public final class MavlinkRequests {
                 .f32(0, 0, 0)
                 .f32(mmPerSec / 1000, 0, 0)
                 .f32(0, 0, 0)
-                .f32(0, -Math.toRadians(degPerSec))
+                .f32(0, 0.0 - Math.toRadians(degPerSec))
                 .u16(onTheSpot ? YAW_RATE : VELOCITY_AND_YAW_RATE)
                 .u8(system, AUTOPILOT, BODY_AXES);
     }

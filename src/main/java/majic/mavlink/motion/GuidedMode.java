@@ -25,6 +25,9 @@ final class GuidedMode implements ObstructionSource {
     /** Without an answer the mode is set again after this time, seconds. */
     private static final double AGAIN_S = 0.5;
 
+    /** The texts that explain a refusal come this long after it at most, seconds. */
+    private static final double REASON_S = 0.3;
+
     /** A heartbeat that is older says nothing about the present mode, seconds. */
     private static final double FRESH_S = 2.5;
 
@@ -115,9 +118,10 @@ final class GuidedMode implements ObstructionSource {
         motion.send(this::set);
         while (!isTaken()) {
             boolean decided = motion.await(() -> isTaken() || refusal() != null, AGAIN_S);
-            String refused = refusal();
-            if (refused != null) {
-                throw new MotionFailed(refused);
+            if (refusal() != null) {
+                motion.pause(REASON_S);
+                String refused = refusal();
+                throw new MotionFailed(refused == null ? "the mode GUIDED was refused" : refused);
             }
             if (motion.guardReached()) {
                 return false;

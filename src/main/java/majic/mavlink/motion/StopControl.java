@@ -31,6 +31,7 @@ public final class StopControl {
     private static final double LONGEST_S = 10;
 
     private static final double CONFIRM_S = 4;
+    private static final double REFUSED_S = 1;
     private static final int CLOSING_TIMES = 5;
 
     /** A stop is sent so often in any case: what shows it may be older than the command that it stops. */
@@ -202,7 +203,7 @@ public final class StopControl {
                 .findFirst()
                 .orElseThrow(() -> new BotException(
                         name + " has an autopilot for which MAJIC has no stop; stop it by its" + " radio control"));
-        waiting.await(() -> !order.exists() || isShown() || isRefused(order) || session.hasEnded(), CONFIRM_S);
+        waiting.await(() -> !order.exists() || isShown() || isRefusedForGood(order) || session.hasEnded(), CONFIRM_S);
         Order last = order;
         // A motion that was commanded after the stop ends it.
         if (!last.exists() || isShown()) {
@@ -215,6 +216,11 @@ public final class StopControl {
                 ? "'s autopilot refuses " + mode + session.texts().reasonsSince(last.atNanos())
                 : " has not confirmed " + mode + " within " + Value.plain(CONFIRM_S) + " s";
         throw new BotException(name + what + "; stop it by its radio control");
+    }
+
+    /** Its reasons have come by then, and one of the repetitions might have been accepted. */
+    private boolean isRefusedForGood(Order now) {
+        return isRefused(now) && time.secondsSince(now.atNanos()) > REFUSED_S;
     }
 
     private boolean isRefused(Order now) {
