@@ -50,17 +50,6 @@ public final class Links {
     }
 
     /**
-     * Creates a link of datagrams (UDP), without opening it.
-     *
-     * @param host the peer, which is sent to before it has sent anything; empty to wait for peers
-     * @param port the peer's port; without a host, the port of this computer to which peers send
-     * @return a link, not open
-     */
-    public static UdpLink udp(String host, int port) {
-        return new UdpLink(host, port);
-    }
-
-    /**
      * Reads host and port from a network address.
      *
      * @param address {@code //host}, {@code //host:port} or {@code tcp://host:port}; an IPv6 address is in square

@@ -33,7 +33,13 @@ public final class UdpLink implements Link {
     private volatile String local = "";
     private boolean closed;
 
-    UdpLink(String host, int port) {
+    /**
+     * Creates a link, without opening it.
+     *
+     * @param host the peer, which is sent to before it has sent anything; empty to wait for peers
+     * @param port the peer's port; without a host, the port of this computer to which peers send
+     */
+    public UdpLink(String host, int port) {
         this.host = host;
         this.port = port;
     }

@@ -47,6 +47,9 @@ public final class MajicMavlink extends BotDriver {
     private static final double CHECK_S = 0.25;
     private static final int OLDEST_MAJOR = 4;
 
+    /** A vehicle without a position, as before its first fix, is connected after this time, seconds. */
+    private static final double LOCATED_S = 2.5;
+
     private final MavlinkAddress address;
     private final AtomicReference<VehicleAccess.@Nullable Parts> parts = new AtomicReference<>();
     private final VehicleAccess access = new VehicleAccess(parts::get);
@@ -126,7 +129,14 @@ public final class MajicMavlink extends BotDriver {
         VehicleSession opening = new VehicleSession(address.endpoint(), address.system(), waiting(), new Events());
         session = opening;
         opening.open();
-        begin(opening);
+        try {
+            VehicleMotion motion = parts(opening).motion();
+            waiting().awaitConnecting(() -> opening.hasEnded() || motion.isLocated(), LOCATED_S);
+            begin(opening);
+        } catch (RuntimeException e) {
+            opening.close();
+            throw e;
+        }
         adviseAbout(opening);
     }
 

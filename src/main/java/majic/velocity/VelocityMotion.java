@@ -145,7 +145,7 @@ public final class VelocityMotion {
     }
 
     /** Returns whether there has been a reading. */
-    boolean hasReported() {
+    public boolean hasReported() {
         return base.isKnown();
     }
 

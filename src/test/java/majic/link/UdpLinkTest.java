@@ -50,7 +50,7 @@ class UdpLinkTest {
     @Test
     void answersToThePeerThatItsOwnerHasAccepted() throws IOException {
         int port = freePort();
-        try (UdpLink link = Links.udp("", port)) {
+        try (UdpLink link = new UdpLink("", port)) {
             link.open(TIMEOUT_MS);
             link.write(new byte[] {9});
             send(port, 1, 2, 3);
@@ -69,7 +69,7 @@ class UdpLinkTest {
 
     @Test
     void speaksFirstToAPeerThatIsNamed() throws IOException {
-        try (UdpLink link = Links.udp("127.0.0.1", peer.getLocalPort())) {
+        try (UdpLink link = new UdpLink("127.0.0.1", peer.getLocalPort())) {
             link.open(TIMEOUT_MS);
             link.write(new byte[] {7});
 
@@ -79,7 +79,7 @@ class UdpLinkTest {
 
     @Test
     void aPortThatAnotherProgramUsesIsNamed() {
-        try (UdpLink link = Links.udp("", peer.getLocalPort())) {
+        try (UdpLink link = new UdpLink("", peer.getLocalPort())) {
             assertThatThrownBy(() -> link.open(TIMEOUT_MS))
                     .hasMessageContaining("the UDP port " + peer.getLocalPort() + " of this computer is used")
                     .hasCauseInstanceOf(BindException.class);
@@ -88,7 +88,7 @@ class UdpLinkTest {
 
     @Test
     void closingWakesTheReader() throws IOException {
-        UdpLink link = Links.udp("", freePort());
+        UdpLink link = new UdpLink("", freePort());
         link.open(TIMEOUT_MS);
         CompletableFuture<Integer> read = CompletableFuture.supplyAsync(() -> {
             try {

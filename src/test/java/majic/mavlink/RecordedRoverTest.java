@@ -13,8 +13,8 @@ import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
-import majic.mavlink.frame.FrameDecoder;
-import majic.mavlink.frame.FrameEncoder;
+import majic.mavlink.frame.MavlinkDecoder;
+import majic.mavlink.frame.MavlinkEncoder;
 import majic.mavlink.frame.MavlinkFrame;
 import majic.mavlink.frame.MavlinkMessageType;
 import majic.mavlink.frame.OutgoingMessage;
@@ -29,7 +29,7 @@ import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 /** A recorded session with ArduRover 4.6-dev, from the folder that {@code -Dmajic.captures} names. */
 @EnabledIfSystemProperty(named = "majic.captures", matches = ".+")
 class RecordedRoverTest {
-    private final FrameDecoder decoder = new FrameDecoder();
+    private final MavlinkDecoder decoder = new MavlinkDecoder();
     private final List<MavlinkFrame> frames = new ArrayList<>();
     private final List<byte[]> sent = new ArrayList<>();
 
@@ -84,7 +84,7 @@ class RecordedRoverTest {
     private void assertSent(OutgoingMessage message) {
         boolean found = sent.stream().anyMatch(recorded -> {
             byte[] own = new byte[0];
-            FrameEncoder encoder = new FrameEncoder();
+            MavlinkEncoder encoder = new MavlinkEncoder();
             for (int number = 0; number <= (recorded[4] & 0xFF); number++) {
                 own = encoder.encode(message, 2);
             }

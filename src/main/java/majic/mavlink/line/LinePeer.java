@@ -1,8 +1,8 @@
 package majic.mavlink.line;
 
 import java.net.InetSocketAddress;
-import majic.mavlink.frame.FrameDecoder;
-import majic.mavlink.frame.FrameEncoder;
+import majic.mavlink.frame.MavlinkDecoder;
+import majic.mavlink.frame.MavlinkEncoder;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
  * @param decoder of its bytes
  * @param encoder of what is sent to it
  */
-record LinePeer(@Nullable InetSocketAddress address, FrameDecoder decoder, FrameEncoder encoder) {
+record LinePeer(@Nullable InetSocketAddress address, MavlinkDecoder decoder, MavlinkEncoder encoder) {
     static LinePeer at(@Nullable InetSocketAddress address) {
-        return new LinePeer(address, new FrameDecoder(), new FrameEncoder());
+        return new LinePeer(address, new MavlinkDecoder(), new MavlinkEncoder());
     }
 }

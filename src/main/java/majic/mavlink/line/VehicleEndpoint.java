@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.function.Supplier;
 import majic.link.Link;
 import majic.link.LinkAddress;
-import majic.link.Links;
+import majic.link.UdpLink;
 
 /**
  * Where vehicles are reached. Two endpoints with the same key are one: robots of both share its connection. Immutable.
@@ -26,7 +26,7 @@ public record VehicleEndpoint(String key, String title, boolean isTcp, Supplier<
                 "udp://" + host.toLowerCase(Locale.ROOT) + ":" + port,
                 host.isEmpty() ? "UDP port " + port : host + " UDP port " + port,
                 false,
-                () -> Links.udp(host, port));
+                () -> new UdpLink(host, port));
     }
 
     /**

@@ -154,6 +154,11 @@ public final class VehicleMotion {
         mode.restarted();
     }
 
+    /** Whether there has been a usable position. */
+    public boolean isLocated() {
+        return velocities.hasReported();
+    }
+
     /** Where the vehicle was last. */
     public LastOdometry last() {
         return velocities.last();

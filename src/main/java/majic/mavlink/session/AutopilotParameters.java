@@ -4,6 +4,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicLong;
 import majic.bot.BotException;
 import majic.driver.RobotWait;
 import majic.mavlink.message.MavlinkRequests;
@@ -20,7 +21,11 @@ public final class AutopilotParameters {
 
     private final VehicleSession session;
     private final RobotWait waiting;
-    private final Map<String, Received<ParameterValue>> values = new ConcurrentHashMap<>();
+    private final AtomicLong arrivals = new AtomicLong();
+    private final Map<String, Arrived> values = new ConcurrentHashMap<>();
+
+    /** A value, and how many have come before it: one that was there before a request is no answer to it. */
+    private record Arrived(ParameterValue value, long number) {}
 
     AutopilotParameters(VehicleSession session, RobotWait waiting) {
         this.session = session;
@@ -29,7 +34,7 @@ public final class AutopilotParameters {
 
     /** Takes a value, which may come unasked; on the reader thread. */
     void take(ParameterValue value) {
-        values.put(value.name(), new Received<>(value, waiting.time().nanos()));
+        values.put(value.name(), new Arrived(value, arrivals.getAndIncrement()));
     }
 
     /**
@@ -39,7 +44,7 @@ public final class AutopilotParameters {
      * @return empty if none has come
      */
     public Optional<Double> known(String name) {
-        return Optional.ofNullable(values.get(name)).map(received -> number(received.value()));
+        return Optional.ofNullable(values.get(name)).map(arrived -> number(arrived.value()));
     }
 
     /** Asks for values and waits for none of them. */
@@ -60,7 +65,7 @@ public final class AutopilotParameters {
     }
 
     private @Nullable ParameterValue ask(String name) {
-        long from = waiting.time().nanos();
+        long from = arrivals.get();
         for (int times = 0; times < TIMES; times++) {
             session.send(MavlinkRequests.readParameter(session.system(), name));
             if (waiting.await(() -> newest(name, from) != null || session.hasEnded(), ANSWER_S)) {
@@ -70,9 +75,9 @@ public final class AutopilotParameters {
         return newest(name, from);
     }
 
-    private @Nullable ParameterValue newest(String name, long sinceNanos) {
-        Received<ParameterValue> received = values.get(name);
-        return received != null && received.atNanos() >= sinceNanos ? received.value() : null;
+    private @Nullable ParameterValue newest(String name, long from) {
+        Arrived arrived = values.get(name);
+        return arrived != null && arrived.number() >= from ? arrived.value() : null;
     }
 
     /**
@@ -89,7 +94,7 @@ public final class AutopilotParameters {
         if (before.type() != REAL && value != Math.rint(value)) {
             throw new BotException(name + ": not a whole number");
         }
-        long from = waiting.time().nanos();
+        long from = arrivals.get();
         for (int times = 0; times < TIMES; times++) {
             session.send(MavlinkRequests.setParameter(session.system(), name, wire(before, value), before.type()));
             if (waiting.await(() -> newest(name, from) != null || session.hasEnded(), ANSWER_S)) {

@@ -19,10 +19,8 @@ import majic.mavlink.line.FrameListener;
 import majic.mavlink.line.VehicleEndpoint;
 import majic.mavlink.line.VehicleLine;
 import majic.mavlink.line.VehicleLines;
-import majic.mavlink.message.AttitudeReport;
 import majic.mavlink.message.AutopilotVersion;
 import majic.mavlink.message.CommandAck;
-import majic.mavlink.message.LocalPosition;
 import majic.mavlink.message.MavlinkRequests;
 import majic.mavlink.message.ParameterValue;
 import majic.mavlink.message.StatusPiece;
@@ -43,7 +41,6 @@ public final class VehicleSession {
     /** Within this time each vehicle of the connection has sent one. */
     private static final double OTHERS_S = 1.2;
 
-    private static final double FIRST_POSE_S = 2.5;
     private static final double PARAMETERS_S = 1;
 
     /** A vehicle that has sent nothing for so long is lost, seconds (MAVLink sheet 3). */
@@ -131,7 +128,6 @@ public final class VehicleSession {
             parameters.request("FS_GCS_ENABLE", "FS_ACTION", "WP_SPEED", "CRUISE_SPEED");
             send(MavlinkRequests.command(
                     system, MavlinkRequests.REQUEST_MESSAGE, 0, MavlinkMessageType.AUTOPILOT_VERSION.id()));
-            waiting.awaitConnecting(() -> over.get() || hasPose(), FIRST_POSE_S);
             waiting.awaitConnecting(
                     () -> over.get() || parameters.known("FS_GCS_ENABLE").isPresent(), PARAMETERS_S);
             failIfOver();
@@ -196,11 +192,6 @@ public final class VehicleSession {
                 .map(one ->
                         one.getKey() + " (" + VehicleClass.of(one.getValue()).title() + ")")
                 .collect(Collectors.joining(", "));
-    }
-
-    private boolean hasPose() {
-        return reports.newest(AttitudeReport.class).isPresent()
-                && reports.newest(LocalPosition.class).isPresent();
     }
 
     private void failIfOver() {

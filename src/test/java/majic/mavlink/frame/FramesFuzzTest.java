@@ -12,7 +12,7 @@ import java.util.List;
  * CONTRIBUTING.md).
  */
 class FramesFuzzTest {
-    private static List<MavlinkFrame> decoded(FrameDecoder decoder, byte[] wire, int chunk) {
+    private static List<MavlinkFrame> decoded(MavlinkDecoder decoder, byte[] wire, int chunk) {
         List<MavlinkFrame> frames = new ArrayList<>();
         for (int start = 0; start < wire.length; start += chunk) {
             byte[] part = Arrays.copyOfRange(wire, start, Math.min(wire.length, start + chunk));
@@ -24,8 +24,8 @@ class FramesFuzzTest {
     @FuzzTest
     void theSameFramesComeHoweverTheBytesAreCut(byte[] wire) {
         int chunk = wire.length == 0 ? 1 : 1 + (wire[wire.length - 1] & 0x3F);
-        FrameDecoder cut = new FrameDecoder();
-        FrameDecoder whole = new FrameDecoder();
+        MavlinkDecoder cut = new MavlinkDecoder();
+        MavlinkDecoder whole = new MavlinkDecoder();
 
         assertThat(decoded(cut, wire, chunk)).isEqualTo(decoded(whole, wire, wire.length + 1));
         assertThat(cut.counts()).isEqualTo(whole.counts());
@@ -33,8 +33,8 @@ class FramesFuzzTest {
 
     @FuzzTest
     void aFrameBehindAnythingIsFoundInTime(byte[] wire) {
-        byte[] good = FrameEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 0);
-        FrameDecoder decoder = new FrameDecoder();
+        byte[] good = MavlinkEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 0);
+        MavlinkDecoder decoder = new MavlinkDecoder();
         decoded(decoder, wire, wire.length + 1);
         List<MavlinkFrame> found = new ArrayList<>();
 

@@ -3,7 +3,7 @@ package majic.mavlink.frame;
 import java.util.concurrent.atomic.AtomicInteger;
 
 /** Makes the frames that a ground station sends to one peer, with sequence numbers of their own. Thread-safe. */
-public final class FrameEncoder {
+public final class MavlinkEncoder {
     /** The system of a ground station. */
     public static final int SYSTEM = 255;
 
@@ -19,7 +19,7 @@ public final class FrameEncoder {
     private final AtomicInteger sequence = new AtomicInteger();
 
     /** Begins with sequence number 0. */
-    public FrameEncoder() {}
+    public MavlinkEncoder() {}
 
     /**
      * Makes the next frame.

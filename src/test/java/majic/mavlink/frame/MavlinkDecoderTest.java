@@ -13,14 +13,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Frames found in bytes; the examples are of the protocol sheet and of a recorded rover. */
-class FrameDecoderTest {
+class MavlinkDecoderTest {
     private static final byte[] HEARTBEAT_1 = hex("fe0900ffbe00000000000608000403" + "4921");
     private static final byte[] HEARTBEAT_2 = hex("fd09000001ffbe000000000000000608000403" + "2dc6");
     private static final byte[] ZERO_ATTITUDE = hex("fd01000000" + "01011e0000" + "00" + "01be");
     private static final byte[] OF_ROVER = hex("fd090000020101000000100000000a03410203a4ec");
     private static final byte[] TEXT = "\n\nInit ArduRover V4.6.0-dev".getBytes(StandardCharsets.US_ASCII);
 
-    private final FrameDecoder decoder = new FrameDecoder();
+    private final MavlinkDecoder decoder = new MavlinkDecoder();
     private final List<MavlinkFrame> frames = new ArrayList<>();
 
     private static byte[] hex(String digits) {
@@ -92,8 +92,8 @@ class FrameDecoderTest {
 
     @Test
     void missingSequenceNumbersAreCountedAsLost() {
-        decode(FrameEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 254));
-        decode(FrameEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 2));
+        decode(MavlinkEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 254));
+        decode(MavlinkEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 2));
 
         assertThat(decoder.counts()).isEqualTo(new FrameCounts(2, 3, 0, 0));
     }
@@ -101,7 +101,7 @@ class FrameDecoderTest {
     @Test
     void anUnknownMessageIsSkippedAndCountsAsArrived() {
         decode(HEARTBEAT_2, hex("fd02000002ffbe0f2700" + "fefd" + "1234"));
-        decode(FrameEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 3));
+        decode(MavlinkEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 3));
 
         assertThat(frames).hasSize(2);
         assertThat(decoder.counts()).isEqualTo(new FrameCounts(3, 0, 0, 0));
@@ -109,7 +109,7 @@ class FrameDecoderTest {
 
     @Test
     void aSignedFrameIsReadAndOneWithUnknownFlagsIsNot() {
-        byte[] signed = FrameEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 0);
+        byte[] signed = MavlinkEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, 0);
         signed[2] = 1;
         int end = signed.length - 2;
         int crc = X25.of(signed, 1, end, 39);

@@ -12,8 +12,8 @@ import java.util.function.Consumer;
  * message cannot be checked: it is skipped, unless the byte before it belonged to no frame. For one thread;
  * {@link #counts} is for any.
  */
-public final class FrameDecoder {
-    private static final int LONGEST = FrameEncoder.HEADER_2 + 255 + FrameEncoder.CRC_LENGTH + 13;
+public final class MavlinkDecoder {
+    private static final int LONGEST = MavlinkEncoder.HEADER_2 + 255 + MavlinkEncoder.CRC_LENGTH + 13;
     private static final int SIGNED = 1;
     private static final int SIGNATURE_LENGTH = 13;
     private static final int NUMBERS = 256;
@@ -26,7 +26,7 @@ public final class FrameDecoder {
     private volatile FrameCounts counts = FrameCounts.NONE;
 
     /** Begins before the first byte. */
-    public FrameDecoder() {}
+    public MavlinkDecoder() {}
 
     /**
      * Takes bytes; keeps an incomplete frame for the next call.
@@ -71,17 +71,17 @@ public final class FrameDecoder {
         while (start < filled) {
             int first = buffer[start] & 0xFF;
             int left = filled - start;
-            if (first == FrameEncoder.START_1) {
-                return left < 2 ? 0 : FrameEncoder.HEADER_1 + at(1) + FrameEncoder.CRC_LENGTH;
+            if (first == MavlinkEncoder.START_1) {
+                return left < 2 ? 0 : MavlinkEncoder.HEADER_1 + at(1) + MavlinkEncoder.CRC_LENGTH;
             }
-            if (first == FrameEncoder.START_2) {
+            if (first == MavlinkEncoder.START_2) {
                 if (left < 3) {
                     return 0;
                 }
                 int flags = at(2);
                 if ((flags & ~SIGNED) == 0) {
                     int signature = flags == SIGNED ? SIGNATURE_LENGTH : 0;
-                    return FrameEncoder.HEADER_2 + at(1) + FrameEncoder.CRC_LENGTH + signature;
+                    return MavlinkEncoder.HEADER_2 + at(1) + MavlinkEncoder.CRC_LENGTH + signature;
                 }
             }
             skip();
@@ -90,8 +90,8 @@ public final class FrameDecoder {
     }
 
     private void take(int length, Consumer<MavlinkFrame> frames) {
-        boolean second = at(0) == FrameEncoder.START_2;
-        int header = second ? FrameEncoder.HEADER_2 : FrameEncoder.HEADER_1;
+        boolean second = at(0) == MavlinkEncoder.START_2;
+        int header = second ? MavlinkEncoder.HEADER_2 : MavlinkEncoder.HEADER_1;
         int id = second ? at(7) | at(8) << 8 | at(9) << 16 : at(5);
         Optional<MavlinkMessageType> type = MavlinkMessageType.of(id);
         if (type.isEmpty()) {
