@@ -2,6 +2,7 @@ package majic.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import majic.bot.ConnectFailed;
 import majic.bot.Value;
@@ -112,9 +113,9 @@ class RoverConnectingTest {
     void theFirstPoseIsTheStartWhereverTheVehicleIs() {
         bot.connect();
 
-        assertThat(bot.state().pose().xMm()).isZero();
-        assertThat(bot.state().pose().yMm()).isZero();
-        assertThat(bot.state().pose().headingDeg()).isZero();
+        assertThat(bot.state().pose().xMm()).isCloseTo(0, within(1e-6));
+        assertThat(bot.state().pose().yMm()).isCloseTo(0, within(1e-6));
+        assertThat(bot.state().pose().headingDeg()).isCloseTo(0, within(1e-6));
     }
 
     @Test

@@ -150,14 +150,17 @@ class ErrorWordsTest {
             "aibo/",
             "pioneer/",
             "hemisson/",
+            "mavlink/",
             "ros/",
-            "shared/");
+            "shared/",
+            "velocity/");
 
     /** What only MAJIC Script, the command line or another program can cause, whose answers are English. */
     private static final List<String> ANSWERS = List.of(
             "act/MajicAct",
             "aibo/sound/",
             "hemisson/modules/",
+            "mavlink/parameters/",
             "ros/parameters/",
             "ros/navigation/",
             "pioneer/parameters/",
