@@ -54,7 +54,7 @@ class NamedParametersTest {
     void aParameterThatThereIsNotCannotBeSet() {
         assertThatThrownBy(() -> bot.set("param/NO_SUCH", 1))
                 .isInstanceOf(BotException.class)
-                .hasMessageContaining("the autopilot has no parameter NO_SUCH");
+                .hasMessageContaining("the autopilot has no parameter of this name");
     }
 
     @Test

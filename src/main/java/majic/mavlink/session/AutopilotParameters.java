@@ -89,7 +89,7 @@ public final class AutopilotParameters {
     public void set(String name, double value) {
         ParameterValue before = ask(name);
         if (before == null) {
-            throw new BotException(name + ": " + unanswered(name));
+            throw new BotException(name + ": the autopilot has no parameter of this name, or did not answer");
         }
         if (before.type() != REAL && value != Math.rint(value)) {
             throw new BotException(name + ": not a whole number");
