@@ -137,9 +137,7 @@ public final class ScriptParser {
     /** Makes the procedures known, so that the lines in front of one may call it too. */
     private void findProcedures() {
         Set<String> found = new HashSet<>();
-        for (Token word : at.firstWords("to")) {
-            Cursor head = at.from(word);
-            head.advance();
+        for (Cursor head : at.behindFirst("to")) {
             try {
                 Procedure procedure = procedureHead(head);
                 if (!found.add(procedure.name().text().toLowerCase(Locale.ROOT))) {

@@ -61,21 +61,16 @@ public final class Cursor {
         return tokens;
     }
 
-    /** The tokens that begin lines with a word. */
-    public List<Token> firstWords(String word) {
-        List<Token> found = new ArrayList<>();
+    /** Other cursors in the same text, one behind each word that begins a line. */
+    public List<Cursor> behindFirst(String word) {
+        List<Cursor> found = new ArrayList<>();
         for (int index = 0; index < tokens.size(); index++) {
             if (tokens.get(index).is(word)
                     && (index == 0 || tokens.get(index - 1).isEnd())) {
-                found.add(tokens.get(index));
+                found.add(new Cursor(tokens, index + 1, values));
             }
         }
         return found;
-    }
-
-    /** Another cursor in the same text, at one of its tokens. */
-    public Cursor from(Token token) {
-        return new Cursor(tokens, tokens.indexOf(token), values);
     }
 
     /** The index of the next token. */
