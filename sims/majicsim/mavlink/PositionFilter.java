@@ -3,8 +3,9 @@ package majicsim.mavlink;
 import majicsim.world.Noise;
 
 /**
- * The position that the vehicle believes in: the true one plus the error of the satellites, which wanders by some 0.2 m
- * without end. Places are in m north and east of the middle of the room, which is at a fixed place on the globe.
+ * The position that the vehicle believes in: the true one plus the error of the satellites, which wanders by some 0.1
+ * to 0.3 m without end, at up to 40 mm/s: of a vehicle that stands the filter reports that velocity (recorded session).
+ * Places are in m north and east of the middle of the room, which is at a fixed place on the globe.
  */
 final class PositionFilter {
     /** The height of the floor above the sea, m. */
@@ -16,14 +17,17 @@ final class PositionFilter {
     private static final double UNITS = 1e7;
     private static final long SAMPLE_NANOS = 200_000_000;
     private static final double SAMPLE_S = 0.2;
-    private static final double FADING_S = 8;
-    private static final double SIGMA_M = 0.1;
+    private static final double FADING_S = 20;
+    private static final double DRIFT_FADING_S = 2;
+    private static final double DRIFT_SIGMA_M_PER_S = 0.015;
     private static final double LARGEST_M = 0.3;
 
     private final Noise noise;
     private long sampleNanos;
     private double errorNorth;
     private double errorEast;
+    private double driftNorth;
+    private double driftEast;
     private double originNorth;
     private double originEast;
     private double homeNorth;
@@ -39,15 +43,31 @@ final class PositionFilter {
         sampleNanos += Math.round(seconds * 1e9);
         while (sampleNanos >= SAMPLE_NANOS) {
             sampleNanos -= SAMPLE_NANOS;
-            errorNorth = wandered(errorNorth);
-            errorEast = wandered(errorEast);
+            driftNorth = drifted(driftNorth);
+            driftEast = drifted(driftEast);
+            errorNorth = wandered(errorNorth, driftNorth);
+            errorEast = wandered(errorEast, driftEast);
         }
     }
 
-    private double wandered(double error) {
-        double kept = Math.exp(-SAMPLE_S / FADING_S);
-        double next = error * kept + noise.gaussian(SIGMA_M * Math.sqrt(1 - kept * kept));
+    private double drifted(double drift) {
+        double kept = Math.exp(-SAMPLE_S / DRIFT_FADING_S);
+        return drift * kept + noise.gaussian(DRIFT_SIGMA_M_PER_S * Math.sqrt(1 - kept * kept));
+    }
+
+    private static double wandered(double error, double drift) {
+        double next = error * Math.exp(-SAMPLE_S / FADING_S) + drift * SAMPLE_S;
         return Math.max(-LARGEST_M, Math.min(LARGEST_M, next));
+    }
+
+    /** How fast the vehicle goes to the north, m/s; a growing error looks like a motion. */
+    double northSpeed(Motion at) {
+        return at.northSpeed() + driftNorth;
+    }
+
+    /** The same to the east. */
+    double eastSpeed(Motion at) {
+        return at.eastSpeed() + driftEast;
     }
 
     /** In how many ns the next fix comes. */

@@ -125,7 +125,10 @@ final class Telemetry {
                 .with("eph", 121)
                 .with("epv", 200)
                 .with("vel", now.groundSpeed() * 100)
-                .with("cog", centidegrees(Math.atan2(now.eastSpeed(), now.northSpeed())))
+                .with(
+                        "cog",
+                        centidegrees(Math.atan2(
+                                board.filter().eastSpeed(now), board.filter().northSpeed(now))))
                 .with("fix_type", FIX_3D)
                 .with("satellites_visible", 10);
     }
@@ -166,8 +169,8 @@ final class Telemetry {
         return message.with("x", board.filter().north(now))
                 .with("y", board.filter().east(now))
                 .with("z", -now.height())
-                .with("vx", now.northSpeed())
-                .with("vy", now.eastSpeed())
+                .with("vx", board.filter().northSpeed(now))
+                .with("vy", board.filter().eastSpeed(now))
                 .with("vz", -now.climb());
     }
 
@@ -181,8 +184,8 @@ final class Telemetry {
                 .with("lon", longitude(now))
                 .with("alt", altitude(now) * 1000)
                 .with("relative_alt", (now.height() - board.filter().homeHeight()) * 1000)
-                .with("vx", now.northSpeed() * 100)
-                .with("vy", now.eastSpeed() * 100)
+                .with("vx", board.filter().northSpeed(now) * 100)
+                .with("vy", board.filter().eastSpeed(now) * 100)
                 .with("vz", -now.climb() * 100);
     }
 

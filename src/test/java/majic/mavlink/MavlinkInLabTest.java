@@ -13,7 +13,11 @@ import majic.bot.MotionReport;
 import majic.bot.Value;
 import majic.inlab.LabRig;
 import majic.inlab.LabRobot;
+import majicsim.LabOptions;
+import majicsim.mavlink.MavlinkOptions;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The driver with the vehicles of the simulated lab, which use no code of the driver. */
 class MavlinkInLabTest {
@@ -66,6 +70,26 @@ class MavlinkInLabTest {
             assertThat(robot.truePose().xMm()).isCloseTo(2700, within(150.0));
             assertThat(robot.truePose().yMm()).isCloseTo(500, within(150.0));
             assertThat(robot.truePose().headingDeg()).isCloseTo(90, within(4.0));
+        }
+    }
+
+    /** The position of the satellites wanders meanwhile, as that of a real vehicle. */
+    @ParameterizedTest
+    @ValueSource(longs = {1, 2, 3})
+    void aRoverWithAWanderingPositionStandsAndGoesAsItIsTold(long seed) {
+        LabRig noisy = LabRig.of(
+                LabOptions.exactOnFreePorts().withNoise(seed).withMavlink(MavlinkOptions.parse("rover+ready")));
+        try (LabRobot robot = new LabRobot("mavlink", noisy).at(1200, 0, 0)) {
+            robot.bot().connect();
+            pass(robot, 10);
+            assertThat(robot.bot().state().moving()).isFalse();
+
+            robot.bot().run("arm", List.of());
+            robot.bot().move(1000);
+            robot.bot().turn(90);
+
+            assertThat(robot.truePose().xMm()).isCloseTo(2200, within(400.0));
+            assertThat(robot.truePose().headingDeg()).isCloseTo(90, within(5.0));
         }
     }
 
