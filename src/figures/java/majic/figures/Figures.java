@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import majic.figures.nav.GoToFigures;
 import majic.figures.nav.MappingFigures;
 import majic.figures.nav.OfficeFigures;
+import majic.figures.nav.ReactionFigures;
 import majic.figures.nav.TrafficFigures;
 import majic.figures.ways.OneUserClasses;
 import majic.figures.ways.Ways;
@@ -308,6 +309,13 @@ public final class Figures {
                 + " (1.1; 95 of 100 within 1.3), time (1.4), error (50 mm and 5 deg)");
         for (String kind : List.of("laser", "sonar", "ros", "aibo", "hemisson")) {
             programs.linesOfBuild(GoToFigures.class, List.of(kind, "100", "1")).forEach(line -> say("  %s", line));
+        }
+        say(
+                "a new obstacle in front of a robot under way, ms: from the first report that shows it to the first bytes of a"
+                        + " lower speed (100), the processor time of the decision; contacts");
+        for (String kind : List.of("laser", "sonar", "ros")) {
+            programs.linesOfBuild(ReactionFigures.class, List.of(kind, "50", "1"))
+                    .forEach(line -> say("  %s", line));
         }
         say("many robots with random goals in the same office: contacts (0)");
         programs.linesOfBuild(TrafficFigures.class, List.of("20", "3600", "1")).forEach(line -> say("  %s", line));

@@ -188,7 +188,7 @@ public final class GoToFigures {
         }
     }
 
-    private static String spread(List<Double> values) {
+    static String spread(List<Double> values) {
         if (values.isEmpty()) {
             return "-";
         }
