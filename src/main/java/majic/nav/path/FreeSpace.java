@@ -31,7 +31,9 @@ public record FreeSpace(ObstacleDistance map, double bodyMm, List<Disc> things) 
          * @return mm; negative inside
          */
         public double distanceMm(double x, double y) {
-            return Math.hypot(x - xMm, y - yMm) - radiusMm;
+            double dx = x - xMm;
+            double dy = y - yMm;
+            return Math.sqrt(dx * dx + dy * dy) - radiusMm;
         }
     }
 

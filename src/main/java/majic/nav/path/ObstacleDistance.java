@@ -1,6 +1,8 @@
 package majic.nav.path;
 
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
 import majic.bot.Pose;
 import majic.nav.grid.NavigationMap;
 import majic.nav.grid.NavigationMap.ForbiddenLine;
@@ -9,15 +11,22 @@ import majic.nav.grid.OccupancyGrid.State;
 
 /**
  * How far each cell of a map is from the nearest obstacle: an occupied cell or a forbidden line (exact Euclidean
- * distances; Felzenszwalb and Huttenlocher 2012). Immutable; takes two bytes for each cell.
+ * distances; Felzenszwalb and Huttenlocher 2012). Immutable; takes two bytes for each cell, and further ones for robots
+ * that plan ways.
  */
 public final class ObstacleDistance {
     private static final int FAR = Short.MAX_VALUE;
+
+    /** For robots of so many radii, alone and in traffic, the nodes of a search are kept. */
+    private static final int MOST_NODES = 8;
 
     private final OccupancyGrid grid;
     private final double cos;
     private final double sin;
     private final short[] millimetres;
+
+    /** Those used last at the end. */
+    private final List<PlanNodes> nodes = new ArrayList<>();
 
     /**
      * Computes the distances; takes about 50 ns for each cell.
@@ -171,6 +180,22 @@ public final class ObstacleDistance {
     /** Returns the distance of a cell as {@link #mm} does. */
     double mmOfCell(int column, int row) {
         return millimetres[row * grid.width() + column];
+    }
+
+    /** Returns the nodes of a search for robots of a radius, made by the first one. */
+    PlanNodes nodes(int cells, double bodyMm, double comfortMm) {
+        synchronized (nodes) {
+            PlanNodes found = nodes.stream()
+                    .filter(kept -> kept.isFor(cells, bodyMm, comfortMm))
+                    .findFirst()
+                    .orElseGet(() -> new PlanNodes(this, cells, bodyMm, comfortMm));
+            nodes.remove(found);
+            nodes.add(found);
+            if (nodes.size() > MOST_NODES) {
+                nodes.remove(0);
+            }
+            return found;
+        }
     }
 
     /**

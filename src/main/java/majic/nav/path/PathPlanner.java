@@ -9,7 +9,6 @@ import java.util.Optional;
 import java.util.function.Predicate;
 import majic.bot.Pose;
 import majic.nav.grid.OccupancyGrid;
-import majic.nav.grid.OccupancyGrid.State;
 
 /**
  * The shortest way across a space: A* over the cells of the map (Hart, Nilsson, Raphael 1968), then the straight lines
@@ -44,9 +43,7 @@ public final class PathPlanner {
     private final double comfortMm;
     private final OccupancyGrid grid;
     private final BitSet blocked = new BitSet();
-    private int cells;
-    private int columns;
-    private int rows;
+    private PlanNodes nodes;
 
     /**
      * A planner for one robot alone.
@@ -68,6 +65,15 @@ public final class PathPlanner {
         this.traffic = traffic;
         this.comfortMm = traffic ? COMFORT_IN_TRAFFIC_MM : COMFORT_MM;
         this.grid = space.map().grid();
+        this.nodes = nodes(cellsOfNode());
+    }
+
+    private int cellsOfNode() {
+        return (int) Math.max(1, Math.round(NODE_MM / grid.cellMm()));
+    }
+
+    private PlanNodes nodes(int cells) {
+        return space.map().nodes(cells, space.bodyMm(), comfortMm);
     }
 
     /**
@@ -79,14 +85,15 @@ public final class PathPlanner {
      * @return to the nearest such place; empty if there is none
      */
     public Optional<Way> planToNearest(Pose from, double mostMm, Predicate<Pose> isGood) {
-        setNodes((int) Math.max(1, Math.round(NODE_MM / grid.cellMm())));
+        setNodes(cellsOfNode());
         int start = node(from);
         if (start < 0) {
             return Optional.empty();
         }
-        Search search = new Search(start, from);
-        int end = search.run(node -> 0, (node, cost) -> cost > 0 && isGood.test(place(node)), mostMm);
-        return end < 0 ? Optional.empty() : Optional.of(straightened(search.corners(end, place(end))));
+        try (Search search = new Search(start, from, -1)) {
+            int end = search.run((node, cost) -> cost > 0 && isGood.test(place(node)), mostMm);
+            return end < 0 ? Optional.empty() : Optional.of(straightened(search.corners(end, place(end))));
+        }
     }
 
     /**
@@ -97,7 +104,7 @@ public final class PathPlanner {
      * @return from the one to the other; empty if there is none
      */
     public Optional<Way> plan(Pose from, Pose to) {
-        int coarse = (int) Math.max(1, Math.round(NODE_MM / grid.cellMm()));
+        int coarse = cellsOfNode();
         Optional<Way> found = plan(from, to, coarse);
         return found.isPresent() || coarse == 1 ? found : plan(from, to, 1);
     }
@@ -109,50 +116,56 @@ public final class PathPlanner {
         if (start < 0 || goal < 0) {
             return Optional.empty();
         }
-        Search search = new Search(start, from);
-        search.goal = goal;
-        int end = search.run(node -> estimate(node, goal), (node, cost) -> node == goal, Double.POSITIVE_INFINITY);
-        return end < 0 ? Optional.empty() : Optional.of(straightened(search.corners(end, to)));
+        int around = 1 + (int) Math.ceil((space.bodyMm() + 2 * FreeSpace.MARGIN_MM) / nodeMm());
+        if (!nodes.mayReach(start, around, goal)) {
+            return Optional.empty();
+        }
+        try (Search search = new Search(start, from, goal)) {
+            int end = search.run((node, cost) -> node == goal, Double.POSITIVE_INFINITY);
+            return end < 0 ? Optional.empty() : Optional.of(straightened(search.corners(end, to)));
+        }
     }
 
     private void setNodes(int cellsOfNode) {
-        cells = cellsOfNode;
-        columns = (grid.width() + cells - 1) / cells;
-        rows = (grid.height() + cells - 1) / cells;
+        if (nodes.cells != cellsOfNode) {
+            nodes = nodes(cellsOfNode);
+        }
         stamp();
     }
 
     private int node(Pose place) {
         Pose seen = place.seenFrom(grid.origin());
-        int column = (int) Math.floor(seen.xMm() / grid.cellMm() / cells);
-        int row = (int) Math.floor(seen.yMm() / grid.cellMm() / cells);
-        return column < 0 || row < 0 || column >= columns || row >= rows ? -1 : row * columns + column;
+        int column = (int) Math.floor(seen.xMm() / nodeMm());
+        int row = (int) Math.floor(seen.yMm() / nodeMm());
+        return column < 0 || row < 0 || column >= nodes.columns || row >= nodes.rows ? -1 : nodes.node(column, row);
     }
 
-    private int middle(int index, int most) {
-        return Math.min(index * cells + cells / 2, most - 1);
+    private double nodeMm() {
+        return nodes.cells * grid.cellMm();
     }
 
     private Pose place(int node) {
-        return grid.centre(middle(node % columns, grid.width()), middle(node / columns, grid.height()));
+        return grid.centre(
+                nodes.middle(nodes.column(node), grid.width()), nodes.middle(nodes.row(node), grid.height()));
     }
 
     /** Blocks the nodes that are too close to something that is not on the map. */
     private void stamp() {
         blocked.clear();
-        double nodeMm = cells * grid.cellMm();
+        double nodeMm = nodeMm();
         for (FreeSpace.Disc thing : space.things()) {
             double reach = thing.radiusMm() + space.bodyMm() + FreeSpace.MARGIN_MM;
             Pose seen = new Pose(thing.xMm(), thing.yMm(), 0).seenFrom(grid.origin());
             int low = (int) Math.max(0, Math.floor((seen.yMm() - reach) / nodeMm));
-            int high = (int) Math.min(rows - 1, Math.floor((seen.yMm() + reach) / nodeMm));
+            int high = (int) Math.min(nodes.rows - 1, Math.floor((seen.yMm() + reach) / nodeMm));
             int left = (int) Math.max(0, Math.floor((seen.xMm() - reach) / nodeMm));
-            int right = (int) Math.min(columns - 1, Math.floor((seen.xMm() + reach) / nodeMm));
+            int right = (int) Math.min(nodes.columns - 1, Math.floor((seen.xMm() + reach) / nodeMm));
             for (int row = low; row <= high; row++) {
                 for (int column = left; column <= right; column++) {
-                    Pose there = place(row * columns + column);
-                    if (Math.hypot(there.xMm() - thing.xMm(), there.yMm() - thing.yMm()) < reach) {
-                        blocked.set(row * columns + column);
+                    int node = nodes.node(column, row);
+                    Pose there = place(node);
+                    if (thing.distanceMm(there.xMm(), there.yMm()) < reach - thing.radiusMm()) {
+                        blocked.set(node);
                     }
                 }
             }
@@ -203,79 +216,121 @@ public final class PathPlanner {
         }
     }
 
-    /** What a search estimates from a node to its end. */
-    private interface Estimate {
-        float mm(int node);
-    }
-
     /** What a search looks for. */
     private interface Sought {
         boolean isAt(int node, float costMm);
     }
 
     /** One search from a node: what the way to each node costs, and from where it came. */
-    private final class Search {
+    private final class Search implements AutoCloseable {
+        private static final byte DONE = 8;
+        private static final byte DIRECTION = 7;
+
         private final int start;
         private final Pose from;
-        private final float[] cost = new float[columns * rows];
-        private final byte[] came = new byte[columns * rows];
-        private final BitSet done = new BitSet(columns * rows);
-        private final Frontier frontier = new Frontier(cells * grid.cellMm());
+
+        /** The node that is looked for, which the robot may reach in any case; -1 if it is not known. */
+        private final int goal;
+
+        private final int goalColumn;
+        private final int goalRow;
+        private final PlanNodes.Workspace arrays = nodes.take();
+        private final float[] cost = arrays.cost;
+
+        /** The direction in which the node is reached, and whether it is done. */
+        private final byte[] came = arrays.came;
+
+        private final int[] steps = new int[RIGHT.length];
+        private final float[] lengths = new float[RIGHT.length];
+        private final float nodeMm = (float) nodeMm();
+        private final boolean hasThings = !blocked.isEmpty();
+        private final Frontier frontier = new Frontier(nodeMm);
 
         /** Robots that stand too close to something may leave it, but not come closer. */
         private final double leastMm;
 
-        /** Whether the robot fits there has been looked at by itself. */
-        private int goal = -1;
-
-        Search(int start, Pose from) {
+        Search(int start, Pose from, int goal) {
             this.start = start;
             this.from = from;
-            this.leastMm = Math.min(0, space.mm(from.xMm(), from.yMm())) - cells * grid.cellMm();
+            this.goal = goal;
+            this.goalColumn = nodes.column(goal);
+            this.goalRow = nodes.row(goal);
+            this.leastMm = Math.min(0, space.mm(from.xMm(), from.yMm())) - nodeMm;
             Arrays.fill(cost, Float.POSITIVE_INFINITY);
+            Arrays.fill(came, (byte) 0);
+            for (int direction = 0; direction < RIGHT.length; direction++) {
+                steps[direction] = UP[direction] * nodes.stride + RIGHT[direction];
+                lengths[direction] = (float) (nodeMm * (direction % 2 == 0 ? 1 : Math.sqrt(2)));
+            }
+        }
+
+        @Override
+        public void close() {
+            nodes.giveBack(arrays);
         }
 
         /** Returns the node that was looked for; -1 if there is none. */
-        int run(Estimate estimate, Sought sought, double mostMm) {
+        int run(Sought sought, double mostMm) {
             cost[start] = 0;
-            frontier.beginAt(estimate.mm(start));
-            frontier.add(start, estimate.mm(start));
+            float whole = estimate(nodes.column(start), nodes.row(start));
+            frontier.beginAt(whole);
+            frontier.add(start, whole);
             for (int node = frontier.next(); node >= 0; node = frontier.next()) {
                 if (sought.isAt(node, cost[node])) {
                     return node;
                 }
-                if (!done.get(node) && cost[node] <= mostMm) {
-                    done.set(node);
-                    expand(node, estimate);
+                if ((came[node] & DONE) == 0 && cost[node] <= mostMm) {
+                    came[node] |= DONE;
+                    expand(node);
                 }
             }
             return -1;
         }
 
-        private void expand(int node, Estimate estimate) {
-            for (int direction = 0; direction < RIGHT.length; direction++) {
-                int column = node % columns + RIGHT[direction];
-                int row = node / columns + UP[direction];
-                int next = row * columns + column;
-                if (column < 0 || row < 0 || column >= columns || row >= rows || done.get(next)) {
+        private void expand(int node) {
+            int column = nodes.column(node);
+            int row = nodes.row(node);
+            float before = cost[node];
+            for (int direction = 0; direction < steps.length; direction++) {
+                int next = node + steps[direction];
+                // No price is below 1.
+                if (cost[next] <= before + lengths[direction] || (came[next] & DONE) != 0) {
                     continue;
                 }
-                double price = price(next, column, row, direction);
-                if (price == Double.POSITIVE_INFINITY && (next == goal || isAround(next))) {
-                    price = 2;
-                }
-                float total = cost[node] + (float) (lengthMm(direction) * price);
+                float price = price(next, column + RIGHT[direction], row + UP[direction], direction);
+                float total = before + lengths[direction] * price;
                 if (total < cost[next]) {
                     cost[next] = total;
                     came[next] = (byte) direction;
-                    frontier.add(next, total + estimate.mm(next));
+                    frontier.add(next, total + estimate(column + RIGHT[direction], row + UP[direction]));
                 }
             }
         }
 
+        /** What a millimetre costs at a node: 1 where there is room, infinite where the robot does not fit. */
+        private float price(int node, int column, int row, int direction) {
+            byte code = nodes.code(node);
+            if (code == PlanNodes.BORDER) {
+                return Float.POSITIVE_INFINITY;
+            }
+            if (code == PlanNodes.CLOSED || hasThings && blocked.get(node)) {
+                return node == goal || isAround(node) ? 2 : Float.POSITIVE_INFINITY;
+            }
+            return traffic
+                    ? PlanNodes.price(code) + onTheLeftOfNode(column, row, RIGHT[direction], UP[direction])
+                    : PlanNodes.price(code);
+        }
+
+        /** The shortest way to the goal in steps from node to node. */
+        private float estimate(int column, int row) {
+            return goal < 0 ? 0 : nodeMm * (float) octile(column - goalColumn, row - goalRow);
+        }
+
         private boolean isAround(int node) {
             double nearMm = space.bodyMm() + 2 * FreeSpace.MARGIN_MM;
-            if (estimate(node, start) > 2 * nearMm) {
+            int right = nodes.column(node) - nodes.column(start);
+            int up = nodes.row(node) - nodes.row(start);
+            if (nodeMm * octile(right, up) > 2 * nearMm) {
                 return false;
             }
             Pose there = place(node);
@@ -286,8 +341,7 @@ public final class PathPlanner {
             List<Pose> corners = new ArrayList<>();
             corners.add(to);
             for (int node = end; node != start; ) {
-                int direction = came[node];
-                node -= UP[direction] * columns + RIGHT[direction];
+                node -= steps[came[node] & DIRECTION];
                 corners.add(node == start ? from : place(node));
             }
             if (end == start) {
@@ -298,33 +352,13 @@ public final class PathPlanner {
         }
     }
 
-    private double lengthMm(int direction) {
-        return cells * grid.cellMm() * (direction % 2 == 0 ? 1 : Math.sqrt(2));
+    private static double octile(int right, int up) {
+        int most = Math.max(Math.abs(right), Math.abs(up));
+        return most + (Math.sqrt(2) - 1) * Math.min(Math.abs(right), Math.abs(up));
     }
 
-    private float estimate(int node, int goal) {
-        int right = Math.abs(node % columns - goal % columns);
-        int up = Math.abs(node / columns - goal / columns);
-        double steps = Math.max(right, up) + (Math.sqrt(2) - 1) * Math.min(right, up);
-        return (float) (steps * cells * grid.cellMm());
-    }
-
-    /** What a millimetre costs at a node: 1 where there is room, infinite where the robot does not fit. */
-    private double price(int node, int column, int row, int direction) {
-        int x = middle(column, grid.width());
-        int y = middle(row, grid.height());
-        if (blocked.get(node) || grid.state(x, y) == State.UNKNOWN) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return price(space.map().mmOfCell(x, y) - grid.cellMm() / 2 - space.bodyMm())
-                + onTheLeft(x, y, RIGHT[direction], UP[direction]);
-    }
-
-    private double price(double roomMm) {
-        if (roomMm < FreeSpace.MARGIN_MM) {
-            return Double.POSITIVE_INFINITY;
-        }
-        return roomMm >= comfortMm ? 1 : 1 + (comfortMm - roomMm) / comfortMm;
+    private float onTheLeftOfNode(int column, int row, int right, int up) {
+        return (float) onTheLeft(nodes.middle(column, grid.width()), nodes.middle(row, grid.height()), right, up);
     }
 
     /** What a cell costs more in traffic unless the nearest wall is on the right of a robot that drives there. */
@@ -338,7 +372,7 @@ public final class PathPlanner {
         }
         double awayX = map.mmOfCell(x + 1, y) - map.mmOfCell(x - 1, y);
         double awayY = map.mmOfCell(x, y + 1) - map.mmOfCell(x, y - 1);
-        double length = Math.hypot(awayX, awayY) * Math.hypot(right, up);
+        double length = Math.sqrt((awayX * awayX + awayY * awayY) * (right * right + up * up));
         double leftward = length == 0 ? 0 : (right * awayY - up * awayX) / length;
         if (leftward < ON_THE_RIGHT) {
             return ON_THE_LEFT;
@@ -351,7 +385,8 @@ public final class PathPlanner {
     private Way straightened(List<Pose> corners) {
         double[] cost = new double[corners.size()];
         for (int index = 1; index < cost.length; index++) {
-            cost[index] = cost[index - 1] + costOfLine(corners.get(index - 1), corners.get(index));
+            cost[index] =
+                    cost[index - 1] + costOfLine(corners.get(index - 1), corners.get(index), Double.POSITIVE_INFINITY);
         }
         List<Pose> kept = new ArrayList<>();
         kept.add(corners.get(0));
@@ -360,18 +395,22 @@ public final class PathPlanner {
             int next = at + 1;
             for (int step = 2; at + step < corners.size(); step += 1 + step / 4) {
                 int far = at + step;
-                if (costOfLine(corners.get(at), corners.get(far)) <= cost[far] - cost[at] + 1) {
+                if (isAsCheap(corners.get(at), corners.get(far), cost[far] - cost[at])) {
                     next = far;
                 }
             }
             int end = corners.size() - 1;
-            if (next != end && costOfLine(corners.get(at), corners.get(end)) <= cost[end] - cost[at] + 1) {
+            if (next != end && isAsCheap(corners.get(at), corners.get(end), cost[end] - cost[at])) {
                 next = end;
             }
             kept.add(corners.get(next));
             at = next;
         }
         return Way.through(kept);
+    }
+
+    private boolean isAsCheap(Pose from, Pose to, double cost) {
+        return from.distanceMm(to) <= cost + 1 && costOfLine(from, to, cost + 1) <= cost + 1;
     }
 
     private double onTheLeft(double xMm, double yMm, Pose direction) {
@@ -385,18 +424,23 @@ public final class PathPlanner {
         return inside ? onTheLeft(x, y, direction.xMm(), direction.yMm()) : 0;
     }
 
-    /** What a straight piece costs; a part of it where the robot does not fit costs a hundredfold. */
-    private double costOfLine(Pose from, Pose to) {
+    /**
+     * Returns what a straight piece costs; a part of it where the robot does not fit costs a hundredfold.
+     *
+     * @param most a higher cost is not computed to its end
+     */
+    private double costOfLine(Pose from, Pose to, double most) {
         double length = from.distanceMm(to);
         int steps = (int) Math.ceil(2 * length / grid.cellMm());
         double sum = 0;
         Pose direction = new Pose(to.xMm() - from.xMm(), to.yMm() - from.yMm(), 0)
                 .seenFrom(new Pose(0, 0, grid.origin().headingDeg()));
-        for (int step = 1; step <= steps; step++) {
+        for (int step = 1; step <= steps && sum * length <= most * steps; step++) {
             double share = (double) step / steps;
             double x = from.xMm() + share * (to.xMm() - from.xMm());
             double y = from.yMm() + share * (to.yMm() - from.yMm());
-            double price = space.map().isKnown(x, y) ? price(space.mm(x, y)) : Double.POSITIVE_INFINITY;
+            double price =
+                    space.map().isKnown(x, y) ? PlanNodes.price(space.mm(x, y), comfortMm) : Double.POSITIVE_INFINITY;
             sum += price == Double.POSITIVE_INFINITY ? 100 : price + onTheLeft(x, y, direction);
         }
         return steps == 0 ? 0 : sum * length / steps;

@@ -103,6 +103,28 @@ class PathPlannerTest {
     }
 
     @Test
+    void aPlaceInARoomWithoutADoorHasNoWayAlsoBesideItsWall() {
+        NavigationMap walled = NavigationMap.of(floor((column, row) -> column >= 99 && column <= 100 ? WALL : FREE));
+        FreeSpace space = new FreeSpace(new ObstacleDistance(walled), 300, List.of());
+        Pose atTheWall = new Pose(4690, 2000, 0);
+
+        assertThat(new PathPlanner(space).plan(LEFT, RIGHT)).isEmpty();
+        assertThat(new PathPlanner(space).plan(atTheWall, RIGHT)).isEmpty();
+        assertThat(new PathPlanner(space).plan(atTheWall, new Pose(2000, 9000, 0)))
+                .isPresent();
+    }
+
+    @Test
+    void whatOnePlanFoundDoesNotChangeTheNextOne() {
+        FreeSpace space = space(300);
+        Way way = new PathPlanner(space).plan(LEFT, RIGHT).orElseThrow();
+        new PathPlanner(space.with(List.of(new FreeSpace.Disc(5000, 7500, 200)))).plan(LEFT, RIGHT);
+        new PathPlanner(new FreeSpace(space.map(), 500, List.of())).plan(LEFT, RIGHT);
+
+        assertThat(new PathPlanner(space).plan(LEFT, RIGHT)).contains(way);
+    }
+
+    @Test
     void inTrafficOppositeWaysThroughACorridorKeepApart() {
         NavigationMap corridor = NavigationMap.of(
                 OccupancyGrid.of(Pose.START, CELL_MM, 200, 42, (column, row) -> row == 0 || row == 41 ? WALL : FREE));
