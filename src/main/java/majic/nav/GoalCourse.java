@@ -48,8 +48,13 @@ final class GoalCourse implements Course, AutoCloseable {
     /** How far an arc is looked along. */
     private static final double LOOK_ARC_MM = 1200;
 
-    /** The straight pieces of a robot that estimates its place. */
+    /**
+     * The straight pieces of a robot that estimates its place: as long as its way is straight, or along it. Each end of
+     * a piece costs a stop.
+     */
     private static final double PIECE_MM = 400;
+
+    private static final double LONGEST_PIECE_MM = 1500;
 
     private static final double LEAST_PIECE_MM = 40;
     private static final double PIECE_DEG = 4;
@@ -207,15 +212,19 @@ final class GoalCourse implements Course, AutoCloseable {
     private Step drive(Pose here, Way rest, double left) {
         double cruise = cruise();
         double brakingMm = Room.brakingMm(speed);
-        TeamTraffic.Grant grant = team.traffic().reserve(vehicle, rest, brakingMm + cruise * 0.6 + 300);
+        double pieceMm = pieceMm(here, rest);
+        boolean estimates = robot.profile().estimates();
+        TeamTraffic.Grant grant =
+                team.traffic().reserve(vehicle, rest, estimates ? pieceMm : brakingMm + cruise * 0.6 + 300);
         double allowed = Math.min(cruise, END_PER_S * left + SLOW_MM_PER_S / 2);
         if (grant.before() != null) {
             allowed = Math.min(allowed, speedFor(grant.mm() - FreeSpace.MARGIN_MM));
             waiting.standsBehind(grant.before());
         }
         FreeSpace all = local.now();
-        if (robot.profile().estimates()) {
-            return byPieces(here, all, rest, grant.before() == null ? Double.POSITIVE_INFINITY : grant.mm());
+        if (estimates) {
+            return byPieces(
+                    here, all, rest.at(pieceMm), grant.before() == null ? Double.POSITIVE_INFINITY : grant.mm());
         }
         double[] fractions = {1, 0.5, 0.25};
         Arc best = null;
@@ -266,9 +275,15 @@ final class GoalCourse implements Course, AutoCloseable {
                 .orElse(null));
     }
 
+    /** How far along its way a robot that estimates its place drives at once. */
+    private static double pieceMm(Pose here, Way rest) {
+        double straightMm =
+                rest.points().size() < 2 ? 0 : here.distanceMm(rest.points().get(1));
+        return Math.max(PIECE_MM, Math.min(LONGEST_PIECE_MM, straightMm));
+    }
+
     /** Turns and straight pieces, for a robot that estimates its place by the commands that it got. */
-    private Step byPieces(Pose here, FreeSpace space, Way rest, double granted) {
-        Pose target = rest.at(PIECE_MM);
+    private Step byPieces(Pose here, FreeSpace space, Pose target, double granted) {
         double bearing = bearing(here, target);
         double distance = here.distanceMm(target);
         if (Math.abs(bearing) > PIECE_DEG && distance > NEARLY_MM) {

@@ -194,6 +194,18 @@ class GoToInLabTest {
     }
 
     @Test
+    void aRobotThatEstimatesItsPlaceDrivesAStraightWayWithoutStops() throws InterruptedException {
+        MajicBot dog = rig.add("aibo");
+        dog.place(rig.truePose("aibo"));
+        rig.run("2 move 100");
+        double begunS = rig.lab().time().nanos() / 1e9;
+
+        assertThat(rig.run("2 goto -2700 2500")).last().asString().contains(": done (about ");
+        double tookS = rig.lab().time().nanos() / 1e9 - begunS;
+        assertThat(tookS).isLessThan(1.3 * 1200 / dog.get("cruise").number());
+    }
+
+    @Test
     void anotherRobotThatDrivesAheadIsNotTakenForAWall() throws InterruptedException {
         addOther(new Pose(-7500, -6300, 0));
         rig.say("2 goto 7000 -6300");
