@@ -167,6 +167,14 @@ final class GoalCourse implements Course, AutoCloseable {
         return new Turn(wrong);
     }
 
+    /** Stands; what is reserved ahead is given back once the robot is stationary. */
+    private Step standAndGiveBack() {
+        if (speed == 0 && !robot.state().moving()) {
+            team.traffic().giveBack(vehicle);
+        }
+        return stand();
+    }
+
     private Step stand() {
         speed = 0;
         return Drive.STAND;
@@ -261,7 +269,7 @@ final class GoalCourse implements Course, AutoCloseable {
             planned.tryAround();
         }
         if (allowed < SLOW_MM_PER_S) {
-            return stand();
+            return standAndGiveBack();
         }
         waiting.ends();
         return roll(allowed, best);
@@ -293,7 +301,7 @@ final class GoalCourse implements Course, AutoCloseable {
         if (free < Math.min(distance, LEAST_PIECE_MM)) {
             explainBlock(here);
             waiting.note(true);
-            return stand();
+            return standAndGiveBack();
         }
         waiting.ends();
         return new Move(Math.min(distance, free));

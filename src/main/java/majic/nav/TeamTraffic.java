@@ -119,6 +119,16 @@ final class TeamTraffic {
         return new Grant(granted, other == null ? null : other.robot);
     }
 
+    /** A robot that cannot drive on gives back what is reserved ahead of it, so that others can make room there. */
+    synchronized void giveBack(Vehicle vehicle) {
+        vehicle.reserved = List.of(vehicle.robot.state().pose());
+    }
+
+    /** Whether no other robot has reserved a place for itself, as seen from where a robot is. */
+    synchronized boolean isFree(Vehicle vehicle, Pose place) {
+        return holder(vehicle, place, vehicle.robot.state().pose()) == null;
+    }
+
     /**
      * Notes whether a robot waits for another one.
      *
@@ -200,10 +210,14 @@ final class TeamTraffic {
         return vehicles.get(vehicle.robot) == vehicle;
     }
 
-    /** A robot makes room for another one; it goes before all others that have to, until {@link #takeBack}. */
+    /**
+     * A robot makes room for another one, and waits no longer for it; it goes before all others that have to, until
+     * {@link #takeBack}.
+     */
     synchronized void standIn(Vehicle vehicle, Vehicle one) {
         vehicle.rank = Math.min(vehicle.rank, one.rank);
         vehicle.makesRoomFor = one;
+        vehicle.waitingNanos = null;
     }
 
     synchronized void takeBack(Vehicle vehicle) {

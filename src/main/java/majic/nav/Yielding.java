@@ -80,7 +80,8 @@ final class Yielding {
             return;
         }
         Predicate<Pose> isAside = place -> traffic.isAside(first, robot, place, MAKE_ROOM_MM)
-                && space.mm(place.xMm(), place.yMm()) > ASIDE_ROOM_MM;
+                && space.mm(place.xMm(), place.yMm()) > ASIDE_ROOM_MM
+                && traffic.isFree(vehicle, place);
         Optional<Way> found = new PathPlanner(local.besideTraffic())
                 .planToNearest(here, MAKE_ROOM_MM, isAside)
                 .or(() -> new PathPlanner(space).planToNearest(here, MAKE_ROOM_MM, isAside));
