@@ -8,6 +8,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.TreeMap;
 import majic.bot.BotException;
@@ -22,24 +23,26 @@ import majic.nav.Navigator;
 import majic.nav.grid.NavigationMap;
 import majic.nav.path.FreeSpace;
 import majic.nav.path.ObstacleDistance;
-import majic.nav.path.PathPlanner;
-import majic.nav.path.Way;
 import majicsim.LabOptions;
 import majicsim.LabPorts;
 import majicsim.ros.options.RosOptions;
 import majicsim.world.Room;
 
 /**
- * Sends one robot of the lab to many places of the office, with the usual noise, on the stepped clock: how many it
- * reaches, contacts, the length of its ways against the planned ones, the time against these at cruising speed, and how
- * far it is from the goal by its true place, mm and deg, and what the thread of the motion takes of a core, percent;
- * each as median, the value that 95 of 100 do not exceed, and the largest.
+ * Sends one robot of the lab to many places of the office, with the usual noise, on the stepped clock, while two others
+ * drive about that do not know of it: how many it reaches, contacts, the length of its ways against the shortest ones
+ * between the walls, the time against these at cruising speed, and how far it is from the goal by its true place, mm
+ * and deg, and what the thread of the motion takes of a core, percent; each as median, the value that 95 of 100 do not
+ * exceed, and the largest.
  */
 public final class GoToFigures {
     private static final Path WORLD = Path.of("sims", "worlds", "office.map");
     private static final double NANOS = 1e9;
     private static final double ROOM_MM = 80;
     private static final double LEAST_MM = 500;
+
+    /** Other robots that go from place to place, outside of the team of the one that is measured. */
+    private static final List<String> MOVERS = List.of("pioneer2", "pioneer3");
 
     private final String kind;
     private final int goals;
@@ -65,7 +68,8 @@ public final class GoToFigures {
                 .withPorts(LabPorts.FREE)
                 .withRoom(Room.load(WORLD))
                 .withNoise(seed)
-                .withPioneer(kind.equals("laser") ? "p3dx-sh+laser" : "p3dx-sh");
+                .withPioneer(kind.equals("sonar") ? "p3dx-sh" : "p3dx-sh+laser")
+                .withPioneers(1 + MOVERS.size());
         if (kind.equals("ros")) {
             options = options.withRos(RosOptions.parse("2").withoutNavigation());
         }
@@ -79,12 +83,15 @@ public final class GoToFigures {
             robot.place(rig.truePose(name));
             navigator.add(robot);
             FreeSpace space =
-                    new FreeSpace(new ObstacleDistance(map), robot.profile().bodyMm(), others(rig, name));
+                    new FreeSpace(new ObstacleDistance(map), robot.profile().bodyMm(), standing(rig, name));
+            ShortestWays shortest =
+                    new ShortestWays(rig.lab().walls(), robot.profile().bodyMm());
+            move(rig, map);
             rig.lab().time().sleep(1);
             Driven driven = new Driven(rig, name);
             robot.addListener(driven);
             for (int goal = 0; goal < goals; goal++) {
-                one(rig, name, robot, navigator, space, driven);
+                one(rig, name, robot, navigator, space, shortest, driven);
             }
             return List.of(
                     String.format(
@@ -110,12 +117,46 @@ public final class GoToFigures {
         };
     }
 
-    private static List<FreeSpace.Disc> others(LabRig rig, String name) {
+    private static List<FreeSpace.Disc> standing(LabRig rig, String name) {
         return rig.lab().truePoses().entrySet().stream()
-                .filter(entry -> !entry.getKey().equals(name))
+                .filter(entry -> !entry.getKey().equals(name) && !MOVERS.contains(entry.getKey()))
                 .map(entry -> new FreeSpace.Disc(
                         entry.getValue().xMm(), entry.getValue().yMm(), 300))
                 .toList();
+    }
+
+    /** Sends the other robots to random places, each by a navigator that knows no other robot, until the end. */
+    private void move(LabRig rig, NavigationMap map) {
+        for (String name : MOVERS) {
+            MajicBot mover = rig.add(name);
+            mover.set("maxMove", 100_000);
+            mover.place(rig.truePose(name));
+            Navigator navigator = new Navigator(() -> Optional.of(map));
+            Random places = new Random(seed + MOVERS.indexOf(name) + 1);
+            rig.lab()
+                    .time()
+                    .thread("mover " + name, () -> wander(rig, mover, navigator, places))
+                    .start();
+        }
+    }
+
+    private static void wander(LabRig rig, MajicBot mover, Navigator navigator, Random places) {
+        try {
+            while (true) {
+                try {
+                    navigator.goTo(mover, new Destination(randomPlace(places), false));
+                } catch (BotException e) {
+                    rig.lab().time().sleep(1);
+                }
+            }
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    private static Pose randomPlace(Random places) {
+        return new Pose(
+                places.nextDouble() * 19_400 - 9700, places.nextDouble() * 13_400 - 6700, places.nextInt(360) - 179);
     }
 
     /** The way that the robot really drove. */
@@ -147,20 +188,23 @@ public final class GoToFigures {
         }
     }
 
-    private void one(LabRig rig, String name, MajicBot robot, Navigator navigator, FreeSpace space, Driven driven)
+    private void one(
+            LabRig rig,
+            String name,
+            MajicBot robot,
+            Navigator navigator,
+            FreeSpace space,
+            ShortestWays ways,
+            Driven driven)
             throws InterruptedException {
         Pose from = rig.truePose(name);
         Pose to;
-        Way shortest;
+        double shortestMm;
         do {
-            to = new Pose(
-                    random.nextDouble() * 19_400 - 9700,
-                    random.nextDouble() * 13_400 - 6700,
-                    random.nextInt(360) - 179);
-            shortest = space.mm(to.xMm(), to.yMm()) < ROOM_MM
-                    ? null
-                    : new PathPlanner(space).plan(from, to).orElse(null);
-        } while (shortest == null || shortest.lengthMm() < LEAST_MM || shortest.lengthMm() > mostMm());
+            to = randomPlace(random);
+            boolean fits = from.distanceMm(to) < mostMm() && space.mm(to.xMm(), to.yMm()) >= ROOM_MM;
+            shortestMm = fits ? ways.mm(from, to) : Double.POSITIVE_INFINITY;
+        } while (shortestMm == Double.POSITIVE_INFINITY || shortestMm < LEAST_MM || shortestMm > mostMm());
         driven.take();
         double beganS = rig.lab().time().nanos() / NANOS;
         long beganOfCore = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
@@ -174,8 +218,8 @@ public final class GoToFigures {
                     / tookS);
             rig.lab().time().sleep(0.5);
             Pose there = rig.truePose(name);
-            lengths.add(driven.take() / shortest.lengthMm());
-            times.add(tookS / (shortest.lengthMm() / robot.get("cruise").number()));
+            lengths.add(driven.take() / shortestMm);
+            times.add(tookS / (shortestMm / robot.get("cruise").number()));
             errors.add(there.distanceMm(to));
             turns.add(Math.abs(Pose.normalised(there.headingDeg() - to.headingDeg())));
         } catch (BotException e) {
