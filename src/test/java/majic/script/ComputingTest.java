@@ -7,6 +7,7 @@ import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Values with names, expressions, procedures. */
 class ComputingTest {
@@ -243,5 +244,17 @@ class ComputingTest {
                         "end"))
                 .filteredOn("passed"::equals)
                 .hasSize(2);
+    }
+
+    /** The line waits for robot 2 before it moves robot 1; the stop comes from the same prompt. */
+    @ParameterizedTest
+    @ValueSource(strings = {"1 stop", "stop"})
+    void aStopRevokesALineThatStillReads(String stop) throws InterruptedException {
+        fixture.prompt.parseText("2 move 3000");
+        fixture.prompt.parseText("1 move (2 x)");
+        fixture.pause(1);
+        fixture.prompt.parseText(stop);
+        fixture.prompt.awaitAll();
+        assertThat(fixture.answers()).contains("1 move (2 x): not run: stopped");
     }
 }

@@ -3,6 +3,7 @@ package majic.script.lines;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import majic.bot.BotException;
 import majic.bot.Value;
@@ -178,15 +179,25 @@ public final class Dispatcher {
                 };
     }
 
-    /** Starts a line beside the others. Robots that are added one after the other get their numbers in that order. */
+    /**
+     * Starts a line beside the others. Robots that are added one after the other get their numbers in that order. A
+     * line that reads robots first may wait long before it moves one, so a stop of the same source revokes it too; a
+     * block owns its robots, and the stop ends that.
+     */
     private void begin(PreparedLine line) {
         if (line.scheduling() == Scheduling.BESIDE_IN_ORDER) {
             adding.add(line);
             return;
         }
         beside.incrementAndGet();
-        Execution execution = execution(line, Execution.Manner.IN_TURN, Map.of());
         long stops = team.stops().of(line.commanded());
+        Execution execution = line.isBlock()
+                ? execution(line, Execution.Manner.IN_TURN, Map.of())
+                : execution(
+                        Execution.Manner.IN_TURN,
+                        Map.of(),
+                        () -> line.has(CommandTrait.COMMANDS_ROBOTS)
+                                && team.stops().of(line.commanded()) != stops);
         boolean begun = team.time().tryRunAsync("script: " + line.title(), () -> {
             try {
                 runBeside(line, execution, stops);
@@ -299,8 +310,12 @@ public final class Dispatcher {
     }
 
     private Execution execution(PreparedLine line, Execution.Manner unlessTyped, Map<Member, Permit> permits) {
+        return execution(unlessTyped, permits, () -> wasStopped(line));
+    }
+
+    private Execution execution(Execution.Manner unlessTyped, Map<Member, Permit> permits, BooleanSupplier wasStopped) {
         Execution.Manner manner = source == LineSource.PROMPT ? Execution.Manner.TYPED : unlessTyped;
-        return new Execution(origin, selection, manner, permits, () -> wasStopped(line));
+        return new Execution(origin, selection, manner, permits, wasStopped);
     }
 
     /** Runs a line, after what a stop needs first. */

@@ -288,6 +288,11 @@ public final class PreparedLine {
         return stopSent;
     }
 
+    /** Whether it has other lines in it. */
+    boolean isBlock() {
+        return statement.isBlock();
+    }
+
     /** When it runs. */
     Scheduling scheduling() {
         return scheduling;
