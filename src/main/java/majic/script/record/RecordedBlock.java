@@ -39,7 +39,10 @@ public final class RecordedBlock {
         completed = byItself;
     }
 
-    /** Sets that its text alone does not do it again, since it uses what other lines have defined. */
+    /**
+     * Sets that its text alone does not do it again, since it uses what other lines have defined, a random number, or
+     * the answer of a person.
+     */
     public void dependsOnOthers() {
         dependent = true;
     }

@@ -142,6 +142,7 @@ public class Execution {
      * @return the answer
      */
     public final Value ask(String question, Parameter wanted, Value otherwise, double seconds) {
+        markNotRepeatable();
         Questions questions = session().questions();
         Questions.Question asked = questions.ask(question, wanted, otherwise, seconds);
         try {
@@ -229,6 +230,14 @@ public class Execution {
     @Nullable
     RecordedBlock block() {
         return null;
+    }
+
+    /** Takes notice that its text does not do the same again: it uses a random number or the answer of a person. */
+    final void markNotRepeatable() {
+        RecordedBlock block = block();
+        if (block != null) {
+            block.dependsOnOthers();
+        }
     }
 
     /** Makes robots its own for as long as it runs; has no effect for a line. */

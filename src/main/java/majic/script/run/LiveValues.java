@@ -99,6 +99,7 @@ public record LiveValues(Execution execution, boolean waits) implements Values {
 
     @Override
     public double random() {
+        execution.markNotRepeatable();
         return execution.session().random().next();
     }
 }
