@@ -1,5 +1,7 @@
 package majic.script.run;
 
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
@@ -17,11 +19,17 @@ import org.jspecify.annotations.Nullable;
  * nothing is checked, since other robots may be there by then.
  */
 public final class Checker extends Inspection {
+    /** Blocks and calls that are checked inside each other. */
+    private static final int DEEPEST = 100;
+
     private final SessionState session;
     private final Selection selection;
     private final Set<Member> limitsSet = new HashSet<>();
     private final Set<List<Object>> checkedCalls = new HashSet<>();
+    private final List<Procedure> defined = new ArrayList<>();
+    private final Set<Procedure> called = new HashSet<>();
     private final Types types;
+    private int depth;
     private final boolean readsFiles;
     private boolean teamMayChange;
     private boolean filesMayAppear;
@@ -55,7 +63,10 @@ public final class Checker extends Inspection {
 
     private static List<Mistake> check(List<Statement> script, Checker checker) {
         checker.walk(script);
-        return checker.mistakes();
+        checker.checkUncalled();
+        return checker.mistakes().stream()
+                .sorted(Comparator.comparingInt(Mistake::line).thenComparingInt(Mistake::column))
+                .toList();
     }
 
     @Override
@@ -68,9 +79,11 @@ public final class Checker extends Inspection {
 
     @Override
     void block(List<Statement> body) {
+        depth++;
         types.begin();
         walk(body);
         types.end();
+        depth--;
     }
 
     @Override
@@ -91,34 +104,51 @@ public final class Checker extends Inspection {
         return line.line().with(types).accept(this);
     }
 
-    /** A procedure is checked for each kind of values that it is called with, and once if it is not called. */
+    /**
+     * A procedure is checked where it is called, for each kind of values. Calls further inside are left out: a chain of
+     * calls may be as long as the script.
+     */
     @Override
     public @Nullable Void call(Statement.Call call) {
-        List<Operand> given = call.given().stream().map(Operand::kindOf).toList();
-        checkBody(call.procedure(), given);
+        if (depth < DEEPEST) {
+            called.add(call.procedure());
+            checkBody(
+                    call.procedure(), call.given().stream().map(Operand::kindOf).toList());
+        }
         return null;
     }
 
     @Override
     public @Nullable Void procedure(Statement.ProcedureDefinition definition) {
-        checkBody(
-                definition.procedure(),
-                definition.procedure().arguments().stream()
-                        .map(argument -> Operand.ANY)
-                        .toList());
+        defined.add(definition.procedure());
         return null;
+    }
+
+    /** A procedure that is not called is checked at the end, as if it were called there. */
+    private void checkUncalled() {
+        for (Procedure procedure : defined) {
+            if (!called.contains(procedure)) {
+                checkBody(
+                        procedure,
+                        procedure.arguments().stream()
+                                .map(argument -> Operand.ANY)
+                                .toList());
+            }
+        }
     }
 
     private void checkBody(Procedure procedure, List<Operand> given) {
         if (!checkedCalls.add(List.of(procedure, given))) {
             return;
         }
+        depth++;
         types.inProcedure(() -> {
             for (int index = 0; index < given.size(); index++) {
                 types.argument(procedure.arguments().get(index), given.get(index));
             }
             walk(procedure.body());
         });
+        depth--;
     }
 
     @Override

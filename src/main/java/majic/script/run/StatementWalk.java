@@ -1,7 +1,9 @@
 package majic.script.run;
 
+import java.util.ArrayDeque;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Queue;
 import java.util.Set;
 import majic.script.syntax.Condition;
 import majic.script.syntax.Cursor;
@@ -11,10 +13,18 @@ import org.jspecify.annotations.Nullable;
 /** Goes through all commands of a script, one behind the other, into every block. Runs none of them. */
 public abstract class StatementWalk implements Statement.Visitor<@Nullable Void> {
     private final Set<Procedure> walked = new HashSet<>();
+    private final Queue<Procedure> called = new ArrayDeque<>();
+    private boolean walking;
 
     /** Goes through some statements. */
     public final void walk(List<Statement> statements) {
+        boolean isOutermost = !walking;
+        walking = true;
         statements.forEach(this::visit);
+        while (isOutermost && !called.isEmpty()) {
+            block(called.remove().body());
+        }
+        walking = !isOutermost;
     }
 
     /** Visits one statement and those in it; an override has to call this method. */
@@ -80,11 +90,11 @@ public abstract class StatementWalk implements Statement.Visitor<@Nullable Void>
         return null;
     }
 
-    /** A procedure is gone through once. */
+    /** A procedure is gone through once, at the end: a chain of calls may be as long as the script. */
     @Override
     public @Nullable Void call(Statement.Call call) {
         if (walked.add(call.procedure())) {
-            block(call.procedure().body());
+            called.add(call.procedure());
         }
         return null;
     }
