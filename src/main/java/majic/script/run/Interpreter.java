@@ -23,6 +23,9 @@ import org.jspecify.annotations.Nullable;
 final class Interpreter implements Statement.Visitor<@Nullable Void> {
     private static final int MOST_CALLS = 50;
 
+    /** Blocks that run inside each other, those of the calls around them included: the stack has room for them. */
+    private static final int MOST_BLOCKS = 500;
+
     /**
      * A round that moves no robot takes at least this long, so that an idle loop cannot keep the clock from going on.
      */
@@ -32,6 +35,7 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
     private final List<Watch> watches = new ArrayList<>();
     private Scope<Value> scope;
     private int calls;
+    private int blocks;
     private boolean inWatch;
 
     /** Begins with some names. */
@@ -153,10 +157,16 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
         return null;
     }
 
+    /** Reached again, in a loop or a procedure, a block takes the place of what it was before, with other names. */
     @Override
     public @Nullable Void on(Statement.On on) {
         script.reach(on.at().line());
-        watches.add(new Watch(on, scope));
+        Watch watch = new Watch(on, scope);
+        watches.stream().filter(before -> before.block == on).findFirst().ifPresent(before -> {
+            watch.held = before.held;
+            watches.remove(before);
+        });
+        watches.add(watch);
         return null;
     }
 
@@ -177,6 +187,11 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
             throw new ScriptException(
                     call.at(), call.at().text() + ": procedures call each other too deeply (" + MOST_CALLS + ")");
         }
+        if (blocks >= MOST_BLOCKS) {
+            throw new ScriptException(
+                    call.at(),
+                    call.at().text() + ": procedures call each other too deeply (" + MOST_BLOCKS + " blocks)");
+        }
         Scope<Value> caller = scope;
         scope = caller.outermost().inner();
         for (int index = 0; index < call.given().size(); index++) {
@@ -196,9 +211,11 @@ final class Interpreter implements Statement.Visitor<@Nullable Void> {
     /** Runs the statements of a block, whose own names end with it. */
     private void interpretBlock(List<Statement> body) {
         scope = scope.inner();
+        blocks++;
         try {
             interpret(body);
         } finally {
+            blocks--;
             scope = scope.around();
         }
     }
