@@ -14,6 +14,9 @@ import majic.script.syntax.Token.Kind;
  * @param any whether not even the kind is known
  */
 public record Operand(Value value, boolean open, boolean any) {
+    private static final int SIGNIFICANT = 3;
+    private static final int MOST_DECIMALS = 12;
+
     /** Nothing is known of it yet. */
     public static final Operand ANY = new Operand(Value.of(0, Unit.NONE), true, true);
 
@@ -72,11 +75,16 @@ public record Operand(Value value, boolean open, boolean any) {
         return new Token(isWord ? Kind.WORD : Kind.QUOTED, text, place.line(), place.column(), end, open);
     }
 
-    /** In full for what was written; what was computed with two more digits than answers show. */
+    /**
+     * With two more decimals than answers show, and three significant digits at least, down to what the inexactness of
+     * computing leaves of a difference.
+     */
     private static String plain(Value.Number number) {
         BigDecimal amount = BigDecimal.valueOf(number.amount());
-        int digits = Math.max(number.unit().digits() + 2, 3);
-        BigDecimal rounded = amount.setScale(digits, RoundingMode.HALF_UP);
+        int decimals = Math.max(number.unit().digits() + 2, 3);
+        int significant = SIGNIFICANT - (amount.precision() - amount.scale());
+        BigDecimal rounded =
+                amount.setScale(Math.max(decimals, Math.min(significant, MOST_DECIMALS)), RoundingMode.HALF_UP);
         return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
     }
 }
