@@ -96,7 +96,7 @@ final class ScriptActInspection extends Inspection {
 
     @Override
     public void readings(List<Cursor.Reading> readings) {
-        readings.forEach(reading -> {
+        readings.stream().filter(reading -> !reading.orPlace()).forEach(reading -> {
             robots(reading.robots());
             need(parameters, reading.robots(), reading.parameter().text());
         });

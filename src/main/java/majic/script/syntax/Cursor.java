@@ -26,8 +26,12 @@ public final class Cursor {
     private int lastOpen = -1;
     private final List<PlacedReading> readings = new ArrayList<>();
 
-    /** A reading in an expression: the parameter of a robot. */
-    public record Reading(Robots robots, Token parameter) {}
+    /**
+     * A reading in an expression: the parameter of a robot.
+     *
+     * @param orPlace whether the word may be a place of the map as well, which is not read
+     */
+    public record Reading(Robots robots, Token parameter, boolean orPlace) {}
 
     private record PlacedReading(int place, Reading reading) {}
 
@@ -271,7 +275,7 @@ public final class Cursor {
 
     /** The value of a parameter of one robot. */
     Operand reading(Robots robots, Token parameter) {
-        readings.add(new PlacedReading(next, new Reading(robots, parameter)));
+        readings.add(new PlacedReading(next, new Reading(robots, parameter, false)));
         lastOpen = next;
         return values.reading(robots, parameter);
     }
@@ -279,10 +283,9 @@ public final class Cursor {
     /** The distance or the bearing between two robots or places. */
     Operand between(Token function, List<Token> ends) {
         for (Token end : ends) {
-            if (end.kind() == Kind.NUMBER) {
-                Token x = new Token(Kind.WORD, "x", end.line(), end.column(), end.end());
-                readings.add(new PlacedReading(next, new Reading(Robots.of(end), x)));
-            }
+            Token x = new Token(Kind.WORD, "x", end.line(), end.column(), end.end());
+            boolean orPlace = end.kind() != Kind.NUMBER || end.open();
+            readings.add(new PlacedReading(next, new Reading(Robots.of(end), x, orPlace)));
         }
         lastOpen = next;
         return values.between(function, ends);
