@@ -256,9 +256,9 @@ public final class ScriptParser {
         if (at.peek().isEnd()) {
             return OptionalInt.empty();
         }
-        Token number = at.peek();
         int times = at.count("how often, a whole number,");
         if (times < 0) {
+            Token number = at.previous();
             throw new ScriptException(number, number.text() + ": nothing can be repeated less than 0 times");
         }
         at.endOfLine();

@@ -184,15 +184,15 @@ public final class Cursor {
 
     /** A number of some quantity. */
     public Literal number(Quantity quantity) {
-        if (current.kind() == Kind.NUMBER) {
+        fillIn();
+        if (check(Kind.NUMBER) && behindComputed < 0) {
             return quantity.read(advance());
         }
         String expected = quantity.what() + " (" + quantity.symbols() + ")";
-        if (!startsComputed()) {
+        if (behindComputed < 0) {
             throw unexpected(expected);
         }
-        String written = computedText();
-        fillIn();
+        String written = text(next, behindComputed);
         Token token = peek();
         if (token.kind() != Kind.NUMBER) {
             throw new ScriptException(
@@ -214,22 +214,9 @@ public final class Cursor {
         return behindComputed < 0 && (current.kind() == Kind.VARIABLE || current.kind() == Kind.LEFT);
     }
 
-    /** What is written there, as messages repeat it. */
-    private String computedText() {
-        if (check(Kind.VARIABLE)) {
-            return peek().text();
-        }
-        StringBuilder text = new StringBuilder();
-        int open = 0;
-        int index = next;
-        do {
-            Token token = tokens.get(index);
-            boolean apart = index > next && !tokens.get(index - 1).touches(token);
-            text.append(apart ? " " : "").append(token.written());
-            open += token.kind() == Kind.LEFT ? 1 : token.kind() == Kind.RIGHT ? -1 : 0;
-            index++;
-        } while (open > 0 && !tokens.get(index).isEnd());
-        return text.toString();
+    /** What stands here, as messages repeat it: instead of a value that is not known yet what was written. */
+    private String found() {
+        return behindComputed >= 0 && current.open() ? text(next, behindComputed) : current.written();
     }
 
     /** Puts the value of a name or of an expression in brackets in its place; leaves any other token as it is. */
@@ -305,17 +292,16 @@ public final class Cursor {
 
     /** A whole number without unit. */
     public int count(String expected) {
-        if (current.kind() != Kind.NUMBER) {
-            fillIn();
-        }
+        fillIn();
+        String written = found();
         Token token = consume(Kind.NUMBER, expected);
-        if (token.open()) {
+        if (token.open() && token.text().equals("0")) {
             return 0;
         }
         try {
             return Integer.parseInt(token.text());
         } catch (NumberFormatException e) {
-            throw new ScriptException(token, token.text() + ": " + expected + " is expected here");
+            throw new ScriptException(token, written + ": " + expected + " is expected here");
         }
     }
 
@@ -369,8 +355,7 @@ public final class Cursor {
             throw unexpected("nothing");
         }
         refuseDecimalComma();
-        throw new ScriptException(
-                peek(), peek().written() + ": nothing more is expected behind \"" + lineSoFar() + "\"");
+        throw new ScriptException(peek(), found() + ": nothing more is expected behind \"" + lineSoFar() + "\"");
     }
 
     /**
@@ -403,9 +388,14 @@ public final class Cursor {
         while (start > 0 && !tokens.get(start - 1).isEnd()) {
             start--;
         }
+        return text(start, next);
+    }
+
+    /** What was written from one token to the one before another. */
+    private String text(int from, int to) {
         StringBuilder text = new StringBuilder();
-        for (int index = start; index < next; index++) {
-            boolean apart = index > start && !tokens.get(index - 1).touches(tokens.get(index));
+        for (int index = from; index < to; index++) {
+            boolean apart = index > from && !tokens.get(index - 1).touches(tokens.get(index));
             text.append(apart ? " " : "").append(tokens.get(index).written());
         }
         return text.toString();
@@ -428,7 +418,7 @@ public final class Cursor {
                     found, found.text() + ": a name with $ stands for a value, and " + expected + " is expected here");
         }
         if (!found.isEnd()) {
-            return new ScriptException(found, found.written() + ": " + expected + " is expected here", expected);
+            return new ScriptException(found, found() + ": " + expected + " is expected here", expected);
         }
         String where = next == start || previous.isEnd()
                 ? ""
