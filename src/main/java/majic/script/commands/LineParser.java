@@ -173,9 +173,14 @@ public final class LineParser {
     private Statement forRobots(Token first) {
         requireRobots(first);
         Robots robots = Robots.parse(at);
-        at.setOwnRobots(robots);
-        Command command = at.match(Kind.DOT) ? call() : command();
-        at.setOwnRobots(null);
+        Command command;
+        try {
+            at.setOwnRobots(robots);
+            command = at.match(Kind.DOT) ? call() : command();
+        } finally {
+            at.setOwnRobots(null);
+            inCall = false;
+        }
         return robots.isAll() && command instanceof MotionCommands.Stop
                 ? new Statement.ForSession(first, new TeamCommands.StopAll())
                 : new Statement.ForRobots(first, robots, command);
@@ -229,7 +234,6 @@ public final class LineParser {
         at.consume(Kind.LEFT, "\"(\"");
         inCall = true;
         Command command = arguments(word);
-        inCall = false;
         at.consume(Kind.RIGHT, "\")\"");
         return command;
     }

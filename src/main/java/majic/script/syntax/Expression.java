@@ -12,6 +12,9 @@ final class Expression {
     /** The words that begin a function. */
     static final Set<String> FUNCTIONS = Set.of("abs", "bearing", "distance", "max", "min", "random");
 
+    /** Words that are values also where a parameter may stand alone. */
+    private static final Set<String> NO_PARAMETERS = Set.of("no", "off", "on", "yes");
+
     /** Deeper than any sensible expression, and far from the end of the stack. */
     private static final int DEEPEST = 100;
 
@@ -131,7 +134,7 @@ final class Expression {
             return Operand.of(Value.CLEAR);
         }
         Robots own = at.ownRobots();
-        if (own == null) {
+        if (own == null || word.isOneOf(NO_PARAMETERS)) {
             return Operand.of(Value.text(at.advance().text()));
         }
         return at.reading(own, at.advance());
