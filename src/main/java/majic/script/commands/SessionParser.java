@@ -144,11 +144,12 @@ public final class SessionParser {
         throw at.unexpected("\"start\", \"stop\", \"open\", \"save\", \"close\", \"rows\" or \"place\"");
     }
 
-    /** {@code let = "let" NAME "=" expression ;} */
+    /** {@code let = "let" NAME "=" expression ;} The name is made known only by a line that is right to its end. */
     private SessionCommand let() {
         Token name = ArgumentParser.name(at, "a name for the value");
         at.equalsSign("= and the value");
         Operand value = at.expression();
+        at.endOfLine();
         at.values().declare(name, value);
         at.markOpen();
         return new ValueCommands.Let(name, value.value());
@@ -176,6 +177,7 @@ public final class SessionParser {
         at.equalsSign("= and the answer that is taken if none comes");
         ArgumentParser.Described asked = ArgumentParser.described(at, name, initial -> {});
         Literal time = at.match("for") ? at.number(Quantity.TIME) : null;
+        at.endOfLine();
         at.values().declare(name, Operand.of(asked.initial()));
         at.markOpen();
         return new ValueCommands.Ask(name, asked.parameter(), asked.initial(), time);

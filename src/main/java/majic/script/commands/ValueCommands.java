@@ -8,6 +8,7 @@ import majic.bot.Value;
 import majic.script.run.Execution;
 import majic.script.run.Scheduling;
 import majic.script.run.SessionCommand;
+import majic.script.run.Types;
 import majic.script.syntax.Literal;
 import majic.script.syntax.ScriptException;
 import majic.script.syntax.Token;
@@ -25,6 +26,12 @@ final class ValueCommands {
         }
     }
 
+    private static Value assign(Execution execution, Token name, Value value) {
+        Value kept = Types.kept(name, execution.scope().find(name.text()), value);
+        execution.scope().assign(name.text(), kept);
+        return kept;
+    }
+
     /** Gives a name a value. */
     record Let(Token name, Value value) implements ValueCommand {
         @Override
@@ -35,9 +42,9 @@ final class ValueCommands {
         /** At a prompt the value is shown. */
         @Override
         public void run(Execution execution) {
-            execution.scope().assign(name.text(), value);
+            Value kept = assign(execution, name, value);
             if (execution.isTyped()) {
-                execution.answer(name.text() + " = " + value);
+                execution.answer(name.text() + " = " + kept);
             }
         }
     }
@@ -82,7 +89,7 @@ final class ValueCommands {
         @Override
         public void run(Execution execution) {
             String question = wanted.help().isEmpty() ? name.text() + "?" : wanted.help();
-            execution.scope().assign(name.text(), execution.ask(question, wanted, otherwise, seconds()));
+            assign(execution, name, execution.ask(question, wanted, otherwise, seconds()));
         }
     }
 

@@ -3,6 +3,7 @@ package majic.script.run;
 import java.util.List;
 import majic.bot.Parameter;
 import majic.bot.Unit;
+import majic.bot.Value;
 import majic.script.conditions.Selection;
 import majic.script.syntax.Operand;
 import majic.script.syntax.Robots;
@@ -18,6 +19,9 @@ import org.jspecify.annotations.Nullable;
  * a reading.
  */
 public final class Types implements Values {
+    /** A message lists this many names at most. */
+    private static final int MOST_LISTED = 20;
+
     private @Nullable Selection robots;
     private Scope<Operand> scope;
 
@@ -91,7 +95,8 @@ public final class Types implements Values {
         return known.isEmpty()
                 ? "there is no value of that name; \"let " + plain + " = VALUE\" makes one"
                 : "there is no value of that name" + Suggestion.didYouMean(plain, known) + " (there are "
-                        + String.join(", ", known) + ")";
+                        + String.join(", ", known.subList(0, Math.min(known.size(), MOST_LISTED)))
+                        + (known.size() > MOST_LISTED ? " …" : "") + ")";
     }
 
     @Override
@@ -101,11 +106,35 @@ public final class Types implements Values {
             throw new ScriptException(
                     name, name.text() + ": it is an argument, which keeps its value; take another name");
         }
-        if (before != null && !before.any() && !value.any()) {
+        if (before == null || before.any()) {
+            scope.assign(name.text(), opened(value));
+            return;
+        }
+        boolean isClear = value.value() == Value.CLEAR && before.isNumber();
+        if (!value.any() && !isClear) {
             requireSameKind(name, before, value);
         }
-        boolean keepsUnit = before != null && value.isNumber() && value.unit() == Unit.NONE;
-        scope.assign(name.text(), keepsUnit ? before : opened(value));
+        boolean isBare = before.isNumber() && before.unit() == Unit.NONE;
+        if (isBare && !isClear) {
+            scope.assign(name.text(), opened(value));
+        }
+    }
+
+    /**
+     * The value that a name has after {@code let} or an answer while a script runs: a number without unit takes the
+     * unit of the value before.
+     *
+     * @param before the value that it had; null if it had none
+     * @throws ScriptException if the kind of the value is another one
+     */
+    public static Value kept(Token name, @Nullable Value before, Value value) {
+        if (before == null || before == Value.CLEAR || value == Value.CLEAR) {
+            return value;
+        }
+        requireSameKind(name, Operand.of(before), Operand.of(value));
+        return before instanceof Value.Number old && value instanceof Value.Number number && number.unit() == Unit.NONE
+                ? new Value.Number(number.amount(), old.unit(), number.about())
+                : value;
     }
 
     private static void requireSameKind(Token name, Operand before, Operand value) {
@@ -126,7 +155,7 @@ public final class Types implements Values {
         if (value.isNumber()) {
             return Operand.open(value.unit());
         }
-        return value.value() == majic.bot.Value.CLEAR ? Operand.ANY : Operand.OPEN_WORD;
+        return value.value() == Value.CLEAR ? Operand.ANY : Operand.OPEN_WORD;
     }
 
     @Override
