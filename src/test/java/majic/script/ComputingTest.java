@@ -2,15 +2,24 @@ package majic.script;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Values with names, expressions, procedures. */
 class ComputingTest {
+    @TempDir
+    private Path folder;
+
     @AutoClose
     private final ScriptFixture fixture = ScriptFixture.withTwo();
 
@@ -256,5 +265,127 @@ class ComputingTest {
         fixture.prompt.parseText(stop);
         fixture.prompt.awaitAll();
         assertThat(fixture.answers()).contains("1 move (2 x): not run: stopped");
+    }
+
+    @Test
+    void aWrongLineDoesNotMakeAName() throws InterruptedException {
+        assertThat(fixture.refusal("let n = 5mm 3")).isPresent();
+        assertThat(fixture.refusal("let n = 90deg")).isEmpty();
+    }
+
+    @Test
+    void aNameKeepsItsKindAlsoFromAReading() throws InterruptedException {
+        fixture.runPipe("let n = 3mm");
+        assertThat(fixture.pipe.parseText("let n = 1 heading"))
+                .contains("n: it is a number of mm and cannot become a number of deg");
+    }
+
+    @Test
+    void aNumberTakesTheUnitOfTheName() throws InterruptedException {
+        assertThat(fixture.runPipe("let n = 3mm", "let n = 4", "print $n ($n / 2mm)"))
+                .containsExactly("4 mm 2");
+    }
+
+    @Test
+    void aLengthMayBecomeClear() throws InterruptedException {
+        assertThat(fixture.runPipe("let n = 3mm", "let n = clear", "print $n", "let n = 2mm", "print $n"))
+                .containsExactly("clear", "2 mm");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    1m / 3                       | 1 move 333.333mm: done (333 mm, 1.1 s)
+                    0.1 + 0.2                    | 1 move 0.3: done (0.3 mm, 0.0 s)
+                    0.1 + 0.2 - 0.3              | 1 move 0: done (0 mm, 0.0 s)
+                    0.00002 * 0.5                | 1 move 0.00001: done (0 mm, 0.0 s)
+                    """)
+    void aLineHasTheDigitsThatCount(String distance, String answer) throws InterruptedException {
+        assertThat(fixture.runPipe("1 move (" + distance + ")")).containsExactly(answer);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+                    repeat (2 - 5)               | -3: nothing can be repeated less than 0 times
+                    repeat (5 / 2)               | 2.5: how often, a whole number, is expected here
+                    repeat (1 x)                 | (1 x): how often, a whole number, is expected here
+                    wait (1 x)                   | (1 x): a time (s, ms) is expected here
+                    wait (1 moving)              | (1 moving): nothing more is expected behind "wait"
+                    1 move (1 heading)           | (1 heading): a distance (mm, cm, m) is expected here
+                    """)
+    void whatDoesNotFitIsFoundBeforeTheRun(String line, String message) throws InterruptedException, IOException {
+        String end = line.startsWith("repeat") ? "end" : "";
+        assertThat(runFile("1 move 300", "repeat 1", line, end, "end"))
+                .hasSize(2)
+                .first()
+                .asString()
+                .endsWith(":3:" + (line.indexOf('(') + 1) + ": " + message);
+    }
+
+    /** A procedure is checked where it is called, since the team may be another one there. */
+    @Test
+    void aProcedureMayCommandARobotThatIsAddedBeforeItsCall() throws InterruptedException, IOException {
+        assertThat(runFile("to go", "3 move 30", "end", "add sim:aibo", "go"))
+                .contains("3 move 30: done (30 mm, 0.1 s)");
+    }
+
+    @Test
+    void aProcedureThatIsNotCalledIsChecked() throws InterruptedException, IOException {
+        assertThat(runFile("to go", "3 move 30", "end", "1 move 30").get(0))
+                .endsWith(":2:1: 3: there is no robot 3 (robots: 1 Aibo, 2 Pioneer)");
+    }
+
+    @Test
+    void aChainOfCallsMayBeAsLongAsAScript() throws InterruptedException, IOException {
+        List<String> lines = new ArrayList<>();
+        for (int number = 0; number < 20_000; number++) {
+            lines.addAll(List.of("to p" + number, "p" + (number + 1), "end"));
+        }
+        lines.addAll(List.of("to p20000", "1 move 30", "end", "p19990"));
+        assertThat(runFile(lines.toArray(String[]::new))).contains("1 move 30: done (30 mm, 0.1 s)");
+    }
+
+    private List<String> runFile(String... lines) throws InterruptedException, IOException {
+        Path file = Files.write(folder.resolve("script.majic"), List.of(lines));
+        return fixture.runPipe("run \"" + file + '"');
+    }
+
+    @Test
+    void yesIsAWordAlsoInALineForARobot() throws InterruptedException {
+        assertThat(fixture.refusal("1 set light (yes)")).isEmpty();
+    }
+
+    @Test
+    void aConditionThatIsReachedAgainIsWatchedOnce() throws InterruptedException {
+        assertThat(fixture.runPipe("repeat 3", "on 1 x > 50", "print near", "end", "1 move 100", "wait", "end"))
+                .filteredOn("near"::equals)
+                .hasSize(1);
+    }
+
+    @Test
+    void aSavedSessionRepeatsWhatChanceAndAPersonChose() throws InterruptedException {
+        fixture.runPipe("repeat 1", "let d = 10 + (random 3 3)", "ask e = 5mm for 1s", "1 move ($d + $e)", "end");
+        assertThat(fixture.session.state().record().lines())
+                .contains("1 move 18mm")
+                .noneMatch(line -> line.startsWith("repeat"));
+    }
+
+    @Test
+    void aCallInManyBlocksThatNeverEndsIsEnded() throws InterruptedException {
+        List<String> lines = new ArrayList<>(List.of("to again"));
+        lines.addAll(Collections.nCopies(45, "repeat 1"));
+        lines.add("again");
+        lines.addAll(Collections.nCopies(46, "end"));
+        lines.add("again");
+        assertThat(fixture.runPipe(lines.toArray(String[]::new)))
+                .anyMatch(line -> line.contains("procedures call each other too deeply (500 blocks)"));
+    }
+
+    /** A message with all of them would be too long. */
+    @Test
+    void aMessageListsSomeOfManyNames() throws InterruptedException {
+        for (int name = 0; name < 30; name++) {
+            fixture.prompt.parseText("let many" + name + " = 1");
+        }
+        assertThat(fixture.refusal("print $other")).get().asString().endsWith("many26 …)");
     }
 }
