@@ -83,6 +83,18 @@ class ScriptControlTest {
         control.end();
     }
 
+    @Test
+    void aBlockOfOnIsSteppedBetweenTwoLines() throws InterruptedException {
+        ScriptControl control =
+                run(true, "on 1 x > 50", "print near", "end", "1 move 300", "print after", "print last");
+        for (int line : List.of(1, 4, 5, 2, 6)) {
+            awaitWaitingAt(control, line);
+            control.step();
+        }
+        assertEnded(await(control, Progress::isOver), "done");
+        assertThat(fixture.answers()).containsSubsequence("after", "near", "last");
+    }
+
     private static String shown(Progress progress) {
         return progress.values().stream()
                 .map(named -> named.name() + "=" + named.value() + (named.changed() ? "!" : ""))

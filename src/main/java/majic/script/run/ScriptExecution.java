@@ -236,14 +236,16 @@ public final class ScriptExecution extends Execution {
     }
 
     /**
-     * Waits until a statement may begin that begins on a line; has no effect unless the script is paused. The
-     * statements of a file that the script runs belong to the statement that runs the file.
+     * Waits until a statement may begin that begins on a line; has no effect unless the script is paused. Meanwhile no
+     * block of {@code on} begins, which would take the turn of the statement. The statements of a file that the script
+     * runs belong to the statement that runs the file.
      */
     void reach(int line) {
         if (control != null) {
             ScriptControl.Turn next = turn == null || files == 0 ? control.reach(line, scope().all()) : turn;
             turn = next;
-            await(next::mayBegin, Double.POSITIVE_INFINITY);
+            super.awaitOrEnd(next::mayBegin, Double.POSITIVE_INFINITY);
+            checkAlive();
             next.enter();
         }
     }
