@@ -64,11 +64,6 @@ public final class Late<T> {
         return sample;
     }
 
-    /** Whether a value in it was not known when it was parsed. */
-    public boolean isOpen() {
-        return open;
-    }
-
     /** The readings that its values are computed of. */
     public List<Cursor.Reading> readings() {
         return readings;
