@@ -88,6 +88,19 @@ class ActArgumentsInSessionTest {
     }
 
     @Test
+    void anArgumentIsComputed() throws InterruptedException {
+        assertThat(fixture.runPipe(
+                        "let n = 3",
+                        "1 act Steps length=(20 * $n) count=$n",
+                        "1 wait",
+                        "2 act rounds far=(2 x + 300)",
+                        "2 wait"))
+                .contains("1 act Steps length=60 count=3: done (0.6 s)")
+                .anyMatch(line -> line.startsWith("2 act rounds far=300mm: done"));
+        assertThat(fixture.bot(1).state().pose().xMm()).isEqualTo(180);
+    }
+
+    @Test
     void theAnswerRepeatsThem() throws InterruptedException {
         assertThat(fixture.runPipe("1 act Steps length=200 count=1"))
                 .anyMatch(line -> line.startsWith("1 act Steps length=200 count=1: done"));
