@@ -6,14 +6,12 @@ import java.util.List;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 import majic.mavlink.message.StatusPiece;
+import majic.mavlink.message.StatusText;
 import majic.time.TimeSource;
 
 /** The texts of an autopilot: joins their pieces and passes those that matter on to the user. Thread-safe. */
 public final class StatusTexts {
-    /** Texts of this severity or a higher one matter (MAVLink sheet 6). */
-    private static final int WARNING = 4;
-
-    private static final int KEPT = 40;
+    private static final int KEPT = 50;
     private static final int LONGEST = 1000;
 
     /** The same text is not shown again for this time: refusals to arm are repeated every 30 s. */
@@ -21,11 +19,9 @@ public final class StatusTexts {
 
     private final TimeSource time;
     private final Consumer<String> notices;
-    private final Deque<Text> texts = new ArrayDeque<>();
+    private final Deque<StatusText> texts = new ArrayDeque<>();
     private final StringBuilder pieces = new StringBuilder();
     private int joined;
-
-    private record Text(int severity, String text, long atNanos) {}
 
     StatusTexts(TimeSource time, Consumer<String> notices) {
         this.time = time;
@@ -35,7 +31,7 @@ public final class StatusTexts {
     /** Takes a piece; on the reader thread. */
     void take(StatusPiece piece) {
         String whole = join(piece);
-        if (!whole.isBlank() && add(new Text(piece.severity(), whole, time.nanos()))) {
+        if (!whole.isBlank() && add(new StatusText(piece.severity(), whole, time.nanos()))) {
             notices.accept("the autopilot reports: " + whole);
         }
     }
@@ -55,19 +51,24 @@ public final class StatusTexts {
     }
 
     /** Returns whether the user should see it. */
-    private synchronized boolean add(Text text) {
+    private synchronized boolean add(StatusText text) {
         boolean known = texts.stream()
                 .anyMatch(old -> old.text().equals(text.text()) && time.secondsSince(old.atNanos()) < REPEATED_S);
         texts.addLast(text);
         if (texts.size() > KEPT) {
             texts.removeFirst();
         }
-        return text.severity() <= WARNING && !known;
+        return text.isWarning() && !known;
     }
 
     /** Returns the newest text; empty before the first. */
     public synchronized String newest() {
         return texts.isEmpty() ? "" : texts.getLast().text();
+    }
+
+    /** Returns the texts, the oldest first, at most 50. */
+    public synchronized List<StatusText> all() {
+        return List.copyOf(texts);
     }
 
     /**
@@ -78,8 +79,8 @@ public final class StatusTexts {
      */
     public synchronized String reasonsSince(long nanos) {
         List<String> reasons = texts.stream()
-                .filter(text -> text.severity() <= WARNING && text.atNanos() >= nanos)
-                .map(Text::text)
+                .filter(text -> text.isWarning() && text.atNanos() >= nanos)
+                .map(StatusText::text)
                 .distinct()
                 .toList();
         return reasons.isEmpty() ? "" : reasons.stream().collect(Collectors.joining("; ", ": ", ""));
