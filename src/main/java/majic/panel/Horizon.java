@@ -21,16 +21,20 @@ import org.jspecify.annotations.Nullable;
 public final class Horizon extends JPanel {
     private static final long serialVersionUID = 1;
 
-    /** Tilt in degrees between the middle and the rim of the disc. */
+    /** Tilt in degrees between the middle and the rim of the disc, unless set otherwise. */
     private static final double HALF_VIEW_DEG = 60;
 
-    /** A change that moves nothing by more than half a pixel. */
-    private static final double UNSEEN_DEG = 1;
+    /** A change by this part of the view moves nothing by more than half a pixel. */
+    private static final double UNSEEN = 1 / 60.0;
 
-    private static final int LADDER_DEG = 20;
+    /** Lines of the ladder between the middle and the rim. */
+    private static final int RUNGS = 3;
+
+    private static final int LAST_RUNG = 4;
     private static final double GROUND = 0.4;
     private static final Texts TEXTS = Texts.of(Horizon.class);
 
+    private final double halfViewDeg;
     private transient @Nullable Tilt tilt;
 
     /**
@@ -47,6 +51,17 @@ public final class Horizon extends JPanel {
      * @param diameter preferred, pixels at the normal font size
      */
     public Horizon(int diameter) {
+        this(diameter, HALF_VIEW_DEG);
+    }
+
+    /**
+     * Creates a disc that shows nothing yet.
+     *
+     * @param diameter preferred, pixels at the normal font size
+     * @param halfViewDeg tilt between the middle and the rim, degrees, above 0
+     */
+    public Horizon(int diameter, double halfViewDeg) {
+        this.halfViewDeg = halfViewDeg;
         setOpaque(false);
         setName("horizon");
         setPreferredSize(new Dimension(UIScale.scale(diameter), UIScale.scale(diameter)));
@@ -75,8 +90,8 @@ public final class Horizon extends JPanel {
         Tilt shown = tilt;
         return shown == null
                 || newTilt == null
-                || Math.abs(newTilt.pitchDeg() - shown.pitchDeg()) > UNSEEN_DEG
-                || Math.abs(newTilt.rollDeg() - shown.rollDeg()) > UNSEEN_DEG;
+                || Math.abs(newTilt.pitchDeg() - shown.pitchDeg()) > UNSEEN * halfViewDeg
+                || Math.abs(newTilt.rollDeg() - shown.rollDeg()) > UNSEEN * halfViewDeg;
     }
 
     @Override
@@ -104,8 +119,8 @@ public final class Horizon extends JPanel {
         pen.dispose();
     }
 
-    private static void paintWorld(Graphics2D pen, DrawingColors colors, double radius, Tilt tilt) {
-        double pxPerDeg = radius / HALF_VIEW_DEG;
+    private void paintWorld(Graphics2D pen, DrawingColors colors, double radius, Tilt tilt) {
+        double pxPerDeg = radius / halfViewDeg;
         pen.rotate(-Math.toRadians(tilt.rollDeg()));
         pen.translate(0, tilt.pitchDeg() * pxPerDeg);
         pen.setColor(colors.grey(GROUND));
@@ -114,9 +129,10 @@ public final class Horizon extends JPanel {
         pen.setStroke(DrawingColors.stroke(1));
         pen.draw(new Line2D.Double(-4 * radius, 0, 4 * radius, 0));
         pen.setStroke(DrawingColors.stroke(0.8));
-        for (int degrees = -80; degrees <= 80; degrees += LADDER_DEG) {
-            double half = degrees == 0 ? 0 : 0.22 * radius;
-            pen.draw(new Line2D.Double(-half, degrees * pxPerDeg, half, degrees * pxPerDeg));
+        for (int rung = -LAST_RUNG; rung <= LAST_RUNG; rung++) {
+            double half = rung == 0 ? 0 : 0.22 * radius;
+            double y = rung * radius / RUNGS;
+            pen.draw(new Line2D.Double(-half, y, half, y));
         }
     }
 

@@ -41,6 +41,17 @@ public abstract class SidePane {
     }
 
     /**
+     * Creates a side pane that is never left out and folds where it would cost the view much.
+     *
+     * @param folding a component that is narrower and higher when it is folded
+     * @param <C> its class
+     * @return for a dashboard
+     */
+    public static <C extends Component & FoldingPane> SidePane folding(C folding) {
+        return new Folding(folding, folding);
+    }
+
+    /**
      * Creates a side pane that keeps the aspect ratio of its preferred size while there is enough height, and gets
      * smaller otherwise.
      *
@@ -125,6 +136,30 @@ public abstract class SidePane {
         @Override
         int goodHeight(int width) {
             return lights.heightIn(width);
+        }
+    }
+
+    private static final class Folding extends SidePane {
+        private final FoldingPane folding;
+
+        Folding(Component component, FoldingPane folding) {
+            super(component);
+            this.folding = folding;
+        }
+
+        @Override
+        int leastWidth() {
+            return folding.foldedWidth();
+        }
+
+        @Override
+        int goodWidth() {
+            return folding.unfoldedWidth();
+        }
+
+        @Override
+        int goodHeight(int width) {
+            return folding.heightIn(width);
         }
     }
 

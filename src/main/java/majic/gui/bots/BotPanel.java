@@ -10,18 +10,20 @@ import javax.swing.JLabel;
 import javax.swing.JScrollPane;
 import javax.swing.SwingConstants;
 import majic.gui.plot.PlottedPanel;
+import majic.panel.CommandHost;
 import majic.team.Member;
 import majic.team.Team;
 import majic.text.Texts;
 import org.jspecify.annotations.Nullable;
 
 /** Shows one robot large: its status strip, and the display that its class provides. */
-final class BotPanel extends PlottedPanel {
+final class BotPanel extends PlottedPanel implements CommandHost {
     private static final long serialVersionUID = 1L;
     private static final Texts TEXTS = Texts.of(BotPanel.class);
     private static final Logger LOG = System.getLogger(BotPanel.class.getName());
 
     private final transient Member member;
+    private final transient RobotActions actions;
     private final StatusStrip strip;
     private final transient MemberRefresh refresh;
     private boolean hasDisplay;
@@ -35,6 +37,7 @@ final class BotPanel extends PlottedPanel {
     BotPanel(Team team, Member member, RobotActions actions, Consumer<Member> move, Runnable changed) {
         super(new BorderLayout(), actions.plots(), member.number(), member.bot()::parameters);
         this.member = member;
+        this.actions = actions;
         setName("bot" + member.number());
         strip = new StatusStrip(team, member, actions, () -> move.accept(member));
         add(strip, BorderLayout.NORTH);
@@ -78,6 +81,11 @@ final class BotPanel extends PlottedPanel {
     @Override
     public boolean isValidateRoot() {
         return true;
+    }
+
+    @Override
+    public void submitCommand(String command) {
+        actions.submit(member, command);
     }
 
     /** Removes the listener. */

@@ -114,6 +114,11 @@ public final class RobotActions {
         attempts.cancel(member);
     }
 
+    /** Submits a command for one robot, without its number. */
+    void submit(Member member, String command) {
+        channel.submit(member.number() + " " + command);
+    }
+
     void loadAct(Member member) {
         loadAct.accept(member);
     }
