@@ -3,6 +3,7 @@ package majic.bot;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import javax.swing.JComponent;
 import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
@@ -246,6 +247,15 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return {@link Uncertainty#UNKNOWN} until it is placed, and while it is lost
      */
     public abstract Uncertainty uncertainty();
+
+    /**
+     * Returns how high the robot is now, for a robot that flies; waits for nothing.
+     *
+     * @return mm above where it took off; empty for a robot that does not fly, and if the height is not known
+     */
+    public OptionalDouble heightMm() {
+        return OptionalDouble.empty();
+    }
 
     /**
      * Returns the parameters that describe this one robot and hold for longer than a session, such as measured speeds.

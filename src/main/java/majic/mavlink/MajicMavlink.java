@@ -2,8 +2,11 @@ package majic.mavlink;
 
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
+import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotState;
@@ -19,11 +22,16 @@ import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.mavlink.frame.MavlinkMessageType;
 import majic.mavlink.message.AutopilotVersion;
+import majic.mavlink.message.GlobalPosition;
 import majic.mavlink.message.ObstacleRing;
 import majic.mavlink.message.RangeReading;
+import majic.mavlink.message.StatusText;
 import majic.mavlink.message.VehicleHeartbeat;
 import majic.mavlink.motion.FailsafeText;
 import majic.mavlink.motion.VehicleMotion;
+import majic.mavlink.panel.MavlinkPanel;
+import majic.mavlink.panel.MavlinkReplay;
+import majic.mavlink.panel.VehicleScene;
 import majic.mavlink.parameters.NamedParameters;
 import majic.mavlink.parameters.VehicleAccess;
 import majic.mavlink.parameters.VehicleCommands;
@@ -50,11 +58,15 @@ public final class MajicMavlink extends BotDriver {
     /** A vehicle without a position, as before its first fix, is connected after this time, seconds. */
     private static final double LOCATED_S = 2.5;
 
+    /** A height that is older is not shown on the map, seconds. */
+    private static final double LONGEST_HEIGHT_AGE_S = 3;
+
     private final MavlinkAddress address;
     private final AtomicReference<VehicleAccess.@Nullable Parts> parts = new AtomicReference<>();
     private final VehicleAccess access = new VehicleAccess(parts::get);
     private final VehicleParameters parameters = new VehicleParameters(access);
     private final VehicleCommands commands = new VehicleCommands(access);
+    private final VehicleScenes scenes;
     private volatile @Nullable VehicleSession session;
     private volatile LastOdometry last = LastOdometry.NONE;
     private volatile boolean mayMove;
@@ -85,6 +97,7 @@ public final class MajicMavlink extends BotDriver {
                 VehicleLimits.usual(MavlinkAddress.parse(address).radiusMm()),
                 environment);
         this.address = MavlinkAddress.parse(address);
+        this.scenes = new VehicleScenes(time());
         // Readers of messages leave out old ones, each by its own pace.
         table().measured(time()::nanos);
         parameters.describe(table());
@@ -266,6 +279,47 @@ public final class MajicMavlink extends BotDriver {
     public List<RangeSensor> rangeSensors() {
         VehicleAccess.Parts open = parts.get();
         return open == null ? List.of() : open.ranges().sensors();
+    }
+
+    /**
+     * Returns the newest texts of the autopilot, at most 50 since the vehicle was connected.
+     *
+     * @return the oldest first; empty before the first connection
+     */
+    public List<StatusText> texts() {
+        VehicleAccess.Parts open = parts.get();
+        return open == null ? List.of() : open.session().texts().all();
+    }
+
+    /** The height of an aircraft above its home position, if it was reported within the last 3 s. */
+    @Override
+    public OptionalDouble heightMm() {
+        VehicleAccess.Parts open = parts.get();
+        if (open == null || !open.session().vehicle().flies()) {
+            return OptionalDouble.empty();
+        }
+        return open.session()
+                .reports()
+                .newest(GlobalPosition.class, LONGEST_HEIGHT_AGE_S)
+                .filter(GlobalPosition::isKnown)
+                .map(position -> OptionalDouble.of(position.aboveHomeMm()))
+                .orElse(OptionalDouble.empty());
+    }
+
+    @Override
+    public JComponent display() {
+        return MavlinkPanel.create(this, this::scene);
+    }
+
+    @Override
+    public Map<String, String> displayState() {
+        return scene().map(MavlinkReplay::texts).orElse(Map.of());
+    }
+
+    /** Returns what the panel shows; empty before the first connection, and while it is made. */
+    private Optional<VehicleScene> scene() {
+        VehicleAccess.Parts open = parts.get();
+        return open == null ? Optional.empty() : Optional.of(scenes.scene(open.session()));
     }
 
     private void publishRanges(VehicleAccess.Parts open, MavlinkMessageType type) {

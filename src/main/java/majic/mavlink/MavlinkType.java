@@ -7,6 +7,7 @@ import majic.bot.BotAddress;
 import majic.bot.BotType;
 import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
+import majic.mavlink.panel.MavlinkReplay;
 
 /** Vehicles that speak MAVLink among the types of robots. */
 public final class MavlinkType implements BotType {
@@ -46,6 +47,11 @@ public final class MavlinkType implements BotType {
     @Override
     public MajicBot create(BotAddress address, BotEnvironment environment) {
         return new MajicMavlink(address, environment);
+    }
+
+    @Override
+    public ReplayDisplay replay(MajicBot recorded) {
+        return new MavlinkReplay(recorded);
     }
 
     @Override

@@ -177,17 +177,18 @@ public final class MapFeed implements TeamListener, AutoCloseable {
         Pose reported = start.origin.plus(member.bot().state().pose());
         start.trail.add(reported);
         return new MapScene.Robot(
-                member.number(),
-                member.label(),
-                member.bot().profile().bodyMm(),
-                start.origin,
-                reported,
-                member.bot().uncertainty(),
-                start.inLab ? truths.get(nameInLab(member)) : null,
-                start.trail,
-                member.bot().isConnected(),
-                team.stopStatus().problem(member.number()).isPresent(),
-                way(member.bot(), start.origin));
+                        member.number(),
+                        member.label(),
+                        member.bot().profile().bodyMm(),
+                        start.origin,
+                        reported,
+                        member.bot().uncertainty(),
+                        start.inLab ? truths.get(nameInLab(member)) : null,
+                        start.trail,
+                        member.bot().isConnected(),
+                        team.stopStatus().problem(member.number()).isPresent(),
+                        way(member.bot(), start.origin))
+                .at(member.bot().heightMm().orElse(0));
     }
 
     /** Returns the way of a robot; its first point is where the robot is. */

@@ -95,13 +95,14 @@ public final class MapPainter {
 
     /**
      * Draws the numbers that cover no other number, first those of robots that need attention or are selected, and then
-     * which robots wait.
+     * heights, and which robots wait.
      */
     private void paintNumbers(List<RobotGlyph> robots, Set<Integer> selected) {
         robots.stream()
                 .sorted(Comparator.comparing((RobotGlyph robot) -> !robot.isAlarming())
                         .thenComparing(robot -> !selected.contains(robot.number())))
                 .forEach(robot -> robot.paintNumber(g, room));
+        robots.forEach(robot -> robot.paintHeight(g, room));
         robots.forEach(robot -> robot.paintWaits(g, room));
     }
 

@@ -49,6 +49,7 @@ public record MapScene(
      * @param connected whether the pose is kept up to date
      * @param stopUnconfirmed whether its last stop was not confirmed, so that it may still move
      * @param way on which it drives to a place; {@link PlannedWay#NONE} if it does not
+     * @param heightMm of a robot that flies, in whole decimetres; 0 for others
      */
     public record Robot(
             int number,
@@ -61,7 +62,55 @@ public record MapScene(
             Trail trail,
             boolean connected,
             boolean stopUnconfirmed,
-            PlannedWay way) {}
+            PlannedWay way,
+            double heightMm) {
+        private static final double DECIMETRE_MM = 100;
+
+        /** A robot on the floor. */
+        public Robot(
+                int number,
+                String label,
+                double bodyMm,
+                Pose origin,
+                Pose reported,
+                Uncertainty uncertainty,
+                @Nullable Pose truth,
+                Trail trail,
+                boolean connected,
+                boolean stopUnconfirmed,
+                PlannedWay way) {
+            this(
+                    number,
+                    label,
+                    bodyMm,
+                    origin,
+                    reported,
+                    uncertainty,
+                    truth,
+                    trail,
+                    connected,
+                    stopUnconfirmed,
+                    way,
+                    0);
+        }
+
+        /** Returns this robot at a height, which is rounded. */
+        Robot at(double mm) {
+            return new Robot(
+                    number,
+                    label,
+                    bodyMm,
+                    origin,
+                    reported,
+                    uncertainty,
+                    truth,
+                    trail,
+                    connected,
+                    stopUnconfirmed,
+                    way,
+                    DECIMETRE_MM * Math.round(mm / DECIMETRE_MM));
+        }
+    }
 
     /**
      * The way of a robot to a place. Immutable.

@@ -13,6 +13,7 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalInt;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
@@ -44,6 +45,12 @@ final class RobotGlyph {
     private static final Stroke SELECTED = new BasicStroke(2.5f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
     private static final double SELECTED_GAP_PX = 7;
     private static final int BADGE_PX = 16;
+
+    /** A robot that is not higher stands, by what its altimeter errs. */
+    private static final double ON_GROUND_MM = 200;
+
+    private static final double MM_PER_M = 1000;
+    private static final double HEIGHT_GAP_PX = 8;
     private static final Stroke TRUTH =
             new BasicStroke(1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 3}, 0);
 
@@ -209,6 +216,28 @@ final class RobotGlyph {
                 new Rectangle2D.Double(x, y - metrics.getAscent(), metrics.stringWidth(mark), metrics.getHeight()))) {
             g.setColor(Palette.error());
             g.drawString(mark, (float) x, (float) y);
+        }
+    }
+
+    /** Draws the height of a robot in the air to the right of it, where that covers no other label. */
+    void paintHeight(Graphics2D g, LabelRoom room) {
+        if (robot.heightMm() <= ON_GROUND_MM) {
+            return;
+        }
+        String text = TEXTS.get("height", String.format(Locale.ROOT, "%.1f", robot.heightMm() / MM_PER_M));
+        FontMetrics metrics = g.getFontMetrics();
+        Point2D middle = pixel(robot.reported());
+        double width = metrics.stringWidth(text);
+        double x = middle.getX() + radiusPx + HEIGHT_GAP_PX;
+        Rectangle2D label = around(
+                new Point2D.Double(Math.min(x, view.width() - width) + width / 2, middle.getY()),
+                width,
+                metrics.getHeight());
+        if (room.take(label)) {
+            g.setColor(DrawingColors.translucent(Palette.paper(), 0.75));
+            g.fill(label);
+            g.setColor(robot.connected() ? Palette.text() : Palette.mixed(0.6));
+            g.drawString(text, (float) label.getX(), (float) (label.getY() + metrics.getAscent()));
         }
     }
 

@@ -22,6 +22,7 @@ import majic.mavlink.message.VehicleHeartbeat;
 import majic.mavlink.motion.FailsafeText;
 import majic.mavlink.ranging.HullGap;
 import majic.mavlink.session.FlightModes;
+import majic.mavlink.session.VehicleSession;
 
 /** What a vehicle reports, as parameters. */
 public final class VehicleParameters {
@@ -98,6 +99,14 @@ public final class VehicleParameters {
 
     private static String modeNow(VehicleAccess.Parts open) {
         return open.session().modes().name(open.session().newestHeartbeat().customMode());
+    }
+
+    /** Returns the names of the modes that {@code set mode} accepts for the vehicle of a session, in order. */
+    public static List<String> settableModes(VehicleSession session) {
+        boolean all = session.vehicle().isOnSurface();
+        return session.modes().names().stream()
+                .filter(name -> all || SAFE_IN_THE_AIR.contains(name))
+                .toList();
     }
 
     private void setMode(List<Value> values, Motion motion) {

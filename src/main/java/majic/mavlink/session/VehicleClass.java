@@ -44,4 +44,9 @@ public enum VehicleClass {
     public boolean isOnSurface() {
         return this == ROVER || this == BOAT;
     }
+
+    /** Whether it flies. */
+    public boolean flies() {
+        return this == COPTER || this == PLANE;
+    }
 }

@@ -104,6 +104,15 @@ class MapPaintTest {
     }
 
     @Test
+    void theHeightOfARobotIsShownAbove200Mm() {
+        MapScene.Robot standing = robot(new Pose(2000, 1500, 0), null);
+        BufferedImage onTheFloor = paint(scene(standing));
+
+        assertThat(differences(onTheFloor, paint(scene(standing.at(240))))).isZero();
+        assertThat(differences(onTheFloor, paint(scene(standing.at(1234))))).isGreaterThan(30);
+    }
+
+    @Test
     void theWayOfARobotIsDrawnWithWhatItHasReservedAndWhyItWaits() {
         Pose here = new Pose(1000, 1500, 0);
         Pose place = new Pose(3500, 1500, 0);
