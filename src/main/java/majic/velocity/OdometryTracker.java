@@ -10,9 +10,6 @@ import org.jspecify.annotations.Nullable;
  * base is reset. Time is that of the arrival: the stamps of a robot may jump. Has no clock. Not thread-safe.
  */
 final class OdometryTracker {
-    /** Poses are compared over this time, seconds: the noise of two poses in a row would look like a motion. */
-    private static final double WINDOW_S = 0.2;
-
     /** What a base may have covered beyond its highest velocity without counting as a jump. */
     private static final double JUMP_MM = 50;
 
@@ -118,7 +115,9 @@ final class OdometryTracker {
             movedMmPerSec = travelledMm(old.pose(), pose) / seconds;
             movedDegPerSec = (turnedDeg - old.turnedDeg()) / seconds;
         }
-        boolean slow = continuous && isStationary(mmPerSec, degPerSec) && isStationary(movedMmPerSec, movedDegPerSec);
+        boolean slow = continuous
+                && isBelow(limits.accuracy().stationaryMmPerSec(), mmPerSec, degPerSec)
+                && isBelow(limits.accuracy().driftMmPerSec(), movedMmPerSec, movedDegPerSec);
         if (!slow) {
             fastS = atNanos / 1e9;
         }
@@ -139,14 +138,14 @@ final class OdometryTracker {
         return to.aheadMm(from) > 0 ? -distance : distance;
     }
 
-    private boolean isStationary(double mmPerSec, double degPerSec) {
-        return Math.abs(mmPerSec) < limits.accuracy().stationaryMmPerSec()
+    private boolean isBelow(double mostMmPerSec, double mmPerSec, double degPerSec) {
+        return Math.abs(mmPerSec) < mostMmPerSec
                 && Math.abs(degPerSec) < limits.accuracy().stationaryDegPerSec();
     }
 
     /** Keeps the states within the window, and the last one that is older. */
     private void forget(long nowNanos) {
-        long oldest = nowNanos - (long) (WINDOW_S * 1e9);
+        long oldest = nowNanos - (long) (limits.accuracy().windowS() * 1e9);
         while (window.size() > 1 && second().atNanos() <= oldest) {
             window.remove();
         }
