@@ -3,6 +3,7 @@ package majic.act;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -28,6 +29,9 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
 
     /** The suffix that distinguishes a command from a parameter. */
     private static final String CALL = "()";
+
+    /** Commands that only aircraft have, in lower case: a role that needs one is for them. */
+    private static final Set<String> OF_AIRCRAFT = Set.of("takeoff", "climb");
 
     private static final Pattern TEXT =
             Pattern.compile("(\\w+)(\\+?)(?: (\\w+(?:\\|\\w+)*))?(?: \\((\\w+(?:\\(\\))?(?:,\\w+(?:\\(\\))?)*)\\))?");
@@ -102,6 +106,19 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
     }
 
     /**
+     * Returns whether the role is for robots that leave the ground: it needs a command that only those have. Any other
+     * role is for robots on the ground or on the water.
+     */
+    public boolean isForAircraft() {
+        return commands.stream().anyMatch(command -> OF_AIRCRAFT.contains(command.toLowerCase(Locale.ROOT)));
+    }
+
+    /** Returns whether a robot leaves the ground, and the role is for robots that do not. */
+    public boolean refusesAircraft(MajicBot robot) {
+        return robot.profile().leavesGround() && !isForAircraft();
+    }
+
+    /**
      * Returns why a robot cannot take this role.
      *
      * @param robot the robot; no command is sent to it
@@ -111,6 +128,9 @@ public record Role(String name, List<String> types, List<String> parameters, Lis
         String type = robot.type().name();
         if (!takes(type)) {
             return Optional.of("is of type " + type + ", not " + String.join(" or ", types));
+        }
+        if (refusesAircraft(robot)) {
+            return Optional.of("leaves the ground, and the act is for robots on the ground");
         }
         return missingParameter(robot)
                 .map(one -> "has no parameter " + one + Suggestion.didYouMean(one, parametersOf(robot)))

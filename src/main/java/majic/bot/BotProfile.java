@@ -12,6 +12,7 @@ package majic.bot;
  * @param cruiseTurnDegPerSec how fast {@code turn} goes unless set otherwise
  * @param nearMm the distance below which something counts as near
  * @param estimates whether its pose is only dead reckoning from the commands sent, because it has no odometry
+ * @param leavesGround whether it flies or dives: an act that is not for such robots must not move it
  */
 public record BotProfile(
         double bodyMm,
@@ -22,7 +23,8 @@ public record BotProfile(
         double cruiseMmPerSec,
         double cruiseTurnDegPerSec,
         double nearMm,
-        boolean estimates) {
+        boolean estimates,
+        boolean leavesGround) {
     private static final double CRAWL = 1;
 
     /** Wheels or legs of both sides differ by some 4 % in their speeds, where nothing measures that. */
@@ -32,6 +34,42 @@ public record BotProfile(
     private static final double TRACK = 1.6;
 
     private static final double M = 1000;
+
+    /**
+     * Creates a profile of a robot that stays on the ground.
+     *
+     * @param bodyMm as of the record
+     * @param speed as of the record
+     * @param turn as of the record
+     * @param slowestMmPerSec as of the record
+     * @param slowestTurnDegPerSec as of the record
+     * @param cruiseMmPerSec as of the record
+     * @param cruiseTurnDegPerSec as of the record
+     * @param nearMm as of the record
+     * @param estimates as of the record
+     */
+    public BotProfile(
+            double bodyMm,
+            Range speed,
+            Range turn,
+            double slowestMmPerSec,
+            double slowestTurnDegPerSec,
+            double cruiseMmPerSec,
+            double cruiseTurnDegPerSec,
+            double nearMm,
+            boolean estimates) {
+        this(
+                bodyMm,
+                speed,
+                turn,
+                slowestMmPerSec,
+                slowestTurnDegPerSec,
+                cruiseMmPerSec,
+                cruiseTurnDegPerSec,
+                nearMm,
+                estimates,
+                false);
+    }
 
     /**
      * Creates a profile of a robot without a lowest speed.

@@ -62,6 +62,16 @@ class RoleTest {
     }
 
     @Test
+    void isForAircraftIfItNeedsWhatOnlyTheyCan() {
+        assertThat(Role.any(Role.ME).isForAircraft()).isFalse();
+        assertThat(Role.any(Role.ME).types("mavlink").calling("arm").isForAircraft())
+                .isFalse();
+        assertThat(Role.any(Role.ME).calling("arm", "takeoff").isForAircraft()).isTrue();
+        assertThat(Role.any(Role.ME).calling("climb").isForAircraft()).isTrue();
+        assertThat(Role.any(Role.ME).refusesAircraft(aibo)).isFalse();
+    }
+
+    @Test
     void saysWhatARobotLacks() {
         assertThat(Role.any(Role.ME).types("hemisson").unfit(aibo)).contains("is of type aibo, not hemisson");
         assertThat(Role.any(Role.ME).with("sonar3").unfit(aibo)).contains("has no parameter sonar3");

@@ -33,6 +33,9 @@ final class RoleFit {
         if (!role.takes(type)) {
             return either(role).map(types -> TEXTS.get("otherType", member.number(), type, types));
         }
+        if (role.refusesAircraft(bot)) {
+            return Optional.of(TEXTS.get("leavesGround", member.number()));
+        }
         return role.missingParameter(bot)
                 .map(missing -> {
                     List<String> has =

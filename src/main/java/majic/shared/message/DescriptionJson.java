@@ -26,6 +26,9 @@ final class DescriptionJson {
         ObjectNode json = JsonObject.create().put("bodyMm", profile.bodyMm());
         json.set("speed", of(profile.speed()));
         json.set("turn", of(profile.turn()));
+        if (profile.leavesGround()) {
+            json.put("leavesGround", true);
+        }
         return json.put("slowestMmPerSec", profile.slowestMmPerSec())
                 .put("slowestTurnDegPerSec", profile.slowestTurnDegPerSec())
                 .put("cruiseMmPerSec", profile.cruiseMmPerSec())
@@ -44,7 +47,8 @@ final class DescriptionJson {
                 json.number("cruiseMmPerSec"),
                 json.number("cruiseTurnDegPerSec"),
                 json.number("nearMm"),
-                json.flag("estimates", false));
+                json.flag("estimates", false),
+                json.flag("leavesGround", false));
     }
 
     /** An end without a limit is left out. */
