@@ -12,12 +12,15 @@ import majic.bot.BotException;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
 import majic.bot.Parameter;
+import majic.bot.ParameterException;
 import majic.bot.Pose;
 import majic.bot.RangeScan;
 import majic.bot.RangeSensor;
+import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.BotDriver;
 import majic.driver.Motion;
+import majic.driver.ParameterTable;
 import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.mavlink.frame.MavlinkMessageType;
@@ -28,6 +31,7 @@ import majic.mavlink.message.RangeReading;
 import majic.mavlink.message.StatusText;
 import majic.mavlink.message.VehicleHeartbeat;
 import majic.mavlink.motion.FailsafeText;
+import majic.mavlink.motion.FlightFence;
 import majic.mavlink.motion.VehicleMotion;
 import majic.mavlink.panel.MavlinkPanel;
 import majic.mavlink.panel.MavlinkReplay;
@@ -38,15 +42,16 @@ import majic.mavlink.parameters.VehicleCommands;
 import majic.mavlink.parameters.VehicleParameters;
 import majic.mavlink.ranging.VehicleRanges;
 import majic.mavlink.session.Received;
+import majic.mavlink.session.VehicleClass;
 import majic.mavlink.session.VehicleSession;
 import majic.velocity.LastOdometry;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A vehicle that speaks MAVLink. Rovers and boats with ArduPilot 4 are driven by velocities, ten a second, and each
- * motion is controlled here by the position that the autopilot reports; the autopilot follows a velocity for 3 s at
- * most. Aircraft and submarines are shown, stopped and taken down or home; they are never armed and never moved
- * otherwise.
+ * A vehicle that speaks MAVLink. Rovers, boats and copters with ArduPilot 4 are driven by velocities, ten a second, and
+ * each motion is controlled here by the position that the autopilot reports; the autopilot follows a velocity for 3 s
+ * at most. A copter flies only inside a fence that was set, after the command {@code arm}. Planes and submarines are
+ * shown, stopped and taken up or home; they are never armed and never moved otherwise.
  *
  * <p>The connection is given up when the vehicle has been silent for 3 s.
  */
@@ -71,6 +76,7 @@ public final class MajicMavlink extends BotDriver {
     private volatile LastOdometry last = LastOdometry.NONE;
     private volatile boolean mayMove;
     private volatile boolean armByMotion;
+    private volatile @Nullable FlightFence fence;
     private volatile boolean describesRanges;
 
     /**
@@ -155,12 +161,53 @@ public final class MajicMavlink extends BotDriver {
 
     private void begin(VehicleSession opened) {
         double fastest = VehicleLimits.fastest(opened);
-        profile(VehicleLimits.profile(address.radiusMm(), fastest));
+        profile(VehicleLimits.profile(
+                address.radiusMm(), fastest, !opened.vehicle().isOnSurface()));
         VehicleMotion motion = parts(opened).motion();
         VehicleCommands.NAMES.forEach(this::removeCommand);
         commands.of(opened.vehicle(), opened.modes()).forEach(this::add);
+        table().renew(table -> {
+            if (opened.vehicle() == VehicleClass.COPTER) {
+                describeFence(table);
+            }
+        });
         motion.begin(mayMove);
         mayMove = false;
+    }
+
+    private void describeFence(ParameterTable table) {
+        table.add(
+                        Parameter.number("fence", Unit.MM, "greatest distance from home; MAJIC flies it only inside")
+                                .within(1, FlightFence.LARGEST_MM)
+                                .with(Parameter.number("lowest", Unit.MM, "least height in the air")
+                                        .within(0, FlightFence.LARGEST_MM))
+                                .with(Parameter.number("highest", Unit.MM, "greatest height")
+                                        .within(1, FlightFence.LARGEST_MM)),
+                        this::fenceNow)
+                .kept()
+                .writes(this::fence);
+    }
+
+    private Value fenceNow() {
+        FlightFence now = fence;
+        return now == null
+                ? Value.unknown("not set")
+                : Value.many(List.of(
+                        Value.of(now.radiusMm(), Unit.MM),
+                        Value.of(now.lowestMm(), Unit.MM),
+                        Value.of(now.highestMm(), Unit.MM)));
+    }
+
+    private void fence(List<Value> values) {
+        if (values.size() < 3) {
+            throw new ParameterException("fence", "fence: RADIUS LOWEST HIGHEST are needed, in mm");
+        }
+        FlightFence set = new FlightFence(
+                values.get(0).number(), values.get(1).number(), values.get(2).number());
+        if (!set.isValid()) {
+            throw new ParameterException("fence", "fence: HIGHEST has to be more than LOWEST");
+        }
+        fence = set;
     }
 
     /** The parts of a session; made by its first message that needs them, on whatever thread. */
@@ -186,12 +233,17 @@ public final class MajicMavlink extends BotDriver {
                     + " cannot stop it");
         } else if (opened.modes().isPx4()) {
             notice("its autopilot is PX4: MAJIC shows and stops it, but does not drive it");
-        } else if (!opened.vehicle().isOnSurface()) {
+        } else if (!opened.vehicle().isMoved()) {
             notice("it is a " + opened.vehicle().title() + ": MAJIC shows and stops it, but does not arm or move it");
         } else if (version.isEmpty()) {
             notice("its autopilot has not reported its version; MAJIC needs ArduPilot 4 or newer to drive it");
         } else if (version.get().major() < OLDEST_MAJOR) {
             notice("its autopilot is ArduPilot " + version.get() + "; MAJIC needs version 4 or newer to drive it");
+        }
+        if (opened.vehicle() == VehicleClass.COPTER
+                && fence == null
+                && opened.modes().guided().isPresent()) {
+            notice("it flies only after \"arm\", inside a fence: set fence RADIUS LOWEST HIGHEST, in mm from home");
         }
         if (FailsafeText.goesOn(opened)) {
             notice(
@@ -373,6 +425,9 @@ public final class MajicMavlink extends BotDriver {
             if (from != session) {
                 return;
             }
+            if (type == MavlinkMessageType.GLOBAL_POSITION_INT) {
+                parts(from).motion().located();
+            }
             if (type == MavlinkMessageType.DISTANCE_SENSOR || type == MavlinkMessageType.OBSTACLE_DISTANCE) {
                 publishRanges(parts(from), type);
             }
@@ -400,6 +455,13 @@ public final class MajicMavlink extends BotDriver {
                 open.motion().end();
             }
             MajicMavlink.this.lost(new LinkLost(cause.getMessage() + after, cause));
+        }
+
+        @Override
+        public void said(VehicleSession from, String text) {
+            if (from == session) {
+                parts(from).motion().said(text);
+            }
         }
 
         @Override
@@ -438,6 +500,11 @@ public final class MajicMavlink extends BotDriver {
         @Override
         public boolean armsByMotion() {
             return armByMotion;
+        }
+
+        @Override
+        public @Nullable FlightFence fence() {
+            return fence;
         }
     }
 }

@@ -35,7 +35,7 @@ final class VehicleLimits {
         return Math.max(SLOWEST_MM_PER_SEC, Math.min(FASTEST_MM_PER_SEC, 1000 * mPerSec));
     }
 
-    static BotProfile profile(double radiusMm, double fastestMmPerSec) {
+    static BotProfile profile(double radiusMm, double fastestMmPerSec, boolean leavesGround) {
         return new BotProfile(
                 radiusMm,
                 new Range(-fastestMmPerSec, fastestMmPerSec),
@@ -45,11 +45,12 @@ final class VehicleLimits {
                 Math.min(CRUISE_MM_PER_SEC, fastestMmPerSec),
                 CRUISE_DEG_PER_SEC,
                 NEAR_MM,
-                false);
+                false,
+                leavesGround);
     }
 
     static BotProfile usual(double radiusMm) {
-        return profile(radiusMm, USUAL_MM_PER_SEC);
+        return profile(radiusMm, USUAL_MM_PER_SEC, false);
     }
 
     static BaseDynamics dynamics() {

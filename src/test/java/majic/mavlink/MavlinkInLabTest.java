@@ -178,13 +178,13 @@ class MavlinkInLabTest {
     }
 
     @Test
-    void aCopterIsShownAndStoppedAndNotMoved() {
+    void aCopterThatIsNotArmedIsShownAndStoppedAndNotMoved() {
         try (LabRobot robot = connected("copter+ready")) {
             MajicBot copter = robot.bot();
             pass(robot, 1);
 
             assertThat(copter.get("model").toString()).startsWith("copter");
-            assertThatThrownBy(() -> copter.move(100)).hasMessageContaining("it is a copter");
+            assertThatThrownBy(() -> copter.move(100)).hasMessageContaining("no fence is set");
             copter.stop();
             assertThat(mode(robot)).isEqualTo(BRAKE);
             robot.besideMavlink(vehicle -> {

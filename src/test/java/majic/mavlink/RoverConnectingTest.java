@@ -142,7 +142,7 @@ class RoverConnectingTest {
         rover.type = 2;
         bot.connect();
 
-        assertThat(robot.notices()).anyMatch(notice -> notice.contains("it is a copter"));
+        assertThat(robot.notices()).anyMatch(notice -> notice.contains("it flies only after"));
     }
 
     @Test

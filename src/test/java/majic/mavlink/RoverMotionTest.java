@@ -241,13 +241,13 @@ class RoverMotionTest {
     }
 
     @Test
-    void nothingMovesAnAircraft() {
-        rover.type = 2;
+    void nothingMovesAPlane() {
+        rover.type = 1;
         ready();
 
-        assertThatThrownBy(() -> bot.move(1000)).hasMessageContaining("it is a copter");
-        assertThatThrownBy(() -> bot.turn(10)).hasMessageContaining("it is a copter");
-        assertThatThrownBy(() -> bot.drive(500, 0)).hasMessageContaining("it is a copter");
+        assertThatThrownBy(() -> bot.move(1000)).hasMessageContaining("it is a plane");
+        assertThatThrownBy(() -> bot.turn(10)).hasMessageContaining("it is a plane");
+        assertThatThrownBy(() -> bot.drive(500, 0)).hasMessageContaining("it is a plane");
         assertThatThrownBy(() -> bot.run("arm", List.of())).isInstanceOf(BotException.class);
         assertThatThrownBy(() -> bot.set("mode", "AUTO")).hasMessageContaining("does not set AUTO");
         assertThat(rover.targets()).isEmpty();

@@ -40,12 +40,16 @@ final class ScriptedRover {
     volatile boolean blocked;
     volatile boolean positionless;
     volatile boolean ignoresModes;
+    volatile int landed = 1;
+    volatile int lostIndex = -1;
+    volatile double heightMm;
     volatile String armRefusal = "";
     volatile String modeRefusal = "";
     volatile Pose pose = Pose.START;
     Pose frame = new Pose(12_000, -5_000, 70);
     private double wantedMmPerSec;
     private double wantedDegPerSec;
+    private double climbMmPerSec;
     private double mmPerSec;
     private double degPerSec;
     private long targetMs;
@@ -88,7 +92,21 @@ final class ScriptedRover {
             case 76 -> command(got, got.u16(28));
             case 75 -> reposition(got);
             case 84 -> target(got);
-            case 20 -> parameter(got.text(4, 16));
+            case 20 -> {
+                int index = got.u16(0);
+                if (index == 65_535) {
+                    parameter(got.text(4, 16));
+                } else {
+                    listed(index);
+                }
+            }
+            case 21 -> {
+                for (int index = 0; index < parameters.size(); index++) {
+                    if (index != lostIndex) {
+                        listed(index);
+                    }
+                }
+            }
             case 23 -> {
                 parameters.computeIfPresent(got.text(6, 16), (name, before) -> got.f32(0));
                 parameter(got.text(6, 16));
@@ -101,6 +119,11 @@ final class ScriptedRover {
         switch (command) {
             case 176 -> setMode(Math.round(got.f32(4)));
             case 400 -> arm(got.f32(0) == 1);
+            case 22 -> {
+                landed = 2;
+                heightMm = 1000 * got.f32(24);
+                acknowledge(22, 0);
+            }
             case 511 -> {
                 periodsMs.put(Math.round(got.f32(0)), Math.round(got.f32(4) / 1000));
                 acknowledge(511, 0);
@@ -161,25 +184,37 @@ final class ScriptedRover {
 
     private void target(VehicleFrames.Got got) {
         int mask = got.u16(48);
-        if (mode != guided() || !armed || got.u8(52) != 8 || mask != 0x05E7 && mask != 0x05FF) {
+        if (mode != guided()
+                || !armed
+                || got.u8(52) != 8
+                || mask != 0x05E7 && mask != 0x05FF && (type != 2 || mask != 0x05C7 || landed != 2)) {
             return;
         }
         targetMs = nowMs;
         goalMm = Double.NaN;
+        climbMmPerSec = mask == 0x05C7 ? -1000 * got.f32(24) : 0;
         wantedMmPerSec = mask == 0x05FF ? 0 : 1000 * got.f32(16);
         wantedDegPerSec = -Math.toDegrees(got.f32(44));
         wantedMmPerSec = Math.max(-FASTEST_MM_PER_SEC, Math.min(FASTEST_MM_PER_SEC, wantedMmPerSec));
     }
 
+    private void listed(int index) {
+        parameter(parameters.keySet().stream().sorted().toList().get(index), index, parameters.size());
+    }
+
     private void parameter(String name) {
+        parameter(name, -1, 1235);
+    }
+
+    private void parameter(String name, int index, int count) {
         Float value = parameters.get(name);
         if (value != null) {
             send(
                     22,
                     fields(25)
                             .putFloat(value)
-                            .putShort((short) 1235)
-                            .putShort((short) -1)
+                            .putShort((short) count)
+                            .putShort((short) index)
                             .put(Arrays.copyOf(name.getBytes(StandardCharsets.US_ASCII), 16))
                             .put((byte) (name.equals("WP_SPEED") ? 9 : 2)));
         }
@@ -252,7 +287,16 @@ final class ScriptedRover {
                     33,
                     positionless
                             ? fields(28)
-                            : fields(28).putInt(ms).putInt(latitudeE7()).putInt(90_000_000));
+                            : fields(28)
+                                    .putInt(ms)
+                                    .putInt(latitudeE7())
+                                    .putInt(90_000_000)
+                                    .putInt(0)
+                                    .putInt((int) heightMm)
+                                    .putShort(24, (short) (-climbMmPerSec / 10)));
+        }
+        if (type == 2 && due(245, 1000)) {
+            send(245, fields(2).put(1, (byte) landed));
         }
         if (due(24, 1000)) {
             send(24, fields(52).put(28, (byte) 3).put(29, (byte) 11));
@@ -274,8 +318,10 @@ final class ScriptedRover {
         if (nowMs - targetMs > TARGET_MS || !armed || mode != guided()) {
             wantedMmPerSec = 0;
             wantedDegPerSec = 0;
+            climbMmPerSec = 0;
         }
         goThere();
+        heightMm += climbMmPerSec * 0.001;
         mmPerSec += (wantedMmPerSec - mmPerSec) * 0.001 / LAG_S;
         degPerSec += (wantedDegPerSec - degPerSec) * 0.001 / LAG_S;
         if (Math.abs(mmPerSec) < 1 && wantedMmPerSec == 0) {

@@ -31,6 +31,7 @@ final class VehicleFrames {
             Map.entry(132, 85),
             Map.entry(147, 154),
             Map.entry(148, 178),
+            Map.entry(245, 130),
             Map.entry(253, 83),
             Map.entry(330, 23));
 

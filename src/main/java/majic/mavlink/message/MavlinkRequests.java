@@ -11,6 +11,9 @@ public final class MavlinkRequests {
     /** The command that arms and disarms. */
     public static final int ARM = 400;
 
+    /** The command that lets an aircraft take off. */
+    public static final int TAKE_OFF = 22;
+
     /** The command that sets how often a message comes. */
     public static final int SET_INTERVAL = 511;
 
@@ -31,6 +34,7 @@ public final class MavlinkRequests {
 
     private static final int VELOCITY_AND_YAW_RATE = 0x05E7;
     private static final int YAW_RATE = 0x05FF;
+    private static final int FLIGHT = 0x05C7;
 
     private static final int RELATIVE_HEIGHT = 6;
     private static final int FULL_INTERVAL_US = 1_000_000;
@@ -78,6 +82,24 @@ public final class MavlinkRequests {
     }
 
     /**
+     * A velocity of a copter, to be followed for at most 3 s.
+     *
+     * @param mmPerSec ahead positive
+     * @param degPerSec to the left positive
+     * @param climbMmPerSec up positive
+     */
+    public static OutgoingMessage flight(int system, double mmPerSec, double degPerSec, double climbMmPerSec) {
+        return new OutgoingMessage(MavlinkMessageType.SET_POSITION_TARGET_LOCAL_NED)
+                .i32(0)
+                .f32(0, 0, 0)
+                .f32(mmPerSec / 1000, 0, 0.0 - climbMmPerSec / 1000)
+                .f32(0, 0, 0)
+                .f32(0, 0.0 - Math.toRadians(degPerSec))
+                .u16(FLIGHT)
+                .u8(system, AUTOPILOT, BODY_AXES);
+    }
+
+    /**
      * Sends a vehicle to a place by its own navigation.
      *
      * @param latitudeE7 1e-7 degrees
@@ -91,6 +113,19 @@ public final class MavlinkRequests {
                 .f32(0)
                 .u16(REPOSITION)
                 .u8(system, AUTOPILOT, RELATIVE_HEIGHT, 0, 0);
+    }
+
+    /** Asks for all parameters. */
+    public static OutgoingMessage listParameters(int system) {
+        return new OutgoingMessage(MavlinkMessageType.PARAM_REQUEST_LIST).u8(system, AUTOPILOT);
+    }
+
+    /** Asks for a parameter by its place in the list. */
+    public static OutgoingMessage readParameter(int system, int index) {
+        return new OutgoingMessage(MavlinkMessageType.PARAM_REQUEST_READ)
+                .u16(index)
+                .u8(system, AUTOPILOT)
+                .text("", ParameterValue.LONGEST_NAME);
     }
 
     /** Asks for a parameter. */

@@ -95,6 +95,11 @@ final class GuidedMode implements ObstructionSource {
         }
     }
 
+    /** Whether the newest heartbeat shows the mode, whoever has set it. */
+    boolean isShown() {
+        return isGuided(session.newestHeartbeat());
+    }
+
     /** Whether MAJIC has set the mode, and nothing has ended that since. */
     boolean isHeld() {
         Claim claim = hold.get().claim();

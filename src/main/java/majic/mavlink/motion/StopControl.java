@@ -18,7 +18,7 @@ import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 
 /**
- * The stop of a vehicle: a mode in which it stays where it is, and a zero velocity for one on the surface. Sent again
+ * The stop of a vehicle: a mode in which it stays where it is, and a zero velocity for one that MAJIC moves. Sent again
  * every 100 ms until a heartbeat or an answer shows it. Never disarms. Thread-safe; only {@link #confirm} waits.
  */
 public final class StopControl {
@@ -94,6 +94,8 @@ public final class StopControl {
         }
         if (session.vehicle().isOnSurface()) {
             session.send(MavlinkRequests.velocity(session.system(), 0, 0));
+        } else if (session.vehicle().isMoved() && session.modes().guided().isPresent()) {
+            session.send(MavlinkRequests.flight(session.system(), 0, 0, 0));
         }
     }
 

@@ -23,14 +23,16 @@ import majic.time.WaitPolicy;
 import majic.velocity.BaseDynamics;
 import majic.velocity.BaseOwner;
 import majic.velocity.LastOdometry;
+import majic.velocity.Obstruction;
 import majic.velocity.ObstructionSource;
 import majic.velocity.VelocityMotion;
 import majic.velocity.VelocityMotion.PoseSource;
 import majic.velocity.VelocityOutput;
+import org.jspecify.annotations.Nullable;
 
 /**
- * What moves one vehicle during one connection. A vehicle on the surface is driven by velocities in the mode GUIDED,
- * which its autopilot follows for 3 s at most; others are only stopped. Thread-safe.
+ * What moves one vehicle during one connection. A vehicle on the surface or a copter is driven by velocities in the
+ * mode GUIDED, which its autopilot follows for 3 s at most; others are only stopped. Thread-safe.
  */
 public final class VehicleMotion {
     /** Between two targets of a velocity that stays, seconds: ten a second. */
@@ -58,10 +60,13 @@ public final class VehicleMotion {
     private final TimeSource time;
     private final StopControl stop;
     private final GuidedMode mode;
+    private final FlightGuard flight;
+    private final Targets targets = new Targets();
     private final VelocityMotion velocities;
     private final SuspendDetector suspend = new SuspendDetector();
     private volatile double sentMmPerSec;
     private volatile double sentDegPerSec;
+    private volatile double sentClimb;
     private volatile long sentNanos;
     private volatile long droveNanos;
     private volatile boolean stopDue;
@@ -85,6 +90,10 @@ public final class VehicleMotion {
 
         /** Whether a motion may arm the vehicle. */
         boolean armsByMotion();
+
+        /** The space in which an aircraft may fly; null if none was set. */
+        @Nullable
+        FlightFence fence();
     }
 
     /**
@@ -99,7 +108,8 @@ public final class VehicleMotion {
         this.time = owner.waiting().time();
         this.stop = new StopControl(session, time, this::scheduleStop);
         this.mode = new GuidedMode(session, stop, time);
-        this.velocities = new VelocityMotion(new Base(), new Targets(), dynamics, before, PoseSource.ODOMETRY);
+        this.flight = new FlightGuard(session, time, owner::fence);
+        this.velocities = new VelocityMotion(new Base(), targets, dynamics, before, PoseSource.ODOMETRY);
     }
 
     private void scheduleStop() {
@@ -112,9 +122,14 @@ public final class VehicleMotion {
      * @param mayMove whether it may
      */
     public void begin(boolean mayMove) {
-        if (mayMove && session.vehicle().isOnSurface()) {
+        if (mayMove && (session.vehicle().isOnSurface() || flies() && mode.isShown())) {
             orderStop();
         }
+    }
+
+    /** Whether it is a copter that MAJIC flies. */
+    private boolean flies() {
+        return session.vehicle() == VehicleClass.COPTER;
     }
 
     /** Takes a new position; on the reader thread. */
@@ -147,6 +162,21 @@ public final class VehicleMotion {
     /** Takes a heartbeat; on the reader thread. */
     public void heartbeat(VehicleHeartbeat heartbeat) {
         mode.heartbeat(heartbeat);
+        if (!heartbeat.armed()) {
+            flight.disarmed();
+        }
+    }
+
+    /** Takes a position on the earth; on the reader thread. Stops a copter that leaves its fence. */
+    public void located() {
+        if (flies() && mode.isHeld() && flight.leaves()) {
+            orderStop();
+        }
+    }
+
+    /** Takes a text of the autopilot; on the reader thread. */
+    public void said(String text) {
+        flight.said(text);
     }
 
     /** Takes the restart of the autopilot; on the reader thread. */
@@ -173,7 +203,7 @@ public final class VehicleMotion {
      * @throws MotionFailed if the vehicle cannot be moved, or something ended the motion
      */
     public Value move(double mm, double cruiseMmPerSec, Motion motion) {
-        return prepare(motion) ? velocities.move(mm, cruiseMmPerSec, motion) : Value.of(0, Unit.MM);
+        return prepare(motion, mm) ? velocities.move(mm, cruiseMmPerSec, motion) : Value.of(0, Unit.MM);
     }
 
     /**
@@ -183,7 +213,7 @@ public final class VehicleMotion {
      * @param cruiseDegPerSec the highest rate
      */
     public Value turn(double degrees, double cruiseDegPerSec, Motion motion) {
-        return prepare(motion) ? velocities.turn(degrees, cruiseDegPerSec, motion) : Value.of(0, Unit.DEG);
+        return prepare(motion, 0) ? velocities.turn(degrees, cruiseDegPerSec, motion) : Value.of(0, Unit.DEG);
     }
 
     /**
@@ -195,11 +225,18 @@ public final class VehicleMotion {
     public void drive(double mmPerSec, double degPerSec) {
         failUnlessDrivable();
         failUnlessArmed();
-        String lost = mode.lostBecause();
+        String lost = flies() && flight.endedBecause() != null ? flight.endedBecause() : mode.lostBecause();
         boolean goesOn = droveNanos != 0 && time.secondsSince(droveNanos) < TAKEN_OVER_S;
         droveNanos = time.nanos();
         if (lost != null && goesOn) {
             throw new MotionFailed(lost);
+        }
+        if (flies()) {
+            flight.failUnlessFlying();
+            if (!goesOn) {
+                flight.failIfOutside(0, 0);
+                flight.begin();
+            }
         }
         mode.set();
         velocities.drive(mmPerSec, degPerSec);
@@ -208,13 +245,17 @@ public final class VehicleMotion {
     /**
      * Makes the vehicle ready for a motion: armed, and in the mode GUIDED.
      *
+     * @param mm how far it goes
      * @return false if the guard of the motion holds already
      * @throws MotionFailed if it cannot be moved
      */
-    boolean prepare(Motion motion) {
+    private boolean prepare(Motion motion, double mm) {
         failUnlessDrivable();
         if (!motion.pause(0)) {
             return false;
+        }
+        if (flies()) {
+            return prepareFlight(motion, mm, 0);
         }
         if (!isArmed() && owner.armsByMotion() && !arm(motion)) {
             return false;
@@ -223,10 +264,54 @@ public final class VehicleMotion {
         return mode.enter(motion);
     }
 
+    private boolean prepareFlight(Motion motion, double aheadMm, double upMm) {
+        flight.failUnlessFlying();
+        flight.failIfOutside(aheadMm, upMm);
+        flight.begin();
+        return mode.enter(motion);
+    }
+
+    /**
+     * Takes off to a height above home; a copter that was armed by MAJIC, inside its fence.
+     *
+     * @param mm above home
+     * @return the height
+     * @throws MotionFailed if it may not, or something ended it
+     */
+    public Value takeOff(double mm, Motion motion) {
+        failUnlessDrivable();
+        flight.failUnlessGrounded(mm);
+        flight.begin();
+        if (!motion.pause(0) || !mode.enter(motion)) {
+            return Value.of(flight.heightMm(), Unit.MM);
+        }
+        flight.takingOff(true);
+        try {
+            return new HeightControl(session, flight, new Base().obstructions(), targets, motion)
+                    .takeOff(mm, this::orderStop);
+        } finally {
+            flight.takingOff(false);
+        }
+    }
+
+    /**
+     * Changes the height of a copter in the air.
+     *
+     * @param mm up positive
+     * @return the change
+     * @throws MotionFailed if it may not, or something ended it
+     */
+    public Value climb(double mm, Motion motion) {
+        failUnlessDrivable();
+        return motion.pause(0) && prepareFlight(motion, 0, mm)
+                ? new HeightControl(session, flight, new Base().obstructions(), targets, motion).climb(mm)
+                : Value.of(0, Unit.MM);
+    }
+
     private void failUnlessDrivable() {
-        if (!session.vehicle().isOnSurface()) {
-            throw new MotionFailed("it is a " + session.vehicle().title()
-                    + "; MAJIC moves only rovers and boats by motions, and takes aircraft and submarines down or home");
+        if (!session.vehicle().isMoved()) {
+            throw new MotionFailed(
+                    "it is a " + session.vehicle().title() + "; MAJIC moves only rovers, boats and copters by motions");
         }
         if (session.modes().guided().isEmpty()) {
             throw new MotionFailed("MAJIC does not drive vehicles of its autopilot, only those of ArduPilot");
@@ -236,7 +321,8 @@ public final class VehicleMotion {
     private void failUnlessArmed() {
         if (!isArmed()) {
             long from = time.nanos() - (long) (60 * 1e9);
-            throw new MotionFailed("it is not armed; \"arm\" does that, or \"set armByMotion on\" lets motions do it"
+            throw new MotionFailed("it is not armed; \"arm\" does that"
+                    + (flies() ? "" : ", or \"set armByMotion on\" lets motions do it")
                     + session.texts().reasonsSince(from));
         }
     }
@@ -246,14 +332,18 @@ public final class VehicleMotion {
     }
 
     /**
-     * Arms a vehicle on the surface, and waits until it is.
+     * Arms a rover, boat or copter, and waits until it is. A copter is in the mode GUIDED then, and its home position
+     * is where it is.
      *
      * @return false if the guard of the motion ended it
      * @throws MotionFailed with the reasons of the autopilot, if it refuses
      */
     public boolean arm(Motion motion) {
-        if (!session.vehicle().isOnSurface()) {
-            throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC arms only rovers and boats");
+        if (!session.vehicle().isMoved()) {
+            throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC does not arm it");
+        }
+        if (flies() && !entersGrounded(motion)) {
+            return false;
         }
         if (!session.commands().run(motion, "arm", MavlinkRequests.ARM, 1)) {
             return false;
@@ -261,17 +351,36 @@ public final class VehicleMotion {
         if (!motion.await(this::isArmed, 3)) {
             throw new MotionFailed("the autopilot accepts to arm, but its heartbeats do not show it");
         }
+        if (flies()) {
+            flight.armed(flight.position());
+        }
         return true;
     }
 
+    /** A copter cannot be armed in the mode of a stop, and what is in the air is flown by another. */
+    private boolean entersGrounded(Motion motion) {
+        if (isArmed() && !flight.isArmedByMajic()) {
+            throw new MotionFailed("it was armed by another, who flies it; land and disarm it first");
+        }
+        if (!flight.isOnGround()) {
+            throw new MotionFailed("it does not report that it is on the ground");
+        }
+        flight.position();
+        return mode.enter(motion);
+    }
+
     /**
-     * Disarms a vehicle on the surface, which stops its motors.
+     * Disarms a vehicle, which stops its motors. Of a copter nothing is sent unless it is on the ground.
      *
-     * @throws MotionFailed if the autopilot refuses it, or the vehicle is not on the surface
+     * @throws MotionFailed if the autopilot refuses it, or the vehicle may be in the air or under water
      */
     public void disarm(Motion motion) {
-        if (!session.vehicle().isOnSurface()) {
-            throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC disarms only rovers and boats");
+        if (!session.vehicle().isMoved()) {
+            throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC does not disarm it");
+        }
+        if (flies() && isArmed() && !flight.isOnGround()) {
+            throw new MotionFailed(
+                    "it does not report that it is on the ground, so it is not disarmed; \"land\" lands it");
         }
         session.commands().run(motion, "disarm", MavlinkRequests.ARM, 0);
         motion.await(() -> !isArmed(), 3);
@@ -305,7 +414,7 @@ public final class VehicleMotion {
      * @throws MotionFailed if it does not arrive
      */
     public String goToGlobal(int latitudeE7, int longitudeE7, Motion motion) {
-        return prepare(motion)
+        return prepare(motion, 0)
                 ? new GlobalCourse(session, mode, time, latitudeE7, longitudeE7).run(motion, this::orderStop)
                 : "not begun: the condition holds already";
     }
@@ -330,7 +439,7 @@ public final class VehicleMotion {
             stopDue = false;
             orderStop();
         }
-        if (session.vehicle().isOnSurface()) {
+        if (session.vehicle().isMoved()) {
             velocities.halt();
         }
     }
@@ -355,6 +464,8 @@ public final class VehicleMotion {
             velocities.confirmHalt();
         } else if (ordered) {
             awaitRest();
+        } else if (flies() && velocities.hasReported()) {
+            velocities.confirmHalt();
         }
     }
 
@@ -371,7 +482,10 @@ public final class VehicleMotion {
         return session.hasEnded()
                 || session.reports()
                         .newest(LocalPosition.class, 1)
-                        .map(position -> 1000 * Math.hypot(position.northMPerSec(), position.eastMPerSec()))
+                        .map(position -> 1000
+                                * Math.hypot(
+                                        Math.hypot(position.northMPerSec(), position.eastMPerSec()),
+                                        position.downMPerSec()))
                         .filter(speed -> speed >= RESTING_MM_PER_SEC)
                         .isEmpty();
     }
@@ -410,18 +524,32 @@ public final class VehicleMotion {
 
     /** What the vehicle does whose connection was lost, as the second half of a sentence; may be empty. */
     public String afterLoss() {
-        return session.vehicle().isOnSurface()
+        return session.vehicle().isOnSurface() || flies() && mode.isHeld() && velocities.isMoving()
                 ? velocities.afterLoss()
                 : "; what it does now is up to its autopilot: " + FailsafeText.of(session);
     }
 
     /** Sends the velocities of the control as targets. */
-    private final class Targets implements VelocityOutput {
+    private final class Targets implements VelocityOutput, HeightControl.Climbing {
         /** Ten targets a second suffice, and a radio carries no more; a change to zero is sent at once. */
         @Override
         public void publish(double mmPerSec, double degPerSec) {
-            boolean moves = mmPerSec != 0 || degPerSec != 0;
-            boolean moved = sentMmPerSec != 0 || sentDegPerSec != 0;
+            publish(mmPerSec, degPerSec, 0);
+        }
+
+        @Override
+        public void climb(double mmPerSec) {
+            publish(0, 0, mmPerSec);
+        }
+
+        @Override
+        public void halt() {
+            velocities.halt();
+        }
+
+        private void publish(double mmPerSec, double degPerSec, double climb) {
+            boolean moves = mmPerSec != 0 || degPerSec != 0 || climb != 0;
+            boolean moved = sentMmPerSec != 0 || sentDegPerSec != 0 || sentClimb != 0;
             if (moves == moved && sentNanos != 0 && time.secondsSince(sentNanos) < TARGET_S) {
                 return;
             }
@@ -433,8 +561,12 @@ public final class VehicleMotion {
             }
             sentMmPerSec = mmPerSec;
             sentDegPerSec = degPerSec;
+            sentClimb = climb;
             sentNanos = time.nanos();
-            session.send(MavlinkRequests.velocity(session.system(), mmPerSec, degPerSec));
+            session.send(
+                    flies()
+                            ? MavlinkRequests.flight(session.system(), mmPerSec, degPerSec, climb)
+                            : MavlinkRequests.velocity(session.system(), mmPerSec, degPerSec));
         }
 
         /** What was commanded before this computer was suspended must not go on by itself. */
@@ -462,7 +594,10 @@ public final class VehicleMotion {
 
         @Override
         public ObstructionSource obstructions() {
-            return () -> mode.newest();
+            return () -> {
+                Obstruction found = flies() ? flight.newest() : null;
+                return found == null ? mode.newest() : found;
+            };
         }
 
         @Override

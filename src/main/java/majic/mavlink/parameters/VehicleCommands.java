@@ -7,15 +7,18 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.DriverCommand;
 import majic.driver.Motion;
+import majic.mavlink.motion.FlightFence;
 import majic.mavlink.session.FlightModes;
 import majic.mavlink.session.VehicleClass;
 
 /** The commands of a vehicle, by its kind. */
 public final class VehicleCommands {
     /** All that any vehicle has. */
-    public static final List<String> NAMES = List.of("arm", "disarm", "gotoGlobal", "hold", "land", "surface", "home");
+    public static final List<String> NAMES =
+            List.of("arm", "disarm", "takeoff", "climb", "gotoGlobal", "hold", "land", "surface", "home");
 
     private static final double TO_E7 = 1e7;
+    private static final double LEAST_TAKE_OFF_MM = 500;
 
     private final VehicleAccess access;
 
@@ -27,7 +30,7 @@ public final class VehicleCommands {
     /** Returns the commands of a kind of vehicle. */
     public List<DriverCommand> of(VehicleClass vehicle, FlightModes modes) {
         List<DriverCommand> commands = new ArrayList<>();
-        if (vehicle.isOnSurface() && !modes.isPx4()) {
+        if (vehicle.isMoved() && modes.guided().isPresent()) {
             commands.add(new DriverCommand(
                     "arm",
                     List.of(),
@@ -35,6 +38,28 @@ public final class VehicleCommands {
                     "lets its motors turn; refused with the reasons of the autopilot",
                     this::arm));
             commands.add(new DriverCommand("disarm", List.of(), false, "stops its motors for good", this::disarm));
+        }
+        if (vehicle == VehicleClass.COPTER && modes.guided().isPresent()) {
+            commands.add(new DriverCommand(
+                    "takeoff",
+                    List.of(Parameter.number("height", Unit.MM, "above its home position")
+                            .within(LEAST_TAKE_OFF_MM, FlightFence.LARGEST_MM)),
+                    true,
+                    "takes off and waits until the height is reached",
+                    (values, motion) ->
+                            access.open().motion().takeOff(values.get(0).number(), motion) + " above home"));
+            commands.add(new DriverCommand(
+                    "climb",
+                    List.of(Parameter.number("distance", Unit.MM, "up positive")
+                            .within(-FlightFence.LARGEST_MM, FlightFence.LARGEST_MM)),
+                    true,
+                    "changes its height",
+                    (values, motion) -> access.open()
+                            .motion()
+                            .climb(values.get(0).number(), motion)
+                            .toString()));
+        }
+        if (vehicle.isOnSurface() && modes.guided().isPresent()) {
             commands.add(new DriverCommand(
                     "gotoGlobal",
                     List.of(

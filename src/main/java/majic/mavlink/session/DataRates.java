@@ -15,6 +15,7 @@ import majic.time.TimeSource;
  */
 final class DataRates {
     private static final int POSE_HZ = 10;
+    private static final int LANDED_HZ = 5;
     private static final double CHECK_S = 2;
 
     /** Less than half of the reports have come. */
@@ -52,6 +53,10 @@ final class DataRates {
     void request() {
         requestedNanos = time.nanos();
         begin();
+        if (session.vehicle() == VehicleClass.COPTER) {
+            wanted.put(MavlinkMessageType.GLOBAL_POSITION_INT, POSE_HZ);
+            wanted.put(MavlinkMessageType.EXTENDED_SYS_STATE, LANDED_HZ);
+        }
         if (isOld()) {
             STREAMS.forEach((stream, hz) -> session.send(MavlinkRequests.stream(session.system(), stream, hz)));
         } else {

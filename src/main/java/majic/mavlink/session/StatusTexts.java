@@ -28,12 +28,17 @@ public final class StatusTexts {
         this.notices = notices;
     }
 
-    /** Takes a piece; on the reader thread. */
-    void take(StatusPiece piece) {
+    /**
+     * Takes a piece; on the reader thread.
+     *
+     * @return the whole text, if this was its last piece; otherwise empty
+     */
+    String take(StatusPiece piece) {
         String whole = join(piece);
         if (!whole.isBlank() && add(new StatusText(piece.severity(), whole, time.nanos()))) {
             notices.accept("the autopilot reports: " + whole);
         }
+        return whole;
     }
 
     private synchronized String join(StatusPiece piece) {

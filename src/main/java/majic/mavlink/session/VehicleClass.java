@@ -40,7 +40,12 @@ public enum VehicleClass {
         return title;
     }
 
-    /** Whether MAJIC moves it: on the ground or on the water. */
+    /** Whether MAJIC moves it by motions. */
+    public boolean isMoved() {
+        return isOnSurface() || this == COPTER;
+    }
+
+    /** Whether it stays on the ground or on the water. */
     public boolean isOnSurface() {
         return this == ROVER || this == BOAT;
     }

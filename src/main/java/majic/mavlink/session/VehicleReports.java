@@ -11,6 +11,7 @@ import majic.mavlink.message.AutopilotVersion;
 import majic.mavlink.message.BatteryReport;
 import majic.mavlink.message.GlobalPosition;
 import majic.mavlink.message.GpsFix;
+import majic.mavlink.message.LandedState;
 import majic.mavlink.message.LocalPosition;
 import majic.mavlink.message.ObstacleRing;
 import majic.mavlink.message.RangeReading;
@@ -40,6 +41,7 @@ public final class VehicleReports {
             case GLOBAL_POSITION_INT -> put(GlobalPosition.of(frame.payload()));
             case GPS_RAW_INT -> put(GpsFix.of(frame.payload()));
             case AUTOPILOT_VERSION -> put(AutopilotVersion.of(frame.payload()));
+            case EXTENDED_SYS_STATE -> put(LandedState.of(frame.payload()));
             case OBSTACLE_DISTANCE -> put(ObstacleRing.of(frame.payload()));
             case BATTERY_STATUS -> putFirst(BatteryReport.ofBattery(frame.payload()));
             case SYS_STATUS -> putSystem(BatteryReport.ofSystem(frame.payload()));

@@ -83,6 +83,9 @@ public final class VehicleSession {
         /** The connection has ended; called once, on any thread. */
         void lost(VehicleSession session, LinkLost cause);
 
+        /** The autopilot has sent a text. */
+        void said(VehicleSession session, String text);
+
         /** A message for the user. */
         void notice(String message);
     }
@@ -362,7 +365,12 @@ public final class VehicleSession {
                 case HEARTBEAT -> listener.heartbeat(VehicleSession.this, VehicleHeartbeat.of(frame.payload()));
                 case COMMAND_ACK -> commands.take(CommandAck.of(frame.payload()));
                 case PARAM_VALUE -> parameters.take(ParameterValue.of(frame.payload()));
-                case STATUSTEXT -> texts.take(StatusPiece.of(frame.payload()));
+                case STATUSTEXT -> {
+                    String text = texts.take(StatusPiece.of(frame.payload()));
+                    if (!text.isEmpty()) {
+                        listener.said(VehicleSession.this, text);
+                    }
+                }
                 case LOCAL_POSITION_NED -> {
                     findRestart(frame.payload().u32(0));
                     listener.moved(VehicleSession.this);

@@ -1,0 +1,180 @@
+package majic.mavlink;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import majic.bot.MotionFailed;
+import majic.bot.Unit;
+import majic.bot.Value;
+import org.junit.jupiter.api.AutoClose;
+import org.junit.jupiter.api.Test;
+
+/** What a copter is sent, and what is not sent to it. */
+class ScriptedCopterTest {
+    private static final int GUIDED = 4;
+    private static final int BRAKE = 17;
+    private static final int ARM = 400;
+
+    @AutoClose
+    private final DrivenRover robot = new DrivenRover();
+
+    private final ScriptedRover copter = robot.rover;
+    private final MajicMavlink bot = robot.bot();
+
+    ScriptedCopterTest() {
+        copter.type = 2;
+    }
+
+    private void fence(double radiusMm, double lowestMm, double highestMm) {
+        bot.set(
+                "fence",
+                List.of(Value.of(radiusMm, Unit.MM), Value.of(lowestMm, Unit.MM), Value.of(highestMm, Unit.MM)));
+    }
+
+    private void flying() {
+        bot.connect();
+        fence(10_000, 500, 5000);
+        robot.pass(1.2);
+        bot.run("arm", List.of());
+        bot.run("takeoff", List.of(Value.of(2000, Unit.MM)));
+    }
+
+    @Test
+    void connectingAsksForItsHeightAndSetsNothing() {
+        bot.connect();
+        robot.pass(1);
+
+        assertThat(copter.commands(511)).anyMatch(got -> got.f32(0) == 245);
+        assertThat(copter.commands(ARM)).isEmpty();
+        assertThat(copter.commands(176)).isEmpty();
+    }
+
+    @Test
+    void withoutAFenceEveryMotionIsRefusedWithHowToSetOne() {
+        bot.connect();
+        robot.pass(1.2);
+        bot.run("arm", List.of());
+        int before = copter.received.size();
+
+        for (String motion : List.of("takeoff", "climb")) {
+            assertThatThrownBy(() -> bot.run(motion, List.of(Value.of(1000, Unit.MM))))
+                    .isInstanceOf(MotionFailed.class)
+                    .hasMessageContaining("set fence RADIUS LOWEST HIGHEST");
+        }
+        assertThatThrownBy(() -> bot.move(1000)).hasMessageContaining("set fence RADIUS LOWEST HIGHEST");
+        assertThatThrownBy(() -> bot.turn(90)).hasMessageContaining("set fence RADIUS LOWEST HIGHEST");
+        assertThatThrownBy(() -> bot.drive(100, 0)).hasMessageContaining("set fence RADIUS LOWEST HIGHEST");
+        assertThat(copter.received.subList(before, copter.received.size()))
+                .noneMatch(got -> got.id() == 84 && got.f32(16) != 0)
+                .noneMatch(got -> got.id() == 76 && got.u16(28) == 22);
+    }
+
+    @Test
+    void aMotionNeverArmsIt() {
+        bot.connect();
+        fence(10_000, 500, 5000);
+        bot.set("armByMotion", "on");
+        robot.pass(1.2);
+
+        assertThatThrownBy(() -> bot.run("takeoff", List.of(Value.of(1000, Unit.MM))))
+                .hasMessageContaining("it is not armed");
+        assertThatThrownBy(() -> bot.move(1000)).hasMessageContaining("it is not armed");
+        assertThat(copter.commands(ARM)).isEmpty();
+    }
+
+    @Test
+    void oneThatAnotherHasArmedIsNotFlown() {
+        copter.armed = true;
+        copter.landed = 2;
+        bot.connect();
+        fence(10_000, 0, 5000);
+        robot.pass(1.2);
+
+        assertThatThrownBy(() -> bot.move(1000)).hasMessageContaining("it was not armed by \"arm\" of this connection");
+        assertThatThrownBy(() -> bot.run("arm", List.of())).hasMessageContaining("it was armed by another");
+        assertThat(copter.commands(ARM)).isEmpty();
+    }
+
+    @Test
+    void takeOffIsSentWithItsHeightInMetresInGuided() {
+        flying();
+
+        VehicleFrames.Got sent = copter.commands(22).get(0);
+        assertThat(sent.f32(24)).isEqualTo(2f);
+        assertThat(copter.mode).isEqualTo(GUIDED);
+    }
+
+    @Test
+    void velocitiesHaveTheMaskOfACopterAndDownIsPositive() {
+        flying();
+
+        bot.run("climb", List.of(Value.of(1000, Unit.MM)));
+
+        assertThat(copter.heightMm).isCloseTo(3000, within(150.0));
+        assertThat(copter.targets()).allMatch(got -> got.u16(48) == 0x05C7 && got.u8(52) == 8);
+        assertThat(copter.targets()).anyMatch(got -> got.f32(24) < -0.3);
+        assertThat(copter.targets()).last().matches(got -> got.f32(24) == 0);
+    }
+
+    @Test
+    void aStopIsBrakeThenAZeroVelocityAndNothingDisarms() {
+        flying();
+        CompletableFuture<?> motion = robot.clock().aside(() -> bot.move(5000));
+        robot.clock().until(() -> copter.mmPerSec() > 300 || motion.isDone());
+        int before = copter.received.size();
+
+        bot.stop();
+
+        List<VehicleFrames.Got> sent = copter.received.subList(before, copter.received.size());
+        assertThat(sent.get(0).u16(28)).isEqualTo(176);
+        assertThat(sent.get(0).f32(4)).isEqualTo(BRAKE);
+        assertThat(sent.get(1).id()).isEqualTo(84);
+        assertThat(sent).filteredOn(got -> got.id() == 84).allMatch(got -> got.f32(16) == 0 && got.f32(24) == 0);
+        assertThat(copter.commands(ARM)).hasSize(1);
+        assertThat(copter.armed).isTrue();
+    }
+
+    @Test
+    void inTheAirNoDisarmIsSent() {
+        flying();
+
+        assertThatThrownBy(() -> bot.run("disarm", List.of()))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("does not report that it is on the ground");
+        assertThat(copter.commands(ARM)).hasSize(1);
+        copter.landed = 1;
+        robot.pass(1);
+        bot.run("disarm", List.of());
+        assertThat(copter.armed).isFalse();
+    }
+
+    @Test
+    void theFailsafeOfItsBatteryEndsAMotionAndMajicSetsNoMode() {
+        flying();
+        CompletableFuture<?> motion = robot.clock().aside(() -> bot.move(5000));
+        robot.clock().until(() -> copter.mmPerSec() > 300 || motion.isDone());
+        int before = copter.commands(176).size();
+
+        copter.text("Battery Failsafe");
+
+        assertThatThrownBy(() -> robot.clock().join(motion)).hasMessageContaining("Battery Failsafe");
+        assertThat(copter.commands(176)).hasSize(before);
+    }
+
+    @Test
+    void aLostPositionEndsAMotionAfterASecond() {
+        flying();
+        CompletableFuture<?> motion = robot.clock().aside(() -> bot.move(5000));
+        robot.clock().until(() -> copter.mmPerSec() > 300 || motion.isDone());
+        long from = robot.peer.millis();
+
+        copter.positionless = true;
+
+        assertThatThrownBy(() -> robot.clock().join(motion)).isNotNull();
+        assertThat(copter.targets()).last().matches(got -> got.f32(16) == 0);
+        assertThat(robot.peer.millis() - from).isLessThan(8000);
+    }
+}
