@@ -361,4 +361,15 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
      * @return one sentence; empty while there is a connection, and after an attempt to connect that failed
      */
     public abstract Optional<String> lostReason();
+
+    /**
+     * Returns parameters that are too many for {@link #parameters()}, such as those of an autopilot. They can be read
+     * and set by their names. The first call may have the robot asked for them in the background; waits for nothing.
+     *
+     * @param begun how their names begin, in any case
+     * @return those that are known so far
+     */
+    public List<Parameter> unlistedParameters(String begun) {
+        return List.of();
+    }
 }

@@ -181,6 +181,15 @@ public abstract class BotDriver extends MovingRobot {
     }
 
     @Override
+    public final List<Parameter> unlistedParameters(String begun) {
+        try {
+            return parameters.begunWith(begun);
+        } catch (BotException e) {
+            return List.of();
+        }
+    }
+
+    @Override
     public final List<BotCommand> commands() {
         return commands.all();
     }

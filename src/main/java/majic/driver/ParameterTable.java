@@ -45,6 +45,16 @@ public final class ParameterTable {
         Optional<Found> find(String name);
 
         /**
+         * Lists parameters for completion; a robot may be asked for them in the background. Waits for nothing.
+         *
+         * @param text how their names begin, in any case
+         * @return those that are known so far; empty if this finder is not meant
+         */
+        default List<Parameter> begunWith(String text) {
+            return List.of();
+        }
+
+        /**
          * A parameter that was found.
          *
          * @param parameter its description; its name is that which is looked up
@@ -252,6 +262,11 @@ public final class ParameterTable {
                     name, name + ": " + bot + " has no such parameter" + Suggestion.didYouMean(name, names));
         }
         return found;
+    }
+
+    /** Returns those that are not listed and whose names begin with a text, as far as they are known. */
+    List<Parameter> begunWith(String text) {
+        return finder.begunWith(text);
     }
 
     private Entry add(Finder.Found found) {

@@ -63,6 +63,31 @@ class NamedParametersTest {
     }
 
     @Test
+    void allNamesAreAskedForOnceWhenTheyAreCompletedAndLostOnesAgain() {
+        robot.rover.lostIndex = 1;
+        assertThat(requestsOfAll()).isZero();
+
+        assertThat(bot.unlistedParameters("speed")).isEmpty();
+        assertThat(requestsOfAll()).isZero();
+        bot.unlistedParameters("param/");
+        robot.pass(3);
+        bot.unlistedParameters("PARAM/fs");
+
+        assertThat(bot.unlistedParameters("PARAM/fs"))
+                .extracting(Parameter::name)
+                .containsExactly("param/FS_ACTION", "param/FS_GCS_ENABLE");
+        assertThat(bot.unlistedParameters("param/"))
+                .hasSize(robot.rover.parameters.size())
+                .allMatch(parameter -> parameter.readable() && parameter.writable());
+        assertThat(requestsOfAll()).isEqualTo(1);
+        assertThat(bot.parameters()).extracting(Parameter::name).noneMatch(name -> name.startsWith("param/"));
+    }
+
+    private long requestsOfAll() {
+        return robot.rover.received.stream().filter(got -> got.id() == 21).count();
+    }
+
+    @Test
     void aNameThatNoAutopilotCanHaveIsRefusedAtOnce() {
         assertThatThrownBy(() -> bot.get("param/A_NAME_OF_MORE_THAN_16"))
                 .isInstanceOf(ParameterException.class)

@@ -38,10 +38,27 @@ public final class NamedParameters implements ParameterTable.Finder {
                     name, name + ": a parameter of an autopilot has up to 16 letters, digits and _, as param/WP_SPEED");
         }
         return Optional.of(new Found(
-                Parameter.number(
-                        PREFIX + own, Unit.NONE, "a parameter of the autopilot, in its unit; read when asked for"),
+                described(own),
                 access.read(open -> read(open.session().parameters(), own)),
                 values -> set(own, values)));
+    }
+
+    /** Asks the vehicle for its list in the background; so the first call finds few. */
+    @Override
+    public List<Parameter> begunWith(String text) {
+        if (!text.toLowerCase(Locale.ROOT).startsWith(PREFIX)) {
+            return List.of();
+        }
+        String own = text.substring(PREFIX.length()).toUpperCase(Locale.ROOT);
+        return access.names().stream()
+                .filter(name -> name.startsWith(own) && NAME.matcher(name).matches())
+                .map(name -> described(name).access(true, true, false))
+                .toList();
+    }
+
+    private static Parameter described(String own) {
+        return Parameter.number(
+                PREFIX + own, Unit.NONE, "a parameter of the autopilot, in its unit; read when asked for");
     }
 
     /** What only observes or must not wait gets the value that came last. */

@@ -1,5 +1,6 @@
 package majic.mavlink.parameters;
 
+import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import majic.bot.BotException;
@@ -44,6 +45,14 @@ public final class VehicleAccess {
             Parts open = parts.get();
             return open == null ? NOT_CONNECTED : reader.apply(open);
         };
+    }
+
+    /** The names of the autopilot's parameters that have come so far; none without a connection. */
+    List<String> names() {
+        Parts open = parts.get();
+        return open == null || open.session().hasEnded()
+                ? List.of()
+                : open.session().parameters().names();
     }
 
     Parts open() {

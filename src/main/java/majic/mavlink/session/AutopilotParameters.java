@@ -1,5 +1,6 @@
 package majic.mavlink.session;
 
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
@@ -24,17 +25,31 @@ public final class AutopilotParameters {
     private final AtomicLong arrivals = new AtomicLong();
     private final Map<String, Arrived> values = new ConcurrentHashMap<>();
 
+    private final ParameterList list;
+
     /** A value, and how many have come before it: one that was there before a request is no answer to it. */
     private record Arrived(ParameterValue value, long number) {}
 
     AutopilotParameters(VehicleSession session, RobotWait waiting) {
         this.session = session;
         this.waiting = waiting;
+        this.list = new ParameterList(session, waiting.time());
     }
 
     /** Takes a value, which may come unasked; on the reader thread. */
     void take(ParameterValue value) {
+        list.take(value);
         values.put(value.name(), new Arrived(value, arrivals.getAndIncrement()));
+    }
+
+    /** Returns the names that have come so far; the first call asks for all, in the background. */
+    public List<String> names() {
+        return list.names();
+    }
+
+    /** Asks again for values that were lost while all were being sent; called often. */
+    void check() {
+        list.check();
     }
 
     /**

@@ -251,6 +251,7 @@ public final class VehicleSession {
             return;
         }
         rates.check();
+        parameters.check();
     }
 
     /** The number of the vehicle. */

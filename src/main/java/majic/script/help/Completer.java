@@ -133,9 +133,24 @@ public final class Completer {
         int start = WordPlace.start(tokens, typed.length());
         tokens.removeIf(token -> token.column() > start);
         String begun = typed.substring(start).toLowerCase(Locale.ROOT);
-        List<Completion> candidates = candidates(tokens, unnamed, names);
+        List<Completion> candidates = joined(candidates(tokens, unnamed, names), unlisted(tokens, begun));
         return new Completions(
                 start, matching(candidates.isEmpty() ? expected(typed.substring(0, start), names) : candidates, begun));
+    }
+
+    /** Parameters that are too many to be listed, behind the first part of their names: {@code param/}. */
+    private List<Completion> unlisted(List<Token> tokens, String begun) {
+        int command = commandAt(tokens);
+        if (begun.indexOf('/') < 0 || command != tokens.size() - 1) {
+            return List.of();
+        }
+        Token word = tokens.get(command);
+        return word.is("get") || word.is("set") || word.is("plot") || word.is("log")
+                ? members(tokens.subList(0, command)).stream()
+                        .flatMap(member -> member.bot().unlistedParameters(begun).stream())
+                        .map(Explained::parameter)
+                        .toList()
+                : List.of();
     }
 
     private static List<Completion> matching(List<Completion> candidates, String begun) {
