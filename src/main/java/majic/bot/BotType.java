@@ -111,6 +111,17 @@ public interface BotType {
     }
 
     /**
+     * Finds the robots that send to this computer without being asked, at the usual port. Blocks for some seconds.
+     *
+     * @param environment the clock and settings to use
+     * @return what each robot is, by its address; empty if there are none
+     * @throws BotException if the port cannot be opened
+     */
+    default Map<String, String> robotsSending(BotEnvironment environment) {
+        return Map.of();
+    }
+
+    /**
      * Returns the short name for users.
      *
      * @return for instance {@code Pioneer}

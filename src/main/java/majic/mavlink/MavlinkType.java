@@ -11,6 +11,8 @@ import majic.mavlink.panel.MavlinkReplay;
 
 /** Vehicles that speak MAVLink among the types of robots. */
 public final class MavlinkType implements BotType {
+    private static final String USUAL_PLACE = "mavlink:udp://:14550";
+
     /** Used by the service loader. */
     public MavlinkType() {}
 
@@ -61,6 +63,11 @@ public final class MavlinkType implements BotType {
         VehicleSearch.search(MavlinkAddress.parse(address).endpoint(), environment.time())
                 .forEach((system, vehicle) -> robots.put(place + "?system=" + system, vehicle));
         return robots;
+    }
+
+    @Override
+    public Map<String, String> robotsSending(BotEnvironment environment) {
+        return robotsAt(BotAddress.parse(USUAL_PLACE), environment);
     }
 
     @Override

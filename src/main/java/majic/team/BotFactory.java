@@ -321,6 +321,17 @@ public final class BotFactory {
     }
 
     /**
+     * Finds the robots of a type that send to this computer unasked. Blocks for some seconds.
+     *
+     * @param type of the robots
+     * @return what each robot is, by its address; empty if there are none
+     * @throws BotException if the usual port cannot be opened
+     */
+    public Map<String, String> robotsSending(BotType type) {
+        return type.robotsSending(new BotEnvironment(TimeSource.system(), settings));
+    }
+
+    /**
      * Returns the robot type with a given name.
      *
      * @param name as in addresses; case is ignored

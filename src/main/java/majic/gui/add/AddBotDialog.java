@@ -171,8 +171,11 @@ public final class AddBotDialog extends MajicDialog {
     }
 
     private void search() {
-        SearchDialog.Places places =
-                new SearchDialog.Places(PortSearch::neighbours, () -> TeamPlaces.of(session), services.serialPorts());
+        SearchDialog.Places places = new SearchDialog.Places(
+                PortSearch::neighbours,
+                () -> TeamPlaces.of(session),
+                services.serialPorts(),
+                session.factory()::robotsSending);
         new SearchDialog(this, session.factory().types(), places, this::fillIn).setVisible(true);
     }
 

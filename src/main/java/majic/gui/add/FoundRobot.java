@@ -20,6 +20,10 @@ record FoundRobot(String address, String text) {
         return new FoundRobot(type.name() + start + where, TEXTS.get("found", type.label(), where));
     }
 
+    static FoundRobot sending(String address, String kind, BotType type) {
+        return new FoundRobot(address, TEXTS.get("found", type.label() + ", " + kind, address));
+    }
+
     static FoundRobot at(SerialPortChoice port, BotType type) {
         return new FoundRobot(type.name() + ":" + port.name(), TEXTS.get("foundPort", port, type.label()));
     }

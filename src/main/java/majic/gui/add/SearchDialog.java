@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import javax.swing.DefaultListModel;
@@ -56,11 +57,20 @@ final class SearchDialog extends MajicDialog {
      * @param hosts the hosts to try
      * @param spared the places of the robots of the team, which are not tried
      * @param serialPorts the serial ports of this computer
+     * @param senders what the robots of a type are that send to this computer unasked, by their addresses
      */
     record Places(
             Supplier<List<InetAddress>> hosts,
             Supplier<Set<InetSocketAddress>> spared,
-            Supplier<List<SerialPortChoice>> serialPorts) {}
+            Supplier<List<SerialPortChoice>> serialPorts,
+            Function<BotType, Map<String, String>> senders) {
+        Places(
+                Supplier<List<InetAddress>> hosts,
+                Supplier<Set<InetSocketAddress>> spared,
+                Supplier<List<SerialPortChoice>> serialPorts) {
+            this(hosts, spared, serialPorts, type -> Map.of());
+        }
+    }
 
     /**
      * Creates the dialog and starts the search.
@@ -102,12 +112,24 @@ final class SearchDialog extends MajicDialog {
         EventThread.later(() -> types.stream()
                 .filter(type -> type.reaches().contains(BotType.Reach.SERIAL))
                 .forEach(type -> serial.forEach(port -> add(FoundRobot.at(port, type)))));
+        EventThread.background("listening for robots", () -> types.forEach(this::listen), reason -> {});
         List<InetAddress> hosts = places.hosts().get();
         Set<InetSocketAddress> spared = places.spared().get();
         Map<Integer, BotType> ports = new TreeMap<>();
         types.stream().filter(type -> port(type) > 0).forEach(type -> ports.put(port(type), type));
         PortSearch made = new PortSearch(hosts, ports.keySet(), spared, new Results(ports));
         EventThread.later(() -> begin(made, hosts, ports.values()));
+    }
+
+    /** A port that another program uses is left out. */
+    private void listen(BotType type) {
+        Map<String, String> senders;
+        try {
+            senders = places.senders().apply(type);
+        } catch (BotException e) {
+            return;
+        }
+        EventThread.later(() -> senders.forEach((address, kind) -> add(FoundRobot.sending(address, kind, type))));
     }
 
     /** The network is searched all the same if the serial ports cannot be listed. */

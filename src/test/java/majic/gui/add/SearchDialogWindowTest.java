@@ -7,6 +7,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.Supplier;
@@ -79,6 +80,19 @@ class SearchDialogWindowTest {
         window.push("Use");
 
         assertThat(chosen).isCompletedWithValue("toy:COM9");
+    }
+
+    @Test
+    void robotsThatSendToThisComputerAreListed() {
+        search(
+                listening(BotType.Reach.TCP),
+                new SearchDialog.Places(
+                        List::of, Set::of, List::of, type -> Map.of("toy:udp://:14550?system=3", "rover")));
+        window.await("the robot", () -> list().getModel().getSize() == 1);
+        window.run(() -> list().setSelectedIndex(0));
+        window.push("Use");
+
+        assertThat(chosen).isCompletedWithValue("toy:udp://:14550?system=3");
     }
 
     @Test
