@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -104,6 +105,13 @@ final class ChildProgram {
     Lab rosLab() throws IOException {
         List<String> lab = List.of("-jar", JAR.toString(), "lab", "--seed=1", "--pioneer-port=0", "--ros");
         return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), Lab.ROS, 1);
+    }
+
+    /** Starts rovers that speak MAVLink, beside one robot of each other make, with noise. */
+    Lab mavlinkLab(int rovers) throws IOException {
+        String kinds = String.join(",", Collections.nCopies(rovers, "rover+ready"));
+        List<String> lab = List.of("-jar", JAR.toString(), "lab", "--seed=1", "--pioneer-port=0", "--mavlink=" + kinds);
+        return new Lab(process(List.of(JAVA, "@" + OPTIONS), lab).start(), Lab.MAVLINK, rovers);
     }
 
     private Lab lab(int pioneers, String noise) throws IOException {
@@ -212,6 +220,7 @@ final class ChildProgram {
 
         private static final Pattern ROBOT = Pattern.compile("(aibo|hemisson|pioneer)\\d* (127\\.0\\.0\\.1:\\d+)");
         private static final Pattern ROS = Pattern.compile("(ros)\\d* (127\\.0\\.0\\.1:\\d+)");
+        private static final Pattern MAVLINK = Pattern.compile("(mavlink)\\d* (127\\.0\\.0\\.1:\\d+)");
 
         private final Process process;
         private final List<String> addresses = new ArrayList<>();

@@ -25,10 +25,10 @@ import majic.shared.broker.Mosquitto;
  * Each figure comes from a program of its own; run it on a quiet computer. The arguments select figures: {@code start},
  * {@code idle}, {@code events}, {@code large}, {@code line}, {@code memory}, {@code stop}, {@code flood}, {@code lab},
  * {@code load}, {@code crash}, {@code shared}, {@code ros}, {@code ways}, {@code mapping}, {@code localisation},
- * {@code goto}; without arguments all are measured. {@code shared:10x100} measures one row of {@code shared}, with 10
- * desks and 100 robots, and {@code lab:500} one row of {@code lab}. The address of a robot behind a rosbridge server,
- * such as {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot, which turns to and fro by up to
- * 12 degrees.
+ * {@code goto}, {@code mavlink}; without arguments all are measured. {@code shared:10x100} measures one row of
+ * {@code shared}, with 10 desks and 100 robots, and {@code lab:500} one row of {@code lab}. The address of a robot
+ * behind a rosbridge server, such as {@code ros://127.0.0.1:9090}, measures what {@code ros} does with that robot,
+ * which turns to and fro by up to 12 degrees.
  */
 public final class Figures {
     /** The robots of the window that {@code large} measures. */
@@ -66,10 +66,11 @@ public final class Figures {
             "ways",
             "mapping",
             "localisation",
-            "goto");
+            "goto",
+            "mavlink");
 
     private static final List<String> WITHOUT_WINDOW =
-            List.of("lab", "load", "crash", "shared", "ros", "ways", "mapping", "localisation", "goto");
+            List.of("lab", "load", "crash", "shared", "ros", "ways", "mapping", "localisation", "goto", "mavlink");
 
     private final ChildProgram programs;
 
@@ -102,6 +103,7 @@ public final class Figures {
                 case "mapping" -> figures.mapping();
                 case "localisation" -> figures.localisation();
                 case "goto" -> figures.goTo();
+                case "mavlink" -> figures.mavlink();
                 default -> figures.measureNamed(name);
             }
         }
@@ -319,6 +321,20 @@ public final class Figures {
         }
         say("many robots with random goals in the same office: contacts (0)");
         programs.linesOfBuild(TrafficFigures.class, List.of("20", "3600", "1")).forEach(line -> say("  %s", line));
+    }
+
+    private void mavlink() throws IOException {
+        say("20 vehicles that send to one UDP port: from STOP to its bytes (99 of 100 at most 20 ms)");
+        programs.linesOfBuild(MavlinkFigures.class, List.of("stop")).forEach(line -> say("  %s", line));
+        say("motions of the simulated rover with the usual noise, by its true place");
+        programs.linesOfBuild(MavlinkFigures.class, List.of("motion")).forEach(line -> say("  %s", line));
+        say("a team without a window whose robots report ten times a second");
+        try (ChildProgram.Lab lab = programs.mavlinkLab(NINE_PIONEERS)) {
+            programs.linesOfBuild(MavlinkFigures.class, lab.addresses()).forEach(line -> say("  %s", line));
+        }
+        try (ChildProgram.Lab lab = programs.usualLab(NINE_PIONEERS)) {
+            programs.linesOfBuild(MavlinkFigures.class, lab.pioneers()).forEach(line -> say("  %s", line));
+        }
     }
 
     private void ros() throws IOException, InterruptedException {
