@@ -28,7 +28,7 @@ final class FlightPanel extends JPanel implements FoldingPane {
     /** Sides of the compass beside the values, and above them, pixels. */
     private static final int COMPASS = 124;
 
-    private static final int FOLDED_COMPASS = 88;
+    private static final int FOLDED_COMPASS = 70;
     private static final String LONGEST = "-88888 mm/s";
     private static final List<String> READINGS = List.of("altitude", "climbRate", "groundSpeed");
 
