@@ -187,6 +187,11 @@ public final class VelocityMotion {
         return !motion.guardReached();
     }
 
+    /** Sends no more zero velocities after a stop: from now on something else than a velocity moves the base. */
+    public void leave() {
+        sender.endStop();
+    }
+
     /** Without odometry there is nothing to wait for: the motion fails at once. */
     private boolean hasSettled() {
         return !sender.isStopping() || base.isStationarySince(sender.stopNanos()) || base.silence() != null;

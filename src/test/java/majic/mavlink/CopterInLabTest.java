@@ -89,6 +89,18 @@ class CopterInLabTest {
         });
     }
 
+    /** Behind the refused motion zero velocities are repeated. */
+    @Test
+    void itTakesOffThoughAMotionWasRefusedJustBefore() {
+        fence(4000);
+        copter.run("arm", List.of());
+        assertThatThrownBy(() -> copter.move(500)).hasMessageContaining("it is not in the air");
+
+        run("takeoff", 2000);
+
+        assertThat(copter.get("altitude").number()).isCloseTo(2000, within(300.0));
+    }
+
     @Test
     void itTakesOffGoesTurnsClimbsAndLands() {
         flying();

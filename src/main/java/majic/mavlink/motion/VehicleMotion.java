@@ -285,6 +285,8 @@ public final class VehicleMotion {
         if (!motion.pause(0) || !mode.enter(motion)) {
             return Value.of(flight.heightMm(), Unit.MM);
         }
+        // A zero velocity that is still repeated after an earlier motion would end the take-off.
+        motion.send(velocities::leave);
         flight.takingOff(true);
         try {
             return new HeightControl(session, flight, new Base().obstructions(), targets, motion)
@@ -303,9 +305,11 @@ public final class VehicleMotion {
      */
     public Value climb(double mm, Motion motion) {
         failUnlessDrivable();
-        return motion.pause(0) && prepareFlight(motion, 0, mm)
-                ? new HeightControl(session, flight, new Base().obstructions(), targets, motion).climb(mm)
-                : Value.of(0, Unit.MM);
+        if (!motion.pause(0) || !prepareFlight(motion, 0, mm)) {
+            return Value.of(0, Unit.MM);
+        }
+        motion.send(velocities::leave);
+        return new HeightControl(session, flight, new Base().obstructions(), targets, motion).climb(mm);
     }
 
     private void failUnlessDrivable() {
