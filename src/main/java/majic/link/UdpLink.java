@@ -1,12 +1,13 @@
 package majic.link;
 
 import java.io.IOException;
+import java.lang.System.Logger;
+import java.lang.System.Logger.Level;
 import java.net.BindException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
-import java.net.SocketAddress;
 import java.net.SocketException;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -20,6 +21,8 @@ import org.jspecify.annotations.Nullable;
  * noticed here.
  */
 public final class UdpLink implements Link {
+    private static final Logger LOG = System.getLogger(UdpLink.class.getName());
+
     /** More peers than robots of a team. */
     private static final int MOST_PEERS = 256;
 
@@ -139,17 +142,29 @@ public final class UdpLink implements Link {
         send(message, List.of(peer));
     }
 
-    private void send(byte[] message, List<? extends SocketAddress> to) throws IOException {
+    private void send(byte[] message, List<InetSocketAddress> to) throws IOException {
         DatagramSocket open = socket;
         if (open == null) {
             throw new IOException("the connection is closed");
         }
         WriteDeadline.write(this, writing, "the UDP port " + port, () -> {
-            for (SocketAddress peer : to) {
+            for (InetSocketAddress peer : to) {
                 counter.writing(message.length);
-                open.send(new DatagramPacket(message, message.length, peer));
+                sendOne(open, message, peer);
             }
         });
+    }
+
+    /** A peer that cannot be reached, perhaps just now, does not end the link of the others: the datagram is lost. */
+    private static void sendOne(DatagramSocket open, byte[] message, InetSocketAddress peer) throws IOException {
+        try {
+            open.send(new DatagramPacket(message, message.length, peer));
+        } catch (IOException | IllegalArgumentException e) {
+            if (open.isClosed()) {
+                throw new IOException("the connection is closed", e);
+            }
+            LOG.log(Level.DEBUG, "a datagram to " + name(peer) + " was not sent", e);
+        }
     }
 
     @Override

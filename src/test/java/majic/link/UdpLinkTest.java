@@ -78,6 +78,21 @@ class UdpLinkTest {
     }
 
     @Test
+    void aPeerThatCannotBeReachedDoesNotKeepTheOthersFromBeingSentTo() throws IOException {
+        try (UdpLink link = new UdpLink("", freePort())) {
+            link.open(TIMEOUT_MS);
+            link.addPeer(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
+            link.addPeer((InetSocketAddress) peer.getLocalSocketAddress());
+
+            link.write(new byte[] {1});
+            link.write(new byte[] {2});
+
+            assertThat(received()).containsExactly(1);
+            assertThat(received()).containsExactly(2);
+        }
+    }
+
+    @Test
     void aPortThatAnotherProgramUsesIsNamed() {
         try (UdpLink link = new UdpLink("", peer.getLocalPort())) {
             assertThatThrownBy(() -> link.open(TIMEOUT_MS))
