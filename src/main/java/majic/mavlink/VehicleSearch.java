@@ -29,7 +29,7 @@ final class VehicleSearch {
      */
     static Map<Integer, String> search(VehicleEndpoint endpoint, TimeSource time) {
         Signal never = time.signal();
-        try (VehicleLine line = VehicleLines.join(endpoint, OPEN_MS, new Ignored())) {
+        try (VehicleLine line = VehicleLines.join(endpoint, OPEN_MS, time, new Ignored())) {
             line.sendToAll(MavlinkRequests.heartbeat());
             never.await(() -> false, LISTEN_S);
             Map<Integer, String> found = new LinkedHashMap<>();
@@ -50,6 +50,11 @@ final class VehicleSearch {
         @Override
         public void received(MavlinkFrame frame) {
             // The connection has the heartbeats.
+        }
+
+        @Override
+        public void ignored(int system, String address) {
+            // Only the number is listed.
         }
 
         @Override

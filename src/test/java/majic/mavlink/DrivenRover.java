@@ -37,6 +37,13 @@ final class DrivenRover implements TestedRobot, ScriptedPeer.Robot {
         });
     }
 
+    /** A driver of another vehicle on the same connection. */
+    MajicMavlink another(String options) {
+        return new MajicMavlink(
+                BotAddress.parse("mavlink://" + peer.address() + options),
+                new BotEnvironment(peer.clock().time(), Settings.inMemory()));
+    }
+
     /** One that is armed, and connected. */
     DrivenRover ready() {
         rover.armed = true;

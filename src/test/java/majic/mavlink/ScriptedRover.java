@@ -31,6 +31,7 @@ final class ScriptedRover {
     private final Consumer<byte[]> output;
     private final Map<Integer, Integer> periodsMs = new HashMap<>();
     volatile int system = 1;
+    volatile int component = 1;
     volatile int type = 10;
     volatile int autopilot = 3;
     volatile int version = 2;
@@ -230,7 +231,7 @@ final class ScriptedRover {
 
     void send(int id, ByteBuffer fields) {
         if (!silent) {
-            output.accept(frames.frame(version, system, 1, id, fields));
+            output.accept(frames.frame(version, system, component, id, fields));
         }
     }
 

@@ -15,9 +15,12 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import majic.bot.BotAddress;
+import majic.bot.BotListener;
 import majic.bot.ConnectFailed;
+import majic.bot.MajicBot;
 import majic.environment.BotEnvironment;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
@@ -27,7 +30,7 @@ class SharedSocketTest {
     private static final int VEHICLES = 20;
 
     @AutoClose
-    private final Vehicles vehicles = new Vehicles();
+    private final Vehicles vehicles = new Vehicles(freePort());
 
     /** The vehicles, all behind one socket. */
     private static final class Vehicles implements AutoCloseable {
@@ -37,9 +40,9 @@ class SharedSocketTest {
         private final Thread thread = new Thread(this::run, "vehicles");
         private volatile boolean over;
 
-        Vehicles() {
-            try (DatagramSocket free = new DatagramSocket(0)) {
-                port = free.getLocalPort();
+        Vehicles(int port) {
+            this.port = port;
+            try {
                 socket = new DatagramSocket(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0));
                 socket.setSoTimeout(1);
             } catch (IOException e) {
@@ -91,6 +94,14 @@ class SharedSocketTest {
         public void close() {
             over = true;
             socket.close();
+        }
+    }
+
+    private static int freePort() {
+        try (DatagramSocket free = new DatagramSocket(0)) {
+            return free.getLocalPort();
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
         }
     }
 
@@ -157,6 +168,48 @@ class SharedSocketTest {
 
             assertThat(two.isConnected()).isTrue();
             assertThat(vehicles.rovers.get(1).mode).isEqualTo(ScriptedRover.HOLD);
+        }
+    }
+
+    @Test
+    void aStopGoesToTheAutopilotThoughACameraOfItsVehicleSendsFromAnotherAddress() {
+        vehicles.begin(1);
+        try (Vehicles cameras = new Vehicles(vehicles.port);
+                MajicMavlink bot = bot("")) {
+            cameras.begin(1);
+            cameras.rovers.get(0).component = 100;
+            bot.connect();
+
+            bot.stop();
+
+            assertThat(vehicles.rovers.get(0).mode).isEqualTo(ScriptedRover.HOLD);
+            assertThat(cameras.rovers.get(0).mode).isEqualTo(ScriptedRover.GUIDED);
+        }
+    }
+
+    @Test
+    void aSecondVehicleWithTheSameNumberIsSaidAndIgnored() {
+        vehicles.begin(1);
+        CompletableFuture<String> said = new CompletableFuture<>();
+        try (Vehicles others = new Vehicles(vehicles.port);
+                MajicMavlink bot = bot("")) {
+            bot.addListener(new BotListener() {
+                @Override
+                public void notice(MajicBot robot, String message) {
+                    if (message.contains("second autopilot")) {
+                        said.complete(message);
+                    }
+                }
+            });
+            bot.connect();
+            others.begin(1);
+
+            assertThat(said.orTimeout(10, TimeUnit.SECONDS).join())
+                    .contains("with the number 1 sends from 127.0.0.1 port " + others.socket.getLocalPort());
+            bot.stop();
+
+            assertThat(vehicles.rovers.get(0).mode).isEqualTo(ScriptedRover.HOLD);
+            assertThat(others.rovers.get(0).mode).isEqualTo(ScriptedRover.GUIDED);
         }
     }
 }

@@ -9,6 +9,14 @@ public interface FrameListener {
     void received(MavlinkFrame frame);
 
     /**
+     * Takes note that a second autopilot sends with the number of a vehicle, whose frames are left out.
+     *
+     * @param system the number
+     * @param address where they come from
+     */
+    void ignored(int system, String address);
+
+    /**
      * Takes the end of the connection; called once, unless the listener has left it before.
      *
      * @param cause half a sentence

@@ -20,6 +20,7 @@ import majic.mavlink.frame.MavlinkFrame;
 import majic.mavlink.frame.MavlinkMessageType;
 import majic.mavlink.frame.OutgoingMessage;
 import majic.mavlink.message.VehicleHeartbeat;
+import majic.time.TimeSource;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -30,8 +31,18 @@ final class SharedLine {
     /** Peers whose frames are decoded at most; of UDP anything may arrive. */
     private static final int MOST_PEERS = 256;
 
+    /**
+     * A vehicle is sought where its number comes from only when its autopilot has been silent for so long where it was,
+     * seconds: less than the silence of a lost one.
+     */
+    private static final double MOVED_S = 2;
+
+    /** A heartbeat that is older does not show that there is such a vehicle now, seconds. */
+    private static final double HEARTBEAT_S = 3;
+
     private final Link link;
     private final @Nullable UdpLink datagrams;
+    private final TimeSource time;
     private final List<FrameListener> listeners = new CopyOnWriteArrayList<>();
     private final Map<Integer, LineVehicle> vehicles = new ConcurrentHashMap<>();
     private final Map<InetSocketAddress, LinePeer> strangers = new LinkedHashMap<>();
@@ -40,14 +51,24 @@ final class SharedLine {
     private final FirstBytes firstBytes = new FirstBytes();
     private volatile @Nullable IOException cause;
 
-    /** A vehicle that has sent a frame: where it was last, and the version of its heartbeats. */
+    /**
+     * A vehicle that has sent a frame: where it is, the version of its heartbeats, and when its autopilot has sent
+     * something last; null if it has not.
+     */
     private record LineVehicle(
-            LinePeer peer, int version, @Nullable VehicleHeartbeat heartbeat) {}
+            LinePeer peer,
+            int version,
+            @Nullable Heard heartbeat,
+            @Nullable Long heardNanos) {}
+
+    /** A heartbeat and when it arrived. */
+    private record Heard(VehicleHeartbeat value, long atNanos) {}
 
     private boolean opened;
 
-    SharedLine(Link link) {
+    SharedLine(Link link, TimeSource time) {
         this.link = link;
+        this.time = time;
         this.datagrams = link instanceof UdpLink udp ? udp : null;
         if (datagrams == null) {
             peers.add(onlyPeer);
@@ -91,13 +112,13 @@ final class SharedLine {
         return firstBytes;
     }
 
-    /** The newest heartbeats of autopilots, by their systems. */
+    /** The newest heartbeats of the autopilots that are there now, by their systems. */
     Map<Integer, VehicleHeartbeat> autopilots() {
         Map<Integer, VehicleHeartbeat> found = new TreeMap<>();
         vehicles.forEach((system, vehicle) -> {
-            VehicleHeartbeat heartbeat = vehicle.heartbeat();
-            if (heartbeat != null) {
-                found.put(system, heartbeat);
+            Heard heartbeat = vehicle.heartbeat();
+            if (heartbeat != null && time.secondsSince(heartbeat.atNanos()) <= HEARTBEAT_S) {
+                found.put(system, heartbeat.value());
             }
         });
         return found;
@@ -140,7 +161,7 @@ final class SharedLine {
         }
     }
 
-    /** What has arrived where a vehicle was last. */
+    /** What has arrived where a vehicle is. */
     FrameCounts counts(int system) {
         LineVehicle vehicle = vehicles.get(system);
         return vehicle == null ? FrameCounts.NONE : vehicle.peer().decoder().counts();
@@ -150,18 +171,43 @@ final class SharedLine {
         link.close();
     }
 
-    private void take(LinePeer peer, MavlinkFrame frame) {
-        LineVehicle before = vehicles.get(frame.system());
+    /**
+     * Takes note of where a vehicle is. Commands must reach its autopilot: a camera or a computer of the vehicle, or
+     * another vehicle with the same number, may send from another address.
+     *
+     * @return whether the frame comes from there
+     */
+    private boolean take(LinePeer peer, MavlinkFrame frame) {
+        LineVehicle known = vehicles.get(frame.system());
+        LineVehicle before = known == null || known.peer() == peer ? known : null;
+        if (known != null && before == null && !hasMoved(known, frame)) {
+            return false;
+        }
         int version = before == null ? frame.version() : before.version();
-        VehicleHeartbeat heartbeat = before == null ? null : before.heartbeat();
+        Heard heartbeat = before == null ? null : before.heartbeat();
         if (frame.type() == MavlinkMessageType.HEARTBEAT && frame.isOfAutopilot()) {
             VehicleHeartbeat newest = VehicleHeartbeat.of(frame.payload());
             if (newest.isOfAutopilot()) {
-                heartbeat = newest;
+                heartbeat = new Heard(newest, time.nanos());
                 version = frame.version();
             }
         }
-        vehicles.put(frame.system(), new LineVehicle(peer, version, heartbeat));
+        Long heard = frame.isOfAutopilot() ? Long.valueOf(time.nanos()) : before == null ? null : before.heardNanos();
+        vehicles.put(frame.system(), new LineVehicle(peer, version, heartbeat, heard));
+        return true;
+    }
+
+    private boolean hasMoved(LineVehicle known, MavlinkFrame frame) {
+        Long heard = known.heardNanos();
+        return frame.isOfAutopilot() && (heard == null || time.secondsSince(heard) > MOVED_S);
+    }
+
+    private void tellOfTwo(MavlinkFrame ignored, LinePeer from) {
+        InetSocketAddress address = from.address();
+        if (address != null && ignored.isOfAutopilot() && ignored.type() == MavlinkMessageType.HEARTBEAT) {
+            listeners.forEach(listener -> listener.ignored(
+                    ignored.system(), address.getAddress().getHostAddress() + " port " + address.getPort()));
+        }
     }
 
     /** Decodes each peer's bytes by themselves. */
@@ -172,8 +218,11 @@ final class SharedLine {
             LinePeer peer = peer();
             peer.decoder().decode(bytes, count, frame -> {
                 know(peer);
-                take(peer, frame);
-                messages.accept(frame);
+                if (take(peer, frame)) {
+                    messages.accept(frame);
+                } else {
+                    tellOfTwo(frame, peer);
+                }
             });
         }
 

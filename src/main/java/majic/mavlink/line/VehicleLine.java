@@ -54,7 +54,7 @@ public final class VehicleLine implements AutoCloseable {
     }
 
     /**
-     * Returns the vehicles that have sent a heartbeat on this connection.
+     * Returns the vehicles that have sent a heartbeat on this connection within the last 3 s.
      *
      * @return the newest heartbeats by their systems, in order
      */

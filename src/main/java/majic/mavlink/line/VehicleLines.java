@@ -3,6 +3,7 @@ package majic.mavlink.line;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
+import majic.time.TimeSource;
 
 /** The open connections of this program: robots with the same endpoint share one. Thread-safe. */
 public final class VehicleLines {
@@ -25,12 +26,14 @@ public final class VehicleLines {
      *
      * @param endpoint where the vehicles are
      * @param timeoutMs how long opening may take, ms
+     * @param time the clock of the vehicles
      * @param listener receives what arrives from now on
      * @return to be closed by the caller
      * @throws IOException if it cannot be opened; the message is a sentence
      */
-    public static VehicleLine join(VehicleEndpoint endpoint, int timeoutMs, FrameListener listener) throws IOException {
-        Entry entry = enter(endpoint);
+    public static VehicleLine join(VehicleEndpoint endpoint, int timeoutMs, TimeSource time, FrameListener listener)
+            throws IOException {
+        Entry entry = enter(endpoint, time);
         try {
             entry.line.openOnce(timeoutMs);
         } catch (IOException e) {
@@ -41,11 +44,11 @@ public final class VehicleLines {
         return new VehicleLine(entry.line, listener, () -> leave(endpoint, entry));
     }
 
-    private static Entry enter(VehicleEndpoint endpoint) {
+    private static Entry enter(VehicleEndpoint endpoint, TimeSource time) {
         synchronized (OPEN) {
             Entry entry = OPEN.get(endpoint.key());
             if (entry == null || entry.line.cause() != null) {
-                entry = new Entry(new SharedLine(endpoint.links().get()));
+                entry = new Entry(new SharedLine(endpoint.links().get(), time));
                 OPEN.put(endpoint.key(), entry);
             }
             entry.users++;

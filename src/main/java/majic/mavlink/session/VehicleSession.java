@@ -60,6 +60,7 @@ public final class VehicleSession {
     private final DataRates rates;
     private final AtomicBoolean over = new AtomicBoolean();
     private volatile int system;
+    private final AtomicBoolean toldOfTwo = new AtomicBoolean();
     private volatile @Nullable VehicleLine line;
     private volatile @Nullable VehicleHeartbeat first;
     private volatile FlightModes modes;
@@ -116,7 +117,7 @@ public final class VehicleSession {
      */
     public void open() {
         try {
-            line = VehicleLines.join(endpoint, OPEN_MS, new Handler());
+            line = VehicleLines.join(endpoint, OPEN_MS, time, new Handler());
         } catch (IOException e) {
             throw ConnectFailed.of(e);
         }
@@ -395,4 +396,12 @@ public final class VehicleSession {
             end(new LinkLost("connection lost: " + cause.getMessage(), cause));
         }
     }
+        @Override
+        public void ignored(int other, String address) {
+            if (first != null && other == system && toldOfTwo.compareAndSet(false, true)) {
+                listener.notice("a second autopilot with the number " + other + " sends from " + address
+                        + " and is ignored: if it is another vehicle, give it another SYSID_THISMAV");
+            }
+        }
+
 }
