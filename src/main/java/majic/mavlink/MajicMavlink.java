@@ -74,6 +74,7 @@ public final class MajicMavlink extends BotDriver {
     private final VehicleScenes scenes;
     private volatile @Nullable VehicleSession session;
     private volatile LastOdometry last = LastOdometry.NONE;
+    private volatile int knownSystem;
     private volatile boolean mayMove;
     private volatile boolean armByMotion;
     private volatile @Nullable FlightFence fence;
@@ -145,9 +146,12 @@ public final class MajicMavlink extends BotDriver {
     protected void open() {
         VehicleAccess.Parts before = parts.getAndSet(null);
         last = before == null ? last : before.motion().last();
-        VehicleSession opening = new VehicleSession(address.endpoint(), address.system(), waiting(), new Events());
+        // A robot stays the vehicle that it was first: another one may send there when the connection is lost.
+        int wanted = address.system() == 0 ? knownSystem : address.system();
+        VehicleSession opening = new VehicleSession(address.endpoint(), wanted, waiting(), new Events());
         session = opening;
         opening.open();
+        knownSystem = opening.system();
         try {
             VehicleMotion motion = parts(opening).motion();
             waiting().awaitConnecting(() -> opening.hasEnded() || motion.isLocated(), LOCATED_S);
