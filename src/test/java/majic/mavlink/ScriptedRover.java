@@ -44,6 +44,9 @@ final class ScriptedRover {
     volatile int landed = 1;
     volatile int lostIndex = -1;
     volatile double heightMm;
+    volatile boolean withoutPosition;
+    volatile boolean onlyAnswers;
+    volatile int answeredSystem;
     volatile String armRefusal = "";
     volatile String modeRefusal = "";
     volatile Pose pose = Pose.START;
@@ -222,7 +225,7 @@ final class ScriptedRover {
     }
 
     private void acknowledge(int command, int result) {
-        send(77, fields(10).putShort((short) command).put((byte) result));
+        send(77, fields(10).putShort((short) command).put((byte) result).put(8, (byte) answeredSystem));
     }
 
     void text(String text) {

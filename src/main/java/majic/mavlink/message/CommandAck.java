@@ -16,6 +16,20 @@ public record CommandAck(int command, int result) {
         return new CommandAck(payload.u16(0), payload.u8(2));
     }
 
+    /**
+     * Whether an answer is for a ground station or for all: proxies forward the answers to other ground stations too.
+     *
+     * @param system of the ground station
+     * @param component of the ground station
+     */
+    public static boolean isFor(Payload payload, int system, int component) {
+        return isOneOf(payload.u8(8), system) && isOneOf(payload.u8(9), component);
+    }
+
+    private static boolean isOneOf(int target, int wanted) {
+        return target == 0 || target == wanted;
+    }
+
     /** Whether the command was accepted, which does not mean that it is done. */
     public boolean isAccepted() {
         return result == 0;

@@ -12,6 +12,7 @@ import majic.bot.LinkLost;
 import majic.driver.FirstBytes;
 import majic.driver.RobotWait;
 import majic.mavlink.frame.FrameCounts;
+import majic.mavlink.frame.MavlinkEncoder;
 import majic.mavlink.frame.MavlinkFrame;
 import majic.mavlink.frame.MavlinkMessageType;
 import majic.mavlink.frame.OutgoingMessage;
@@ -59,8 +60,8 @@ public final class VehicleSession {
     private final AutopilotParameters parameters;
     private final DataRates rates;
     private final AtomicBoolean over = new AtomicBoolean();
-    private volatile int system;
     private final AtomicBoolean toldOfTwo = new AtomicBoolean();
+    private volatile int system;
     private volatile @Nullable VehicleLine line;
     private volatile @Nullable VehicleHeartbeat first;
     private volatile FlightModes modes;
@@ -365,7 +366,11 @@ public final class VehicleSession {
             reports.take(frame);
             switch (frame.type()) {
                 case HEARTBEAT -> listener.heartbeat(VehicleSession.this, VehicleHeartbeat.of(frame.payload()));
-                case COMMAND_ACK -> commands.take(CommandAck.of(frame.payload()));
+                case COMMAND_ACK -> {
+                    if (CommandAck.isFor(frame.payload(), MavlinkEncoder.SYSTEM, MavlinkEncoder.COMPONENT)) {
+                        commands.take(CommandAck.of(frame.payload()));
+                    }
+                }
                 case PARAM_VALUE -> parameters.take(ParameterValue.of(frame.payload()));
                 case STATUSTEXT -> {
                     String text = texts.take(StatusPiece.of(frame.payload()));
@@ -392,11 +397,6 @@ public final class VehicleSession {
         }
 
         @Override
-        public void ended(IOException cause) {
-            end(new LinkLost("connection lost: " + cause.getMessage(), cause));
-        }
-    }
-        @Override
         public void ignored(int other, String address) {
             if (first != null && other == system && toldOfTwo.compareAndSet(false, true)) {
                 listener.notice("a second autopilot with the number " + other + " sends from " + address
@@ -404,4 +404,9 @@ public final class VehicleSession {
             }
         }
 
+        @Override
+        public void ended(IOException cause) {
+            end(new LinkLost("connection lost: " + cause.getMessage(), cause));
+        }
+    }
 }
