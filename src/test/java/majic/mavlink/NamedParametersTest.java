@@ -10,6 +10,8 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The parameters of an autopilot by their names. */
 class NamedParametersTest {
@@ -92,5 +94,26 @@ class NamedParametersTest {
         assertThatThrownBy(() -> bot.get("param/A_NAME_OF_MORE_THAN_16"))
                 .isInstanceOf(ParameterException.class)
                 .hasMessageContaining("up to 16 letters");
+    }
+
+    @Test
+    void aWholeNumberThatAFloatCannotHoldIsNotSaidToBeSet() {
+        assertThatThrownBy(() -> bot.set("param/FS_ACTION", 16_777_217))
+                .isInstanceOf(BotException.class)
+                .hasMessageContaining("the autopilot keeps 1.6777216E7");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {7, -1, 16_777_217, -5_000_000, 2_139_095_041})
+    void wholeNumbersOfPx4AreExact(int number) {
+        try (DrivenRover px4 = new DrivenRover()) {
+            px4.rover.autopilot = 12;
+            px4.rover.parameters.put("SYS_NUMBER", 0f);
+            px4.ready();
+
+            px4.bot().set("param/SYS_NUMBER", number);
+
+            assertThat(px4.bot().get("param/SYS_NUMBER")).isEqualTo(number(number));
+        }
     }
 }

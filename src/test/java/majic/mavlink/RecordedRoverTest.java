@@ -73,7 +73,7 @@ class RecordedRoverTest {
         assertSent(MavlinkRequests.command(1, MavlinkRequests.SET_MODE, 0, 1, 15));
         assertSent(MavlinkRequests.command(1, MavlinkRequests.SET_MODE, 0, 1, 4));
         assertSent(MavlinkRequests.readParameter(1, "WP_SPEED"));
-        assertSent(MavlinkRequests.setParameter(1, "WP_SPEED", 2, 9));
+        assertSent(MavlinkRequests.setParameter(1, "WP_SPEED", Float.floatToIntBits(2f), 9));
         assertSent(MavlinkRequests.velocity(1, 1000, -Math.toDegrees(0.3)));
         assertSent(MavlinkRequests.velocity(1, 0, 0));
         assertSent(MavlinkRequests.velocity(1, -1000, 0));

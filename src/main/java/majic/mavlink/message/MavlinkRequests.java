@@ -139,11 +139,12 @@ public final class MavlinkRequests {
     /**
      * Sets a parameter.
      *
+     * @param bits the four bytes of the value: whole numbers of PX4 are none with a point
      * @param type as its PARAM_VALUE has it
      */
-    public static OutgoingMessage setParameter(int system, String name, double value, int type) {
+    public static OutgoingMessage setParameter(int system, String name, int bits, int type) {
         return new OutgoingMessage(MavlinkMessageType.PARAM_SET)
-                .f32(value)
+                .i32(bits)
                 .u8(system, AUTOPILOT)
                 .text(name, ParameterValue.LONGEST_NAME)
                 .u8(type);

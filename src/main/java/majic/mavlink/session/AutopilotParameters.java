@@ -111,7 +111,7 @@ public final class AutopilotParameters {
         }
         long from = arrivals.get();
         for (int times = 0; times < TIMES; times++) {
-            session.send(MavlinkRequests.setParameter(session.system(), name, wire(before, value), before.type()));
+            session.send(MavlinkRequests.setParameter(session.system(), name, bits(before, value), before.type()));
             if (waiting.await(() -> newest(name, from) != null || session.hasEnded(), ANSWER_S)) {
                 break;
             }
@@ -120,7 +120,7 @@ public final class AutopilotParameters {
         if (after == null) {
             throw new BotException(name + ": the autopilot did not confirm the new value");
         }
-        if (number(after) != (float) value) {
+        if (number(after) != (after.type() == REAL ? (float) value : value)) {
             throw new BotException(String.format(
                     Locale.ROOT, "%s: the autopilot keeps %s in place of %s", name, number(after), value));
         }
@@ -137,7 +137,7 @@ public final class AutopilotParameters {
         return session.modes().isPx4() && value.type() != REAL ? value.bits() : value.value();
     }
 
-    private double wire(ParameterValue before, double value) {
-        return session.modes().isPx4() && before.type() != REAL ? Float.intBitsToFloat((int) value) : value;
+    private int bits(ParameterValue before, double value) {
+        return session.modes().isPx4() && before.type() != REAL ? (int) value : Float.floatToIntBits((float) value);
     }
 }
