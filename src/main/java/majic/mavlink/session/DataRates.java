@@ -71,13 +71,15 @@ final class DataRates {
                 .forEach(type -> before.put(type, reports.count(type)));
     }
 
-    /** Whether the autopilot has no single messages: it refused them, or did not send them twice. */
+    /**
+     * Whether the autopilot has no single messages: it refuses them, or neither answers nor sends them. One that
+     * answers has perhaps no position yet, and its groups contain much that a radio does not carry ten times a second.
+     */
     private boolean isOld() {
-        boolean refused = session.commands()
+        return session.commands()
                 .answer(MavlinkRequests.SET_INTERVAL, 0)
-                .filter(answer -> new CommandAck(answer.command(), 3).equals(answer))
-                .isPresent();
-        return refused || rounds % 3 == 2;
+                .map(answer -> new CommandAck(answer.command(), 3).equals(answer))
+                .orElse(rounds % 3 == 2);
     }
 
     /** Sends the requests again if they are not fulfilled; called often. */
