@@ -267,4 +267,27 @@ class RoverMotionTest {
         bot.run("hold", List.of());
         assertThat(rover.mode).isEqualTo(17);
     }
+
+    @Test
+    void anAnswerToAnotherGroundStationIsNone() {
+        robot.ready();
+        rover.answeredSystem = 245;
+
+        assertThatThrownBy(() -> bot.run("arm", List.of()))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("does not answer the command to arm");
+    }
+
+    @Test
+    void whatTheHeartbeatsDoNotShowIsNotDone() {
+        robot.ready();
+        rover.onlyAnswers = true;
+
+        assertThatThrownBy(() -> bot.run("disarm", List.of()))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("its heartbeats do not show it");
+        assertThatThrownBy(() -> bot.run("hold", List.of()))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("the autopilot accepts HOLD, but its heartbeats show MANUAL");
+    }
 }

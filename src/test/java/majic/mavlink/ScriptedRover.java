@@ -150,7 +150,7 @@ final class ScriptedRover {
             return;
         }
         acknowledge(176, 0);
-        changeMode(wanted);
+        changeMode(onlyAnswers ? mode : wanted);
     }
 
     /** Changes the mode, as a command or the radio control does. */
@@ -170,7 +170,7 @@ final class ScriptedRover {
             text(armRefusal);
             return;
         }
-        armed = wanted;
+        armed = onlyAnswers ? armed : wanted;
         acknowledge(400, 0);
     }
 
@@ -273,7 +273,7 @@ final class ScriptedRover {
                             .putFloat(0)
                             .putFloat((float) -Math.toRadians(degPerSec)));
         }
-        if (due(32, 1000)) {
+        if (!withoutPosition && due(32, 1000)) {
             double speed = mmPerSec / 1000;
             boolean none = positionless;
             send(

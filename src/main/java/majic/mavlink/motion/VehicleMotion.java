@@ -386,8 +386,10 @@ public final class VehicleMotion {
             throw new MotionFailed(
                     "it does not report that it is on the ground, so it is not disarmed; \"land\" lands it");
         }
-        session.commands().run(motion, "disarm", MavlinkRequests.ARM, 0);
-        motion.await(() -> !isArmed(), 3);
+        boolean sent = session.commands().run(motion, "disarm", MavlinkRequests.ARM, 0);
+        if (sent && !motion.await(() -> !isArmed(), 3) && !motion.guardReached()) {
+            throw new MotionFailed("the autopilot accepts to disarm, but its heartbeats do not show it");
+        }
     }
 
     /**
@@ -403,13 +405,17 @@ public final class VehicleMotion {
             stop.otherModeSent();
             mode.release();
         });
-        session.commands()
+        boolean sent = session.commands()
                 .run(
                         motion,
                         "change its mode to " + name,
                         MavlinkRequests.SET_MODE,
                         session.modes().arguments(number));
-        motion.await(() -> session.newestHeartbeat().customMode() == number, 3);
+        boolean shown = sent && motion.await(() -> session.newestHeartbeat().customMode() == number, 3);
+        if (sent && !shown && !motion.guardReached()) {
+            throw new MotionFailed("the autopilot accepts " + name + ", but its heartbeats show "
+                    + session.modes().name(session.newestHeartbeat().customMode()));
+        }
     }
 
     /**
@@ -490,7 +496,7 @@ public final class VehicleMotion {
                                 * Math.hypot(
                                         Math.hypot(position.northMPerSec(), position.eastMPerSec()),
                                         position.downMPerSec()))
-                        .filter(speed -> speed >= RESTING_MM_PER_SEC)
+                        .filter(speed -> !(speed < RESTING_MM_PER_SEC))
                         .isEmpty();
     }
 
