@@ -165,4 +165,53 @@ class RoverConnectingTest {
         assertThat(robot.peer.millis() - silentMs).isBetween(2900L, 3500L);
         assertThat(bot.lostReason()).get().asString().contains("silent for 3 s");
     }
+
+    @Test
+    void groupsOfReportsAreNotAskedOfAVehicleThatAnswersAndHasNoPosition() {
+        rover.withoutPosition = true;
+        bot.connect();
+        robot.pass(12);
+
+        assertThat(rover.commands(511).size()).isGreaterThan(20);
+        assertThat(rover.received).noneMatch(got -> got.id() == 66);
+    }
+
+    @Test
+    void afterALossTheRobotIsNotAnotherVehicle() {
+        bot.connect();
+        robot.cut();
+        robot.clock().until(() -> !bot.isConnected());
+        rover.system = 2;
+
+        assertThatThrownBy(bot::connect)
+                .isInstanceOf(ConnectFailed.class)
+                .hasMessageContaining("no vehicle with system 1")
+                .hasMessageContaining("2 (rover)");
+    }
+
+    @Test
+    void aHeartbeatOfBeforeIsNoVehicle() {
+        bot.connect();
+        rover.system = 2;
+        try (MajicMavlink second = robot.another("?system=2")) {
+            second.connect();
+            robot.clock().until(() -> !bot.isConnected());
+            robot.pass(1);
+
+            assertThatThrownBy(bot::connect)
+                    .isInstanceOf(ConnectFailed.class)
+                    .hasMessageContaining("no vehicle with system 1");
+        }
+    }
+
+    @Test
+    void theModeOfAnAutopilotThatIsSilentIsUnknown() {
+        bot.connect();
+        robot.pass(1);
+        rover.component = 100;
+        robot.pass(4);
+
+        assertThat(bot.isConnected()).isTrue();
+        assertThat(bot.get("mode").toString()).contains("does not report it");
+    }
 }

@@ -78,7 +78,7 @@ public final class VehicleParameters {
         table.add(
                 Parameter.number("system", Unit.NONE, "its number, by which vehicles on one connection differ"),
                 access.read(open -> Value.of(open.session().system(), Unit.NONE)));
-        table.add(Parameter.text("mode", "the mode of the autopilot"), access.read(open -> Value.text(modeNow(open))))
+        table.add(Parameter.text("mode", "the mode of the autopilot"), access.read(VehicleParameters::modeNow))
                 .moves(this::setMode);
         table.add(
                 Parameter.yesNo("armed", "whether its motors may turn"),
@@ -97,8 +97,12 @@ public final class VehicleParameters {
                 + open.session().version().map(version -> " " + version).orElse("");
     }
 
-    private static String modeNow(VehicleAccess.Parts open) {
-        return open.session().modes().name(open.session().newestHeartbeat().customMode());
+    private static Value modeNow(VehicleAccess.Parts open) {
+        return open.session()
+                .reports()
+                .newest(VehicleHeartbeat.class, VehicleAccess.OLD_S)
+                .map(heartbeat -> Value.text(open.session().modes().name(heartbeat.customMode())))
+                .orElse(VehicleAccess.NOT_REPORTED);
     }
 
     /** Returns the names of the modes that {@code set mode} accepts for the vehicle of a session, in order. */
