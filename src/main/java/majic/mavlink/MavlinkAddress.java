@@ -2,6 +2,7 @@ package majic.mavlink;
 
 import java.util.HashMap;
 import java.util.Map;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import majic.bot.BotAddress;
@@ -28,11 +29,14 @@ record MavlinkAddress(VehicleEndpoint endpoint, int system, double radiusMm) {
 
     static final double USUAL_RADIUS_MM = 350;
 
+    /** What other ground stations call all addresses of this computer. */
+    private static final Set<String> ANY = Set.of("", "0.0.0.0", "[::]");
+
     private static final int USUAL_BAUD = 57600;
     private static final int LAST_SYSTEM = 254;
     private static final int LAST_PORT = 65535;
     private static final double LARGEST_RADIUS_MM = 20_000;
-    private static final Pattern FORM = Pattern.compile("([^?\\s]+?)/?(?:\\?(\\S*))?");
+    private static final Pattern FORM = Pattern.compile("([^?\\s]+?)(?:(?<=[^/])/)?(?:\\?(\\S*))?");
     private static final Pattern NETWORK =
             Pattern.compile("(?:(udp|tcp):)?//(\\[[0-9a-fA-F:.]+(?:%[\\w.-]+)?]|[^/:?#@\\s\\[\\]]*)(?::(\\d{1,5}))?");
 
@@ -49,7 +53,7 @@ record MavlinkAddress(VehicleEndpoint endpoint, int system, double radiusMm) {
         Map<String, String> options = options(address, form.group(2));
         return new MavlinkAddress(
                 endpoint(address, form.group(1), options),
-                whole(address, options.getOrDefault("system", "0"), LAST_SYSTEM),
+                options.containsKey("system") ? whole(address, options.get("system"), LAST_SYSTEM) : 0,
                 radius(address, options.get("radius")));
     }
 
@@ -57,10 +61,10 @@ record MavlinkAddress(VehicleEndpoint endpoint, int system, double radiusMm) {
         Matcher network = NETWORK.matcher(place);
         if (network.matches()) {
             boolean udp = "udp".equals(network.group(1));
-            String host = network.group(2);
+            String host = ANY.contains(network.group(2)) ? "" : network.group(2);
             int port =
                     network.group(3) == null ? udp ? UDP_PORT : TCP_PORT : whole(address, network.group(3), LAST_PORT);
-            if (port == 0 || host.isEmpty() && !udp || options.containsKey("baud")) {
+            if (host.isEmpty() && !udp || options.containsKey("baud")) {
                 throw wrong(address);
             }
             return udp ? VehicleEndpoint.udp(host, port) : VehicleEndpoint.tcp(host, port);
@@ -73,14 +77,14 @@ record MavlinkAddress(VehicleEndpoint endpoint, int system, double radiusMm) {
     }
 
     private static int whole(BotAddress address, String digits, int most) {
-        if (!digits.matches("\\d{1,7}") || Integer.parseInt(digits) > most) {
+        if (!digits.matches("\\d{1,7}") || Integer.parseInt(digits) > most || Integer.parseInt(digits) == 0) {
             throw new BotException(address + ": " + digits + " is no number from 1 to " + most);
         }
         return Integer.parseInt(digits);
     }
 
     private static double radius(BotAddress address, @Nullable String mm) {
-        return mm == null ? USUAL_RADIUS_MM : Math.max(1, whole(address, mm, (int) LARGEST_RADIUS_MM));
+        return mm == null ? USUAL_RADIUS_MM : whole(address, mm, (int) LARGEST_RADIUS_MM);
     }
 
     private static Map<String, String> options(BotAddress address, @Nullable String query) {
