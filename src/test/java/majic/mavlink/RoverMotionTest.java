@@ -290,4 +290,16 @@ class RoverMotionTest {
                 .isInstanceOf(MotionFailed.class)
                 .hasMessageContaining("the autopilot accepts HOLD, but its heartbeats show MANUAL");
     }
+
+    @Test
+    void positionsThatComeLaterAndLaterEndAMotion() {
+        robot.ready();
+        robot.pass(1);
+        rover.congested = true;
+
+        assertThatThrownBy(() -> bot.move(5000))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("its odometry arrives")
+                .hasMessageContaining("s late");
+    }
 }

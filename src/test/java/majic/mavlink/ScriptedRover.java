@@ -4,8 +4,10 @@ import static majic.mavlink.VehicleFrames.fields;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -59,6 +61,10 @@ final class ScriptedRover {
     private long targetMs;
     private long nowMs;
     private long bootMs;
+    volatile boolean congested;
+    private double lateMs;
+    private final Deque<byte[]> queue = new ArrayDeque<>();
+    private final Deque<Long> dueMs = new ArrayDeque<>();
     private double goalMm = Double.NaN;
 
     ScriptedRover(Consumer<byte[]> output) {
@@ -234,7 +240,16 @@ final class ScriptedRover {
 
     void send(int id, ByteBuffer fields) {
         if (!silent) {
-            output.accept(frames.frame(version, system, component, id, fields));
+            queue.add(frames.frame(version, system, component, id, fields));
+            dueMs.add(nowMs + (long) lateMs);
+            deliver();
+        }
+    }
+
+    private void deliver() {
+        while (!dueMs.isEmpty() && dueMs.getFirst() <= nowMs) {
+            dueMs.removeFirst();
+            output.accept(queue.removeFirst());
         }
     }
 
@@ -253,6 +268,8 @@ final class ScriptedRover {
     /** Lets a millisecond pass. */
     void step() {
         nowMs++;
+        lateMs += congested ? 0.5 : 0;
+        deliver();
         drive();
         int ms = (int) (nowMs - bootMs);
         if (due(0, 1000)) {

@@ -63,6 +63,7 @@ public final class VehicleMotion {
     private final FlightGuard flight;
     private final Targets targets = new Targets();
     private final VelocityMotion velocities;
+    private final BootClock bootClock = new BootClock();
     private final SuspendDetector suspend = new SuspendDetector();
     private volatile double sentMmPerSec;
     private volatile double sentDegPerSec;
@@ -136,6 +137,7 @@ public final class VehicleMotion {
     public void moved() {
         LocalPosition position =
                 session.reports().newest(LocalPosition.class).orElseThrow().value();
+        long measuredNanos = bootClock.measuredNanos(position.bootMs(), time.nanos());
         AttitudeReport attitude =
                 session.reports().newest(AttitudeReport.class, ATTITUDE_S).orElse(null);
         if (attitude == null || !attitude.isUsable() || !position.isUsable()) {
@@ -149,7 +151,7 @@ public final class VehicleMotion {
         double yaw = Math.toRadians(attitude.yawDeg());
         double speed = 1000 * (position.northMPerSec() * Math.cos(yaw) + position.eastMPerSec() * Math.sin(yaw));
         Pose raw = new Pose(1000 * position.northM(), -1000 * position.eastM(), -attitude.yawDeg());
-        velocities.reported(raw, speed, -attitude.yawDegPerSec(), time.nanos());
+        velocities.reported(raw, speed, -attitude.yawDegPerSec(), measuredNanos);
     }
 
     private boolean isPlaced() {
