@@ -214,4 +214,16 @@ class RoverConnectingTest {
         assertThat(bot.isConnected()).isTrue();
         assertThat(bot.get("mode").toString()).contains("does not report it");
     }
+
+    @Test
+    void theRestartOfAVehicleWithoutAPositionIsSeenToo() {
+        rover.withoutPosition = true;
+        bot.connect();
+        robot.pass(5);
+
+        rover.restart();
+        robot.pass(2);
+
+        assertThat(robot.notices()).contains("the autopilot has restarted");
+    }
 }

@@ -34,6 +34,7 @@ final class DataRates {
     private volatile long requestedNanos;
     private volatile long checkedNanos;
     private volatile int rounds;
+    private volatile boolean restarted;
 
     DataRates(VehicleSession session, VehicleReports reports, TimeSource time) {
         this.session = session;
@@ -82,8 +83,20 @@ final class DataRates {
                 .orElse(rounds % 3 == 2);
     }
 
+    /**
+     * Takes the restart of the autopilot, which has forgotten the requests; on the reader thread, which sends nothing.
+     */
+    void restarted() {
+        restarted = true;
+    }
+
     /** Sends the requests again if they are not fulfilled; called often. */
     void check() {
+        if (restarted) {
+            restarted = false;
+            request();
+            return;
+        }
         if (requestedNanos == 0 || time.secondsSince(checkedNanos) < CHECK_S) {
             return;
         }

@@ -378,6 +378,10 @@ public final class VehicleSession {
                         listener.said(VehicleSession.this, text);
                     }
                 }
+                case ATTITUDE -> {
+                    findRestart(frame.payload().u32(0));
+                    listener.reported(VehicleSession.this, frame.type());
+                }
                 case LOCAL_POSITION_NED -> {
                     findRestart(frame.payload().u32(0));
                     listener.moved(VehicleSession.this);
@@ -391,8 +395,8 @@ public final class VehicleSession {
             long before = bootMs;
             bootMs = newestMs;
             if (before >= 0 && newestMs < before - RESTART_MS) {
+                rates.restarted();
                 listener.restarted(VehicleSession.this);
-                rates.request();
             }
         }
 
