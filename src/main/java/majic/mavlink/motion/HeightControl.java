@@ -36,32 +36,31 @@ final class HeightControl {
     private final VehicleSession session;
     private final FlightGuard flight;
     private final ObstructionSource obstructions;
-    private final Climbing output;
+    private final VelocityTargets output;
+    private final Runnable halt;
     private final Motion motion;
     private final double fromMm;
     private double sentMmPerSec;
     private double progressMm;
     private double progressS;
 
-    /** Sends velocities upward. */
-    interface Climbing {
-        /** Sends one; up positive, mm/s. */
-        void climb(double mmPerSec);
-
-        /** Stops it where it is. */
-        void halt();
-    }
-
+    /**
+     * Begins with the present height.
+     *
+     * @param halt stops the copter where it is
+     */
     HeightControl(
             VehicleSession session,
             FlightGuard flight,
             ObstructionSource obstructions,
-            Climbing output,
+            VelocityTargets output,
+            Runnable halt,
             Motion motion) {
         this.session = session;
         this.flight = flight;
         this.obstructions = obstructions;
         this.output = output;
+        this.halt = halt;
         this.motion = motion;
         this.fromMm = flight.heightMm();
         this.progressMm = fromMm;
@@ -79,7 +78,7 @@ final class HeightControl {
         double toMm = fromMm + mm;
         for (int approach = 0; approach < APPROACHES && Math.abs(leftMm(toMm)) > ACCEPTABLE_MM; approach++) {
             if (!approach(toMm) || !settle()) {
-                motion.send(output::halt);
+                motion.send(halt);
                 return covered();
             }
         }
@@ -155,7 +154,7 @@ final class HeightControl {
     }
 
     private MotionFailed failed(String reason) {
-        motion.send(output::halt);
+        motion.send(halt);
         return new MotionFailed(reason + " after " + covered());
     }
 

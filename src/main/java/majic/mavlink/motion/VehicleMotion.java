@@ -17,7 +17,6 @@ import majic.mavlink.message.MavlinkRequests;
 import majic.mavlink.message.VehicleHeartbeat;
 import majic.mavlink.session.VehicleClass;
 import majic.mavlink.session.VehicleSession;
-import majic.time.SuspendDetector;
 import majic.time.TimeSource;
 import majic.time.WaitPolicy;
 import majic.velocity.BaseDynamics;
@@ -27,7 +26,6 @@ import majic.velocity.Obstruction;
 import majic.velocity.ObstructionSource;
 import majic.velocity.VelocityMotion;
 import majic.velocity.VelocityMotion.PoseSource;
-import majic.velocity.VelocityOutput;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,9 +33,6 @@ import org.jspecify.annotations.Nullable;
  * mode GUIDED, which its autopilot follows for 3 s at most; others are only stopped. Thread-safe.
  */
 public final class VehicleMotion {
-    /** Between two targets of a velocity that stays, seconds: ten a second. */
-    private static final double TARGET_S = 0.09;
-
     /** An attitude that is older does not belong to a position, seconds. */
     private static final double ATTITUDE_S = 0.5;
 
@@ -61,14 +56,10 @@ public final class VehicleMotion {
     private final StopControl stop;
     private final GuidedMode mode;
     private final FlightGuard flight;
-    private final Targets targets = new Targets();
+    private final Arming arming;
+    private final VelocityTargets targets;
     private final VelocityMotion velocities;
     private final BootClock bootClock = new BootClock();
-    private final SuspendDetector suspend = new SuspendDetector();
-    private volatile double sentMmPerSec;
-    private volatile double sentDegPerSec;
-    private volatile double sentClimb;
-    private volatile long sentNanos;
     private volatile long droveNanos;
     private volatile boolean stopDue;
 
@@ -110,6 +101,8 @@ public final class VehicleMotion {
         this.stop = new StopControl(session, time, this::scheduleStop);
         this.mode = new GuidedMode(session, stop, time);
         this.flight = new FlightGuard(session, time, owner::fence);
+        this.arming = new Arming(session, mode, flight, time);
+        this.targets = new VelocityTargets(session, mode, time);
         this.velocities = new VelocityMotion(new Base(), targets, dynamics, before, PoseSource.ODOMETRY);
     }
 
@@ -226,7 +219,7 @@ public final class VehicleMotion {
      */
     public void drive(double mmPerSec, double degPerSec) {
         failUnlessDrivable();
-        failUnlessArmed();
+        arming.failUnlessArmed();
         String lost = flies() && flight.endedBecause() != null ? flight.endedBecause() : mode.lostBecause();
         boolean goesOn = droveNanos != 0 && time.secondsSince(droveNanos) < TAKEN_OVER_S;
         droveNanos = time.nanos();
@@ -259,10 +252,10 @@ public final class VehicleMotion {
         if (flies()) {
             return prepareFlight(motion, mm, 0);
         }
-        if (!isArmed() && owner.armsByMotion() && !arm(motion)) {
+        if (!arming.isArmed() && owner.armsByMotion() && !arming.arm(motion)) {
             return false;
         }
-        failUnlessArmed();
+        arming.failUnlessArmed();
         return mode.enter(motion);
     }
 
@@ -291,8 +284,7 @@ public final class VehicleMotion {
         motion.send(velocities::leave);
         flight.takingOff(true);
         try {
-            return new HeightControl(session, flight, new Base().obstructions(), targets, motion)
-                    .takeOff(mm, this::orderStop);
+            return heightControl(motion).takeOff(mm, this::orderStop);
         } finally {
             flight.takingOff(false);
         }
@@ -311,7 +303,11 @@ public final class VehicleMotion {
             return Value.of(0, Unit.MM);
         }
         motion.send(velocities::leave);
-        return new HeightControl(session, flight, new Base().obstructions(), targets, motion).climb(mm);
+        return heightControl(motion).climb(mm);
+    }
+
+    private HeightControl heightControl(Motion motion) {
+        return new HeightControl(session, flight, new Base().obstructions(), targets, velocities::halt, motion);
     }
 
     private void failUnlessDrivable() {
@@ -324,74 +320,14 @@ public final class VehicleMotion {
         }
     }
 
-    private void failUnlessArmed() {
-        if (!isArmed()) {
-            long from = time.nanos() - (long) (60 * 1e9);
-            throw new MotionFailed("it is not armed; \"arm\" does that"
-                    + (flies() ? "" : ", or \"set armByMotion on\" lets motions do it")
-                    + session.texts().reasonsSince(from));
-        }
-    }
-
-    private boolean isArmed() {
-        return session.newestHeartbeat().armed();
-    }
-
-    /**
-     * Arms a rover, boat or copter, and waits until it is. A copter is in the mode GUIDED then, and its home position
-     * is where it is.
-     *
-     * @return false if the guard of the motion ended it
-     * @throws MotionFailed with the reasons of the autopilot, if it refuses
-     */
+    /** Arms the vehicle; as {@link Arming#arm}. */
     public boolean arm(Motion motion) {
-        if (!session.vehicle().isMoved()) {
-            throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC does not arm it");
-        }
-        if (flies() && !entersGrounded(motion)) {
-            return false;
-        }
-        if (!session.commands().run(motion, "arm", MavlinkRequests.ARM, 1)) {
-            return false;
-        }
-        if (!motion.await(this::isArmed, 3)) {
-            throw new MotionFailed("the autopilot accepts to arm, but its heartbeats do not show it");
-        }
-        if (flies()) {
-            flight.armed(flight.position());
-        }
-        return true;
+        return arming.arm(motion);
     }
 
-    /** A copter cannot be armed in the mode of a stop, and what is in the air is flown by another. */
-    private boolean entersGrounded(Motion motion) {
-        if (isArmed() && !flight.isArmedByMajic()) {
-            throw new MotionFailed("it was armed by another, who flies it; land and disarm it first");
-        }
-        if (!flight.isOnGround()) {
-            throw new MotionFailed("it does not report that it is on the ground");
-        }
-        flight.position();
-        return mode.enter(motion);
-    }
-
-    /**
-     * Disarms a vehicle, which stops its motors. Of a copter nothing is sent unless it is on the ground.
-     *
-     * @throws MotionFailed if the autopilot refuses it, or the vehicle may be in the air or under water
-     */
+    /** Disarms the vehicle; as {@link Arming#disarm}. */
     public void disarm(Motion motion) {
-        if (!session.vehicle().isMoved()) {
-            throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC does not disarm it");
-        }
-        if (flies() && isArmed() && !flight.isOnGround()) {
-            throw new MotionFailed(
-                    "it does not report that it is on the ground, so it is not disarmed; \"land\" lands it");
-        }
-        boolean sent = session.commands().run(motion, "disarm", MavlinkRequests.ARM, 0);
-        if (sent && !motion.await(() -> !isArmed(), 3) && !motion.guardReached()) {
-            throw new MotionFailed("the autopilot accepts to disarm, but its heartbeats do not show it");
-        }
+        arming.disarm(motion);
     }
 
     /**
@@ -469,7 +405,7 @@ public final class VehicleMotion {
     public void confirmHalt() {
         boolean ordered = stop.isOrdered();
         stop.confirm(owner.name(), owner.waiting());
-        if (ordered && (!isArmed() || session.vehicle() == VehicleClass.BOAT)) {
+        if (ordered && (!arming.isArmed() || session.vehicle() == VehicleClass.BOAT)) {
             return;
         }
         if (session.vehicle().isOnSurface()) {
@@ -539,57 +475,6 @@ public final class VehicleMotion {
         return session.vehicle().isOnSurface() || flies() && mode.isHeld() && velocities.isMoving()
                 ? velocities.afterLoss()
                 : "; what it does now is up to its autopilot: " + FailsafeText.of(session);
-    }
-
-    /** Sends the velocities of the control as targets. */
-    private final class Targets implements VelocityOutput, HeightControl.Climbing {
-        /** Ten targets a second suffice, and a radio carries no more; a change to zero is sent at once. */
-        @Override
-        public void publish(double mmPerSec, double degPerSec) {
-            publish(mmPerSec, degPerSec, 0);
-        }
-
-        @Override
-        public void climb(double mmPerSec) {
-            publish(0, 0, mmPerSec);
-        }
-
-        @Override
-        public void halt() {
-            velocities.halt();
-        }
-
-        private void publish(double mmPerSec, double degPerSec, double climb) {
-            boolean moves = mmPerSec != 0 || degPerSec != 0 || climb != 0;
-            boolean moved = sentMmPerSec != 0 || sentDegPerSec != 0 || sentClimb != 0;
-            if (moves == moved && sentNanos != 0 && time.secondsSince(sentNanos) < TARGET_S) {
-                return;
-            }
-            if (moves && !mode.isHeld()) {
-                return;
-            }
-            if (moves) {
-                refuseAfterSuspend();
-            }
-            sentMmPerSec = mmPerSec;
-            sentDegPerSec = degPerSec;
-            sentClimb = climb;
-            sentNanos = time.nanos();
-            session.send(
-                    flies()
-                            ? MavlinkRequests.flight(session.system(), mmPerSec, degPerSec, climb)
-                            : MavlinkRequests.velocity(session.system(), mmPerSec, degPerSec));
-        }
-
-        /** What was commanded before this computer was suspended must not go on by itself. */
-        private void refuseAfterSuspend() {
-            if (suspend.wasSuspended()) {
-                LinkLost cause = new LinkLost("this computer was asleep");
-                // On another thread: this one may hold locks that the end of the session needs.
-                time.runAsync("mavlink suspended", () -> WaitPolicy.without(() -> session.end(cause)));
-                throw cause;
-            }
-        }
     }
 
     /** The driver as the control of velocities uses it. */
