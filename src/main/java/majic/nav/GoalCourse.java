@@ -74,6 +74,7 @@ final class GoalCourse implements Course, AutoCloseable {
     private final Yielding yielding;
     private final Waiting waiting;
     private final RoomRequests requests;
+    private final TurningRoom turning;
     private final double bodyMm;
     private double speed;
     private int turnsAtEnd;
@@ -85,6 +86,7 @@ final class GoalCourse implements Course, AutoCloseable {
         this.bodyMm = robot.profile().bodyMm();
         this.local = new LocalSpace(robot, destination, team);
         this.requests = new RoomRequests(robot, destination, local, team);
+        this.turning = new TurningRoom(robot, local);
         this.vehicle = team.traffic().begin(robot);
         this.waiting = new Waiting(team.traffic(), vehicle);
         this.planned = new PlannedWay(local, destination, team, vehicle);
@@ -163,8 +165,18 @@ final class GoalCourse implements Course, AutoCloseable {
         if (speed > 0) {
             return stand();
         }
+        if (!turning.allows(here)) {
+            return standBeside(here);
+        }
         turnsAtEnd++;
         return new Turn(wrong);
+    }
+
+    /** Waits for something beside the robot before it turns. */
+    private Step standBeside(Pose here) {
+        explainBlock(here);
+        waiting.refuseLongWithoutWay();
+        return standAndGiveBack();
     }
 
     /** Stands; what is reserved ahead is given back once the robot is stationary. */
@@ -249,14 +261,14 @@ final class GoalCourse implements Course, AutoCloseable {
             return stand();
         }
         if (Math.abs(best.bearing) > ON_THE_SPOT_DEG) {
-            return onTheSpot(best.bearing, left);
+            return onTheSpot(here, best.bearing, left);
         }
         allowed = Math.min(allowed, speedFor(best.freeMm - FreeSpace.MARGIN_MM / 2));
         if (allowed < SLOW_MM_PER_S && grant.before() == null) {
             Pose near = rest.at(rest.points().get(0).distanceMm(here) + 150);
             double bearing = bearing(here, near);
             if (Math.abs(bearing) > LEAST_TURN_DEG) {
-                return onTheSpot(bearing, left);
+                return onTheSpot(here, bearing, left);
             }
             explainBlock(here);
         }
@@ -314,7 +326,7 @@ final class GoalCourse implements Course, AutoCloseable {
         return local.now().freeMm(here, 0, LEAST_PIECE_MM) < LEAST_PIECE_MM / 2;
     }
 
-    private Step onTheSpot(double bearing, double left) {
+    private Step onTheSpot(Pose here, double bearing, double left) {
         if (speed > 0) {
             return stand();
         }
@@ -322,7 +334,7 @@ final class GoalCourse implements Course, AutoCloseable {
             turnsAtEnd = Math.max(1, turnsAtEnd);
             return Drive.STAND;
         }
-        return new Turn(bearing);
+        return turning.allows(here) ? new Turn(bearing) : standBeside(here);
     }
 
     /** Drives along an arc as fast as it and the robot allow. */

@@ -83,6 +83,11 @@ final class LocalSpace {
         return (hasRanges || looksAhead) && seen.ageS() > seconds;
     }
 
+    /** Whether its sensors have shown anything yet. */
+    boolean hasScanned() {
+        return seen.hasScanned();
+    }
+
     ObstacleDistance map() {
         return map;
     }
@@ -108,6 +113,22 @@ final class LocalSpace {
      */
     FreeSpace now() {
         return with(things(true, true));
+    }
+
+    /**
+     * How near to the middle of the robot its sensors have seen something that is not on the map and no robot of the
+     * team, mm; infinite if nothing is there.
+     */
+    double nearestUnknownMm(Pose here) {
+        Pose origin = robot.odometryOrigin();
+        double nearest = Double.POSITIVE_INFINITY;
+        for (SeenObstacles.Point point : seen.points()) {
+            Pose place = origin.plus(new Pose(point.xMm(), point.yMm(), 0));
+            if (!point.known() && !isKnown(place.xMm(), place.yMm())) {
+                nearest = Math.min(nearest, place.distanceMm(here));
+            }
+        }
+        return nearest;
     }
 
     private FreeSpace with(List<Disc> things) {

@@ -45,6 +45,7 @@ final class SeenObstacles implements ScanListener {
 
     private final Map<Long, Point> points = new HashMap<>();
     private long scannedNanos;
+    private boolean hasScanned;
 
     /** What the echoes are compared with. */
     interface Known {
@@ -93,6 +94,11 @@ final class SeenObstacles implements ScanListener {
         return robot.time().secondsSince(scannedNanos);
     }
 
+    /** Whether there has been a scan. */
+    synchronized boolean hasScanned() {
+        return hasScanned;
+    }
+
     /** Returns what has been seen, in the frame of the odometry. */
     synchronized List<Point> points() {
         points.values()
@@ -104,6 +110,7 @@ final class SeenObstacles implements ScanListener {
     @Override
     public synchronized void scanned(RangeScan scan) {
         scannedNanos = robot.time().nanos();
+        hasScanned = true;
         boolean laser = scan.sensor().isLaser();
         List<Point> echoes = new ArrayList<>();
         List<Ray> rays = new ArrayList<>();

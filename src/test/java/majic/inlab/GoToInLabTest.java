@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
+import majic.nav.Destination;
 import majic.nav.Navigator;
 import majic.nav.Wait;
 import majicsim.LabOptions;
@@ -92,6 +94,33 @@ class GoToInLabTest {
         assertThat(rig.run("1 goto -4000 -6000")).last().asString().contains("done");
         assertThat(contacts()).isZero();
         assertThat(rig.truePose("pioneer2")).isEqualTo(other);
+    }
+
+    /** Neither is in the team of the other, so each knows of the other what its laser sees. */
+    @Test
+    void twoThatAreTooCloseToTurnDoNotTouchEachOther() throws InterruptedException {
+        MajicBot other = rig.add("pioneer2");
+        rig.run("lab place 1 -8180 -6259 -170", "lab place 2 -8713 -5956 -60");
+        rig.lab().time().sleep(1);
+
+        sentAlone(other, new Destination(-9300, -5956));
+        CompletableFuture<String> arrived = sentAlone(robot, new Destination(-6500, -6259));
+
+        assertThat(rig.await(arrived::isDone)).isTrue();
+        assertThat(contacts()).isZero();
+    }
+
+    private CompletableFuture<String> sentAlone(MajicBot bot, Destination destination) {
+        Navigator navigator = new Navigator(rig.session().map()::get);
+        CompletableFuture<String> arrived = new CompletableFuture<>();
+        rig.lab()
+                .time()
+                .thread(
+                        bot.name(),
+                        () -> arrived.completeAsync(
+                                () -> navigator.goTo(bot, destination).toString(), Runnable::run))
+                .start();
+        return arrived;
     }
 
     @Test
