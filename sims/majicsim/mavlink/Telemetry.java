@@ -31,6 +31,7 @@ final class Telemetry {
     private static final int BODY_FRAME = 12;
     private static final int LASER = 0;
     private static final int DOWN = 25;
+    private static final int QUATERNION_PARTS = 4;
     private static final int[] SIDES_DEG = {0, 90, 180, 270};
 
     private final Vehicle vehicle;
@@ -58,7 +59,7 @@ final class Telemetry {
         one(MessageType.BATTERY_STATUS, this::battery);
         one(MessageType.AUTOPILOT_VERSION, this::firmware);
         one(MessageType.RANGEFINDER, this::rangeFinder);
-        one(MessageType.HOME_POSITION, this::home);
+        makers.put(MessageType.HOME_POSITION, this::home);
         one(MessageType.EXTENDED_SYS_STATE, this::landing);
         one(MessageType.OBSTACLE_DISTANCE, this::obstacles);
     }
@@ -302,16 +303,25 @@ final class Telemetry {
                 .with("flight_sw_version", FIRMWARE);
     }
 
-    private Message home() {
+    /** Nothing until there is a home; as in the captured session, what is not known is not a number. */
+    private List<Message> home() {
+        Boot boot = board.boot();
+        if (!boot.hasFix()) {
+            return List.of();
+        }
         PositionFilter filter = board.filter();
-        return new Message(MessageType.HOME_POSITION)
+        Message message = new Message(MessageType.HOME_POSITION)
                 .with("latitude", filter.latitude(filter.homeNorth()))
                 .with("longitude", filter.longitude(filter.homeEast()))
                 .with("altitude", (PositionFilter.FLOOR_M + filter.homeHeight()) * 1000)
-                .with("x", filter.homeNorth())
-                .with("y", filter.homeEast())
-                .with("z", -filter.homeHeight())
+                .with("x", boot.hasOrigin() ? filter.homeNorth() : Double.NaN)
+                .with("y", boot.hasOrigin() ? filter.homeEast() : Double.NaN)
+                .with("z", boot.hasOrigin() ? -filter.homeHeight() : Double.NaN)
                 .with("time_usec", micros());
+        for (int part = 0; part < QUATERNION_PARTS; part++) {
+            message.with("q", part, Double.NaN);
+        }
+        return List.of(message);
     }
 
     private Message landing() {

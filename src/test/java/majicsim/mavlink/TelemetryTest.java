@@ -50,6 +50,24 @@ class TelemetryTest {
     }
 
     @Test
+    void thereIsNoHomeBeforeTheFirstFixAndNoOffsetBeforeTheOrigin() {
+        MavlinkStand cold = new MavlinkStand("rover");
+        cold.command(512, 242);
+        cold.pass(5);
+        assertThat(cold.all(MessageType.HOME_POSITION)).isEmpty();
+
+        cold.pass(10);
+        Message first = cold.ask(MessageType.HOME_POSITION);
+        assertThat(first.number("x")).isNaN();
+        assertThat(first.number("q", 0)).isNaN();
+
+        cold.pass(30);
+        Message later = cold.ask(MessageType.HOME_POSITION);
+        assertThat(later.number("x")).isFinite();
+        assertThat(later.number("q", 3)).isNaN();
+    }
+
+    @Test
     void aMessageCanBeAskedForOnce() {
         Message version = rover.ask(MessageType.AUTOPILOT_VERSION);
         assertThat(version.integer("capabilities") & (1 << 7 | 1 << 13)).isEqualTo(1 << 7 | 1 << 13);
