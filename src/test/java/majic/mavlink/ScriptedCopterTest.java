@@ -108,6 +108,25 @@ class ScriptedCopterTest {
     }
 
     @Test
+    void onTheGroundItIsNotBelowItsFence() {
+        bot.connect();
+        fence(10_000, 1500, 5000);
+        robot.pass(1.2);
+        bot.run("arm", List.of());
+        robot.pass(3);
+        copter.ignoresModes = true;
+        copter.changeMode(BRAKE);
+        robot.pass(0.1);
+        CompletableFuture<?> takeOff = robot.clock().aside(() -> bot.run("takeoff", List.of(Value.of(2000, Unit.MM))));
+        robot.pass(1);
+        copter.ignoresModes = false;
+
+        robot.clock().join(takeOff);
+        assertThat(copter.heightMm).isEqualTo(2000);
+        assertThat(copter.commands(176)).noneMatch(got -> got.f32(4) == BRAKE);
+    }
+
+    @Test
     void velocitiesHaveTheMaskOfACopterAndDownIsPositive() {
         flying();
 

@@ -199,7 +199,7 @@ final class FlightGuard implements ObstructionSource {
         ended = null;
     }
 
-    /** Takes note whether it is taking off, and so may be lower than the fence. */
+    /** Takes note whether it is taking off, and so may be lower than the fence, as on the ground. */
     void takingOff(boolean now) {
         takingOff = now;
     }
@@ -224,7 +224,7 @@ final class FlightGuard implements ObstructionSource {
         }
         Place stopped = place(position)
                 .plus(way(position.northMmPerSec()), way(position.eastMmPerSec()), way(0.0 - position.downMmPerSec()));
-        String outside = takingOff ? now.above(stopped, MARGIN_MM) : now.outside(stopped, MARGIN_MM);
+        String outside = takingOff || isOnGround() ? now.above(stopped, MARGIN_MM) : now.outside(stopped, MARGIN_MM);
         if (outside != null) {
             ended = "it leaves the fence, so it was stopped: " + outside;
         }

@@ -276,14 +276,14 @@ public final class VehicleMotion {
     public Value takeOff(double mm, Motion motion) {
         failUnlessDrivable();
         flight.failUnlessGrounded(mm);
-        flight.begin();
-        if (!motion.pause(0) || !mode.enter(motion)) {
-            return Value.of(flight.heightMm(), Unit.MM);
-        }
-        // A zero velocity that is still repeated after an earlier motion would end the take-off.
-        motion.send(velocities::leave);
         flight.takingOff(true);
         try {
+            flight.begin();
+            if (!motion.pause(0) || !mode.enter(motion)) {
+                return Value.of(flight.heightMm(), Unit.MM);
+            }
+            // A zero velocity that is still repeated after an earlier motion would end the take-off.
+            motion.send(velocities::leave);
             return heightControl(motion).takeOff(mm, this::orderStop);
         } finally {
             flight.takingOff(false);
