@@ -47,8 +47,7 @@ public final class DrivePad extends JPanel {
     private final transient Map<JButton, String> arrows = new LinkedHashMap<>();
     private final JLabel hint = new NamedLabel("", "");
     private final JSlider speed = new JSlider(LEAST_SPEED_PERCENT, FULL_SPEED_PERCENT, FULL_SPEED_PERCENT);
-    private final JCheckBox guarded = new JCheckBox(TEXTS.get("guard"));
-    private final JLabel sign = new NamedLabel("", "");
+    private final JCheckBox guarded = new JCheckBox();
     private transient List<Member> members = List.of();
     private transient DriveObstacles obstacles = DriveObstacles.of(List.of());
 
@@ -100,10 +99,9 @@ public final class DrivePad extends JPanel {
         JLabel label = new JLabel(TEXTS.get("speed"));
         label.setLabelFor(speed);
         label.setBorder(BorderFactory.createEmptyBorder(0, 0, 0, TEXT_RESERVE));
-        add(label, "cell 3 1, split 4, grow 0");
+        add(label, "cell 3 1, split 3, grow 0");
         add(speed, "cell 3 1, growx, width 60:100:220");
-        add(guarded, "cell 3 1, grow 0, gapleft 12");
-        add(sign, "cell 3 1, growx, pushx, width 0:40:");
+        add(guarded, "cell 3 1, growx, pushx, width 0:110:, gapleft 12");
     }
 
     private JButton arrow(Direction direction, String sign, String tip) {
@@ -138,12 +136,10 @@ public final class DrivePad extends JPanel {
         speed.addChangeListener(change -> driver.share(speed.getValue() / (double) FULL_SPEED_PERCENT));
     }
 
-    /** Prepares the switch, which takes no focus either. */
+    /** Prepares the switch, whose text says what holds now; it takes no focus either. */
     private void prepareGuard(String suffix) {
         guarded.setName("driveGuard" + suffix);
-        sign.setName("guardSign" + suffix);
         guarded.setFocusable(false);
-        guarded.setToolTipText(TEXTS.get("guard.tip"));
         guarded.addActionListener(event -> {
             guard.choose(guarded.isSelected());
             showGuard();
@@ -152,8 +148,8 @@ public final class DrivePad extends JPanel {
 
     private void showGuard() {
         guarded.setSelected(guard.isOn());
-        sign.setText(GuardSign.text(members, guard.isOn()));
-        sign.setToolTipText(sign.getText());
+        guarded.setText(GuardSign.text(members, guard.isOn()));
+        guarded.setToolTipText(guarded.getText() + ". " + TEXTS.get("guard.tip"));
     }
 
     private void listen() {

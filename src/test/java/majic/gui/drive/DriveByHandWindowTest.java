@@ -96,10 +96,10 @@ class DriveByHandWindowTest {
 
     @Test
     void theGuardIsOnAndTheSignTellsWhatHoldsTheRobot() {
-        awaitSign("no guard: it has no sensors for it");
+        awaitSign("No guard: it has no sensors for it");
         bot.useGuard(new Near());
         window.team.member(1).bot().place(Pose.START);
-        awaitSign("guard: on");
+        awaitSign("Guard: on");
 
         holdUp("drive 62.5 0");
         bot.at(Pose.START, true);
@@ -108,14 +108,14 @@ class DriveByHandWindowTest {
         window.letGo(KeyEvent.VK_UP);
         awaitStationary();
         bot.at(Pose.START, false);
-        awaitSign("guard: on");
+        awaitSign("Guard: on");
     }
 
     @Test
     void theGuardCanBeSwitchedOffWhichIsKept() {
         bot.useGuard(new Near());
         window.click("driveGuard");
-        awaitSign("guard: off");
+        awaitSign("Guard: off");
 
         holdUp();
 
@@ -136,7 +136,7 @@ class DriveByHandWindowTest {
     }
 
     private void awaitSign(String text) {
-        window.await(text, () -> window.text("guardSign").equals(text));
+        window.await(text, () -> window.text("driveGuard").equals(text));
     }
 
     @Test
