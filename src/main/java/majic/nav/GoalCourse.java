@@ -40,6 +40,11 @@ final class GoalCourse implements Course, AutoCloseable {
     /** How the speed falls at the end: as many mm/s for each mm. */
     private static final double END_PER_S = 1.2;
 
+    /** The room behind or ahead that a robot needs to drive away from what is beside it. */
+    private static final double LEAVE_MM = 150;
+
+    private static final double LEAVE_MM_PER_S = 60;
+
     /** The point ahead on the way, in time and at least. */
     private static final double AHEAD_S = 0.9;
 
@@ -172,10 +177,20 @@ final class GoalCourse implements Course, AutoCloseable {
         return new Turn(wrong);
     }
 
-    /** Waits for something beside the robot before it turns. */
+    /** Waits for something beside the robot before it turns, and drives straight away from what stays too near. */
     private Step standBeside(Pose here) {
         explainBlock(here);
         waiting.refuseLongWithoutWay();
+        if (turning.hasToLeave()) {
+            FreeSpace space = local.now();
+            Pose back = new Pose(here.xMm(), here.yMm(), here.headingDeg() + 180);
+            if (space.freeMm(back, 0, LEAVE_MM) == LEAVE_MM) {
+                return new Drive(-LEAVE_MM_PER_S, 0);
+            }
+            if (space.freeMm(here, 0, LEAVE_MM) == LEAVE_MM) {
+                return new Drive(LEAVE_MM_PER_S, 0);
+            }
+        }
         return standAndGiveBack();
     }
 

@@ -8,8 +8,9 @@ import majic.bot.RangeSensor;
 /**
  * Decides when a robot may turn on the spot beside something that is not on the map, such as a robot of another team.
  * Two robots that turn at the same time touch each other with corners that neither has seen where they come to be. So a
- * robot waits until what is beside it has been still for a random time, and turns alone. The echo of a sonar does not
- * say where something is well enough; a robot without a laser turns at once. Used by the thread that drives the robot.
+ * robot waits until what is beside it has been still for a random time, and turns alone; from what it would strike it
+ * drives away first. The echo of a sonar does not say where something is well enough; a robot without a laser turns at
+ * once. Used by the thread that drives the robot.
  */
 final class TurningRoom {
     /** What is farther outside of the circle that the robot turns in is not beside it. */
@@ -17,6 +18,12 @@ final class TurningRoom {
 
     /** What is nearer to the circle than this would be struck. */
     private static final double STRUCK_MM = 10;
+
+    /** How much farther outside of the circle something is when a robot has driven away from it. */
+    private static final double LEFT_MM = 50;
+
+    /** Something that would be struck may go away by itself for this time longer than the random one, seconds. */
+    private static final double LEAVING_S = 2;
 
     /** A smaller change of the distance is noise. */
     private static final double STILL_MM = 20;
@@ -31,6 +38,7 @@ final class TurningRoom {
     private double nearestMm = Double.POSITIVE_INFINITY;
     private double stillSinceS;
     private double patienceS;
+    private boolean leaving;
 
     TurningRoom(MajicBot robot, LocalSpace local) {
         this.robot = robot;
@@ -50,8 +58,7 @@ final class TurningRoom {
         double circleMm = robot.profile().bodyMm();
         double nowMm = local.nearestUnknownMm(here);
         if (nowMm > circleMm + BESIDE_MM) {
-            nearestMm = Double.POSITIVE_INFINITY;
-            return true;
+            return turns();
         }
         double nowS = robot.time().nanos() / 1e9;
         if (!(Math.abs(nowMm - nearestMm) < STILL_MM)) {
@@ -59,10 +66,23 @@ final class TurningRoom {
             stillSinceS = nowS;
             patienceS = LEAST_S + RANDOM_S * random.nextDouble();
         }
-        if (nowMm < circleMm + STRUCK_MM || nowS - stillSinceS < patienceS) {
+        double stillS = nowS - stillSinceS;
+        if (nowMm < circleMm + STRUCK_MM + (leaving ? LEFT_MM : 0)) {
+            leaving |= stillS > patienceS + LEAVING_S;
             return false;
         }
+        leaving = false;
+        return stillS >= patienceS && turns();
+    }
+
+    private boolean turns() {
         nearestMm = Double.POSITIVE_INFINITY;
+        leaving = false;
         return true;
+    }
+
+    /** Whether the robot is to drive straight away from what it would strike in a turn. */
+    boolean hasToLeave() {
+        return leaving;
     }
 }

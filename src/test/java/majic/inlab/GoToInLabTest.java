@@ -110,6 +110,21 @@ class GoToInLabTest {
         assertThat(contacts()).isZero();
     }
 
+    @Test
+    void twoThatHaveNoRoomToTurnDriveApart() throws InterruptedException {
+        MajicBot other = rig.add("pioneer2");
+        rig.run("lab place 1 4554 -5824 -121", "lab place 2 3954 -5903 -54");
+        rig.lab().time().sleep(1);
+
+        CompletableFuture<String> first = sentAlone(robot, new Destination(6500, -3000));
+        CompletableFuture<String> second = sentAlone(other, new Destination(935, -2463));
+
+        assertThat(rig.await(() -> first.isDone() && second.isDone())).isTrue();
+        assertThat(first).isCompleted();
+        assertThat(second).isCompleted();
+        assertThat(contacts()).isZero();
+    }
+
     private CompletableFuture<String> sentAlone(MajicBot bot, Destination destination) {
         Navigator navigator = new Navigator(rig.session().map()::get);
         CompletableFuture<String> arrived = new CompletableFuture<>();
