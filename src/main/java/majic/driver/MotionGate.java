@@ -34,12 +34,6 @@ final class MotionGate {
     /** How often a timed drive renews itself, seconds. */
     private static final double DRIVE_RENEWAL_S = 0.3;
 
-    /**
-     * A timed drive that is renewed later than this fails, seconds: the program was suspended, and a robot that its own
-     * watchdog has stopped meanwhile must not move again by itself.
-     */
-    private static final double LATEST_RENEWAL_S = 1.5;
-
     /** How long a guarded motion waits for its first reading, seconds. */
     private static final double FIRST_READING_S = 1.5;
 
@@ -388,8 +382,9 @@ final class MotionGate {
     }
 
     private static void refuseLateRenewal(double afterS) {
-        if (afterS > LATEST_RENEWAL_S) {
-            throw new MotionFailed("this program stood still for " + Math.round(afterS) + " s; the drive ended");
+        String late = RenewalWatch.late(afterS);
+        if (late != null) {
+            throw new MotionFailed(late + "; the drive ended");
         }
     }
 

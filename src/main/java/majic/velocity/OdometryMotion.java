@@ -3,6 +3,7 @@ package majic.velocity;
 import majic.bot.MotionFailed;
 import majic.bot.Value;
 import majic.driver.Motion;
+import majic.driver.RenewalWatch;
 import majic.driver.SentRates;
 import majic.time.TimeSource;
 
@@ -35,6 +36,7 @@ final class OdometryMotion {
     private final Displacement way;
     private final Motion motion;
     private final MotionWatcher watcher;
+    private final RenewalWatch renewals;
     private SentRates sent = new SentRates();
     private boolean gainsSpeed;
     private double highestRate;
@@ -44,6 +46,7 @@ final class OdometryMotion {
         this.way = way;
         this.motion = motion;
         this.watcher = new MotionWatcher(base, obstructions, way.direction());
+        this.renewals = new RenewalWatch(base.time());
     }
 
     /**
@@ -93,7 +96,7 @@ final class OdometryMotion {
                     seconds(now.atNanos()),
                     seconds(time().nanos()),
                     base.delay().seconds());
-            motion.send(() -> way.send(base, rate, now));
+            renew(() -> way.send(base, rate, now));
             if (controller.hasArrived() || endsBlocked(now)) {
                 return true;
             }
@@ -101,6 +104,27 @@ final class OdometryMotion {
                 return false;
             }
             learn(now);
+        }
+    }
+
+    /**
+     * Sends the next velocity, unless the program has not run for a while: the base may have stopped by itself since
+     * then, and must not move again by itself.
+     */
+    private void renew(Runnable velocity) {
+        motion.send(() -> {
+            if (renewals.late() == null) {
+                renewals.renewed();
+                velocity.run();
+            }
+        });
+        failIfLate();
+    }
+
+    private void failIfLate() {
+        String late = renewals.late();
+        if (late != null) {
+            throw failed(late);
         }
     }
 
@@ -121,7 +145,7 @@ final class OdometryMotion {
     private boolean settle() {
         long zeroNanos = time().nanos();
         while (!base.isStationarySince(zeroNanos) && time().secondsSince(zeroNanos) < SETTLE_S) {
-            motion.send(() -> base.sender().send(0, 0));
+            renew(() -> base.sender().send(0, 0));
             sent.add(0, seconds(time().nanos()));
             if (!motion.pause(VelocitySender.PERIOD_S)) {
                 return false;
@@ -135,6 +159,7 @@ final class OdometryMotion {
     }
 
     private void check(TrackedState now) {
+        failIfLate();
         String fault = watcher.check(now);
         if (fault != null) {
             throw failed(fault);

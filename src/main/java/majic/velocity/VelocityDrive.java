@@ -2,6 +2,7 @@ package majic.velocity;
 
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
+import majic.driver.RenewalWatch;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,6 +18,7 @@ final class VelocityDrive {
     private final ObstructionSource obstructions;
     private final BaseDynamics limits;
     private @Nullable MotionWatcher watcher;
+    private final RenewalWatch renewals;
     private @Nullable String endReason;
     private double wantedMmPerSec;
     private double wantedDegPerSec;
@@ -28,6 +30,7 @@ final class VelocityDrive {
         this.base = base;
         this.obstructions = obstructions;
         this.limits = limits;
+        this.renewals = new RenewalWatch(base.time());
     }
 
     /**
@@ -40,6 +43,9 @@ final class VelocityDrive {
     synchronized void drive(double newMmPerSec, double newDegPerSec) {
         failIfEnded();
         long now = base.time().nanos();
+        if (watcher == null) {
+            renewals.renewed();
+        }
         if (watcher == null || Math.signum(newMmPerSec) != Math.signum(wantedMmPerSec)) {
             steppedNanos = watcher == null ? now - (long) (VelocitySender.PERIOD_S * 1e9) : steppedNanos;
             watcher = new MotionWatcher(base, obstructions, newMmPerSec);
@@ -65,7 +71,8 @@ final class VelocityDrive {
             return;
         }
         long now = base.time().nanos();
-        String reason = watching.check(base.now());
+        String late = renewals.late();
+        String reason = late == null ? watching.check(base.now()) : late;
         if (reason == null && watching.isBlocked(base.now(), isFollowed())) {
             reason = "blocked: no progress for 2 s";
         }
@@ -77,6 +84,7 @@ final class VelocityDrive {
         }
         double seconds = Math.min(2 * VelocitySender.PERIOD_S, (now - steppedNanos) / 1e9);
         steppedNanos = now;
+        renewals.renewed();
         mmPerSec = stepped(mmPerSec, wantedMmPerSec, limits.accelerationMmPerSec2() * seconds);
         degPerSec = stepped(degPerSec, wantedDegPerSec, limits.accelerationDegPerSec2() * seconds);
         base.sender().send(mmPerSec, degPerSec);

@@ -7,7 +7,9 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
+import majic.bot.Guard;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
 import majic.bot.Pose;
@@ -175,6 +177,33 @@ class RoverMotionTest {
 
         assertThat(refused).isGreaterThanOrEqualTo(19);
         assertThat(rover.mode).isZero();
+    }
+
+    @Test
+    void aMotionThatWasHeldUpForLongerThanItsTargetsLastDoesNotGoOn() {
+        ready();
+        AtomicBoolean held = new AtomicBoolean();
+        Guard stuck = () -> {
+            if (rover.pose.xMm() > 1000 && held.compareAndSet(false, true)) {
+                robot.pass(5);
+            }
+            return false;
+        };
+        CompletableFuture<MotionReport> motion = robot.clock().aside(() -> bot.move(5000, stuck));
+        robot.clock().until(() -> rover.pose.xMm() > 1000);
+        robot.pass(4.5);
+        double stoppedMm = rover.pose.xMm();
+        int before = rover.targets().size();
+
+        assertThat(failure(motion))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("this program stood still for 5 s after");
+        robot.pass(2);
+
+        assertThat(rover.targets().subList(before, rover.targets().size()))
+                .isNotEmpty()
+                .allMatch(got -> got.f32(16) == 0 && got.f32(44) == 0);
+        assertThat(rover.pose.xMm()).isCloseTo(stoppedMm, within(1.0));
     }
 
     @Test

@@ -6,6 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicBoolean;
+import majic.bot.Guard;
 import majic.bot.MotionFailed;
 import majic.bot.Unit;
 import majic.bot.Value;
@@ -124,6 +126,30 @@ class ScriptedCopterTest {
         robot.clock().join(takeOff);
         assertThat(copter.heightMm).isEqualTo(2000);
         assertThat(copter.commands(176)).noneMatch(got -> got.f32(4) == BRAKE);
+    }
+
+    @Test
+    void aClimbThatWasHeldUpDoesNotGoOn() {
+        flying();
+        AtomicBoolean held = new AtomicBoolean();
+        Guard stuck = () -> {
+            if (copter.heightMm > 2500 && held.compareAndSet(false, true)) {
+                robot.pass(5);
+            }
+            return false;
+        };
+        CompletableFuture<String> climb =
+                robot.clock().aside(() -> bot.run("climb", List.of(Value.of(2000, Unit.MM)), stuck));
+        robot.clock().until(() -> held.get() || climb.isDone());
+        robot.pass(4.5);
+        double stoppedMm = copter.heightMm;
+
+        assertThatThrownBy(() -> robot.clock().join(climb))
+                .hasCauseInstanceOf(MotionFailed.class)
+                .hasMessageContaining("this program stood still for 5 s after");
+        robot.pass(2);
+
+        assertThat(copter.heightMm).isEqualTo(stoppedMm);
     }
 
     @Test

@@ -8,7 +8,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotListener;
+import majic.bot.Guard;
 import majic.bot.LinkLost;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
@@ -200,6 +202,93 @@ class MotionFaultsOfBaseTest {
         pass(2);
 
         assertThat(notices).contains("the drive ended: its own reflex stopped it: cliff at the front");
+    }
+
+    /** The threads of the driver do not run for 5 s; the odometry that has come meanwhile is there at once. */
+    private Guard heldUpAt(double mm) {
+        AtomicBoolean done = new AtomicBoolean();
+        return () -> {
+            if (robot.truePose().xMm() > mm && done.compareAndSet(false, true)) {
+                pass(5);
+            }
+            return false;
+        };
+    }
+
+    @Test
+    void aMotionWhoseThreadWasHeldUpEndsAndDoesNotGoOn() {
+        bot.connect();
+        CompletableFuture<MotionReport> motion = robot.clock.aside(() -> bot.move(1000, heldUpAt(200)));
+        robot.clock.until(() -> robot.truePose().xMm() > 200);
+        pass(4);
+        double stoppedMm = robot.truePose().xMm();
+        int before = robot.base.received().size();
+
+        assertThatThrownBy(() -> robot.clock.join(motion))
+                .hasCauseInstanceOf(MotionFailed.class)
+                .hasMessageContaining("this program stood still for 5 s after 2");
+
+        pass(2);
+        assertThat(robot.truePose().xMm()).isEqualTo(stoppedMm);
+        assertThat(robot.base.received().subList(before, robot.base.received().size()))
+                .isNotEmpty()
+                .allMatch(BaseModel.Command::isZero);
+    }
+
+    @Test
+    void aMotionOfAProgramThatWasHeldUpEndsWhicheverThreadGoesOnFirst() {
+        bot.connect();
+        CompletableFuture<MotionReport> motion = robot.clock.aside(() -> bot.move(1000, heldUpAt(200)));
+        robot.clock.until(() -> robot.truePose().xMm() > 199);
+        bot.every("held up", 0.001, holdUpOnce());
+        pass(4.5);
+        double stoppedMm = robot.truePose().xMm();
+        int before = robot.base.received().size();
+
+        assertThatThrownBy(() -> robot.clock.join(motion))
+                .hasCauseInstanceOf(MotionFailed.class)
+                .hasMessageContaining("this program stood still for 5 s");
+
+        pass(2);
+        assertThat(robot.truePose().xMm()).isEqualTo(stoppedMm);
+        assertThat(robot.base.received().subList(before, robot.base.received().size()))
+                .isNotEmpty()
+                .allMatch(BaseModel.Command::isZero);
+    }
+
+    private Runnable holdUpOnce() {
+        AtomicBoolean done = new AtomicBoolean();
+        return () -> {
+            if (done.compareAndSet(false, true)) {
+                pass(5);
+            }
+        };
+    }
+
+    @Test
+    void aDriveWhoseRepetitionWasHeldUpEndsAndTheNextCallHasTheReason() {
+        bot.connect();
+        for (int call = 0; call < 4; call++) {
+            bot.drive(150, 0);
+            pass(0.2);
+        }
+        bot.every("held up", 0.001, holdUpOnce());
+        pass(4.9);
+        double stoppedMm = robot.truePose().xMm();
+        int before = robot.base.received().size();
+
+        assertThatThrownBy(() -> bot.drive(150, 0))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessage("this program stood still for 5 s");
+        pass(2);
+
+        assertThat(robot.truePose().xMm()).isEqualTo(stoppedMm);
+        assertThat(robot.base.received().subList(before, robot.base.received().size()))
+                .isNotEmpty()
+                .allMatch(BaseModel.Command::isZero);
+        bot.drive(150, 0);
+        pass(0.3);
+        assertThat(robot.truePose().xMm()).isGreaterThan(stoppedMm);
     }
 
     @Test

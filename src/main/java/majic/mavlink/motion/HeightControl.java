@@ -5,9 +5,11 @@ import majic.bot.Unit;
 import majic.bot.Value;
 import majic.driver.ApproachPlan;
 import majic.driver.Motion;
+import majic.driver.RenewalWatch;
 import majic.mavlink.message.GlobalPosition;
 import majic.mavlink.message.MavlinkRequests;
 import majic.mavlink.session.VehicleSession;
+import majic.time.TimeSource;
 import majic.velocity.Obstruction;
 import majic.velocity.ObstructionSource;
 
@@ -39,6 +41,7 @@ final class HeightControl {
     private final VelocityTargets output;
     private final Runnable halt;
     private final Motion motion;
+    private final RenewalWatch renewals;
     private final double fromMm;
     private double sentMmPerSec;
     private double progressMm;
@@ -55,13 +58,15 @@ final class HeightControl {
             ObstructionSource obstructions,
             VelocityTargets output,
             Runnable halt,
-            Motion motion) {
+            Motion motion,
+            TimeSource time) {
         this.session = session;
         this.flight = flight;
         this.obstructions = obstructions;
         this.output = output;
         this.halt = halt;
         this.motion = motion;
+        this.renewals = new RenewalWatch(time);
         this.fromMm = flight.heightMm();
         this.progressMm = fromMm;
         this.progressS = motion.seconds();
@@ -100,6 +105,7 @@ final class HeightControl {
         double direction = Math.signum(leftMm(toMm));
         ApproachPlan plan = new ApproachPlan(CRUISE_MM_PER_SEC, CREEP_MM_PER_SEC, ACCELERATION_MM_PER_SEC2);
         while (true) {
+            failIfLate();
             check(BLOCKED_S);
             GlobalPosition now = flight.position();
             double left = direction * (toMm - now.aboveHomeMm() + DELAY_S * now.downMmPerSec());
@@ -122,6 +128,7 @@ final class HeightControl {
             if (!motion.pause(PERIOD_S)) {
                 return false;
             }
+            failIfLate();
             check(SETTLE_S + BLOCKED_S);
             boolean rests = Math.abs(flight.position().downMmPerSec()) < RESTING_MM_PER_SEC;
             restsS = rests ? restsS : motion.seconds();
@@ -133,9 +140,23 @@ final class HeightControl {
         return true;
     }
 
+    /** Sends the next velocity, unless the program has not run for a while: nothing goes on by itself then. */
     private void send(double mmPerSec) {
         sentMmPerSec = mmPerSec;
-        motion.send(() -> output.climb(mmPerSec));
+        motion.send(() -> {
+            if (renewals.late() == null) {
+                renewals.renewed();
+                output.climb(mmPerSec);
+            }
+        });
+        failIfLate();
+    }
+
+    private void failIfLate() {
+        String late = renewals.late();
+        if (late != null) {
+            throw failed(late);
+        }
     }
 
     private void check(double blockedS) {

@@ -307,7 +307,7 @@ public final class VehicleMotion {
     }
 
     private HeightControl heightControl(Motion motion) {
-        return new HeightControl(session, flight, new Base().obstructions(), targets, velocities::halt, motion);
+        return new HeightControl(session, flight, new Base().obstructions(), targets, velocities::halt, motion, time);
     }
 
     private void failUnlessDrivable() {
