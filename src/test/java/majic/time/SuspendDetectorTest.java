@@ -31,6 +31,14 @@ class SuspendDetectorTest {
         assertThat(detector.wasSuspended()).isFalse();
     }
 
+    @Test
+    void clocksThatDriftApartWhileNothingIsAskedForHoursAreNoSuspension() {
+        pass(36_001_500, 36_000_000);
+        assertThat(detector.wasSuspended()).isFalse();
+        pass(61_500, 1500);
+        assertThat(detector.wasSuspended()).isTrue();
+    }
+
     private void pass(long onTheWallMs, long inProgramsMs) {
         wallMs.addAndGet(onTheWallMs);
         nanos.addAndGet(inProgramsMs * 1_000_000);

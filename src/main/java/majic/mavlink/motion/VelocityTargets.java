@@ -1,12 +1,9 @@
 package majic.mavlink.motion;
 
-import majic.bot.LinkLost;
 import majic.mavlink.message.MavlinkRequests;
 import majic.mavlink.session.VehicleClass;
 import majic.mavlink.session.VehicleSession;
-import majic.time.SuspendDetector;
 import majic.time.TimeSource;
-import majic.time.WaitPolicy;
 import majic.velocity.VelocityOutput;
 
 /**
@@ -20,7 +17,6 @@ final class VelocityTargets implements VelocityOutput {
     private final VehicleSession session;
     private final GuidedMode mode;
     private final TimeSource time;
-    private final SuspendDetector suspend = new SuspendDetector();
     private volatile boolean moved;
     private volatile long sentNanos;
 
@@ -50,7 +46,7 @@ final class VelocityTargets implements VelocityOutput {
             return;
         }
         if (moves) {
-            refuseAfterSuspend();
+            session.refuseAfterSuspend();
         }
         moved = moves;
         sentNanos = time.nanos();
@@ -58,15 +54,5 @@ final class VelocityTargets implements VelocityOutput {
                 session.vehicle() == VehicleClass.COPTER
                         ? MavlinkRequests.flight(session.system(), mmPerSec, degPerSec, climb)
                         : MavlinkRequests.velocity(session.system(), mmPerSec, degPerSec));
-    }
-
-    /** What was commanded before this computer was suspended must not go on by itself. */
-    private void refuseAfterSuspend() {
-        if (suspend.wasSuspended()) {
-            LinkLost cause = new LinkLost("this computer was asleep");
-            // On another thread: this one may hold locks that the end of the session needs.
-            time.runAsync("mavlink suspended", () -> WaitPolicy.without(() -> session.end(cause)));
-            throw cause;
-        }
     }
 }

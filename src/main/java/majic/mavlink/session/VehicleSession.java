@@ -26,7 +26,9 @@ import majic.mavlink.message.MavlinkRequests;
 import majic.mavlink.message.ParameterValue;
 import majic.mavlink.message.StatusPiece;
 import majic.mavlink.message.VehicleHeartbeat;
+import majic.time.SuspendDetector;
 import majic.time.TimeSource;
+import majic.time.WaitPolicy;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -50,6 +52,8 @@ public final class VehicleSession {
     /** The clock of an autopilot goes back by more than this when it restarts, ms: frames may overtake each other. */
     private static final long RESTART_MS = 2000;
 
+    private static final String ASLEEP = "this computer was asleep";
+
     private final VehicleEndpoint endpoint;
     private final RobotWait waiting;
     private final TimeSource time;
@@ -59,6 +63,7 @@ public final class VehicleSession {
     private final CommandSender commands;
     private final AutopilotParameters parameters;
     private final DataRates rates;
+    private final SuspendDetector suspend = new SuspendDetector();
     private final AtomicBoolean over = new AtomicBoolean();
     private final AtomicBoolean toldOfTwo = new AtomicBoolean();
     private volatile int system;
@@ -67,6 +72,7 @@ public final class VehicleSession {
     private volatile FlightModes modes;
     private volatile long heardNanos;
     private volatile long bootMs = -1;
+    private boolean asleep;
 
     /** Is notified of what happens, on the reader thread. */
     public interface Listener {
@@ -243,9 +249,16 @@ public final class VehicleSession {
         }
     }
 
-    /** Finds out whether the vehicle is silent, and asks again for reports that do not come; called often. */
+    /**
+     * Finds out whether the computer was suspended or the vehicle is silent, and asks again for reports that do not
+     * come; called often.
+     */
     public void check() {
         if (first == null || over.get()) {
+            return;
+        }
+        if (wasAsleep()) {
+            end(new LinkLost(ASLEEP));
             return;
         }
         if (time.secondsSince(heardNanos) > SILENCE_S) {
@@ -254,6 +267,26 @@ public final class VehicleSession {
         }
         rates.check();
         parameters.check();
+    }
+
+    /**
+     * Refuses to move the vehicle after this computer was suspended: what was commanded before must not go on by
+     * itself.
+     *
+     * @throws LinkLost if it was; the connection ends
+     */
+    public void refuseAfterSuspend() {
+        if (wasAsleep()) {
+            LinkLost cause = new LinkLost(ASLEEP);
+            // On another thread: this one may hold locks that the end of the session needs.
+            time.runAsync("mavlink suspended", () -> WaitPolicy.without(() -> end(cause)));
+            throw cause;
+        }
+    }
+
+    private synchronized boolean wasAsleep() {
+        asleep |= suspend.wasSuspended();
+        return asleep;
     }
 
     /** The number of the vehicle. */
