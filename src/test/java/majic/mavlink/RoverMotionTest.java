@@ -207,6 +207,37 @@ class RoverMotionTest {
     }
 
     @Test
+    void aPositionWithoutAnAttitudeOfItsMomentIsNoPose() {
+        ready();
+        robot.pass(1);
+        double before = bot.get("age").number();
+
+        rover.withoutAttitude = true;
+        robot.pass(0.45);
+
+        assertThat(before).isLessThan(110);
+        assertThat(bot.get("age").number()).isGreaterThan(200);
+        CompletableFuture<MotionReport> motion = robot.clock().aside(() -> bot.move(1000));
+        assertThat(failure(motion))
+                .hasMessageMatching(
+                        ".*its odometry is unusable: attitude and position are of moments [\\d.]+ s apart after \\d+ mm");
+        assertThat(rover.pose.xMm()).isLessThan(300);
+    }
+
+    @Test
+    void aPositionThatComesLaterThanItsAttitudeIsOfTheSameMoment() {
+        ready();
+        robot.pass(1);
+        rover.positionLagMs = 190;
+        robot.pass(0.5);
+
+        assertThat(bot.get("age").number()).isLessThan(310);
+        bot.turn(90);
+
+        assertThat(rover.pose.headingDeg()).isCloseTo(90, within(2.0));
+    }
+
+    @Test
     void aRoverThatIsDisarmedEndsItsMotion() {
         ready();
         CompletableFuture<MotionReport> motion = moving(5000);

@@ -47,6 +47,8 @@ final class ScriptedRover {
     volatile int lostIndex = -1;
     volatile double heightMm;
     volatile boolean withoutPosition;
+    volatile boolean withoutAttitude;
+    volatile int positionLagMs;
     volatile boolean onlyAnswers;
     volatile int answeredSystem;
     volatile String armRefusal = "";
@@ -278,7 +280,7 @@ final class ScriptedRover {
         double north = frame.plus(pose).xMm() / 1000;
         double west = frame.plus(pose).yMm() / 1000;
         double yaw = -Math.toRadians(frame.plus(pose).headingDeg());
-        if (due(30, 1000)) {
+        if (!withoutAttitude && due(30, 1000)) {
             send(
                     30,
                     fields(28)
@@ -296,7 +298,7 @@ final class ScriptedRover {
             send(
                     32,
                     fields(28)
-                            .putInt(ms)
+                            .putInt(ms - positionLagMs)
                             .putFloat(none ? 0 : (float) north)
                             .putFloat(none ? 0 : (float) -west)
                             .putFloat(0)

@@ -15,6 +15,7 @@ import majic.mavlink.message.GlobalPosition;
 import majic.mavlink.message.LocalPosition;
 import majic.mavlink.message.MavlinkRequests;
 import majic.mavlink.message.VehicleHeartbeat;
+import majic.mavlink.session.Received;
 import majic.mavlink.session.VehicleClass;
 import majic.mavlink.session.VehicleSession;
 import majic.time.TimeSource;
@@ -33,8 +34,8 @@ import org.jspecify.annotations.Nullable;
  * mode GUIDED, which its autopilot follows for 3 s at most; others are only stopped. Thread-safe.
  */
 public final class VehicleMotion {
-    /** An attitude that is older does not belong to a position, seconds. */
-    private static final double ATTITUDE_S = 0.5;
+    /** An attitude that was measured longer before or after a position does not belong to it, seconds. */
+    private static final double ATTITUDE_S = 0.2;
 
     /** A drive whose mode was taken over is not begun again by calls within this time of the last one, seconds. */
     private static final double TAKEN_OVER_S = 1;
@@ -131,10 +132,16 @@ public final class VehicleMotion {
         LocalPosition position =
                 session.reports().newest(LocalPosition.class).orElseThrow().value();
         long measuredNanos = bootClock.measuredNanos(position.bootMs(), time.nanos());
-        AttitudeReport attitude =
-                session.reports().newest(AttitudeReport.class, ATTITUDE_S).orElse(null);
-        if (attitude == null || !attitude.isUsable() || !position.isUsable()) {
+        Received<AttitudeReport> received =
+                session.reports().attitudeAt(position.bootMs()).orElse(null);
+        if (received == null || !received.value().isUsable() || !position.isUsable()) {
             velocities.unusable("the autopilot reports no attitude");
+            return;
+        }
+        AttitudeReport attitude = received.value();
+        double apartS = apartS(received, position);
+        if (apartS > ATTITUDE_S) {
+            velocities.unusable("attitude and position are of moments " + Value.plain(apartS) + " s apart");
             return;
         }
         if (position.isZero() && !isPlaced()) {
@@ -145,6 +152,14 @@ public final class VehicleMotion {
         double speed = 1000 * (position.northMPerSec() * Math.cos(yaw) + position.eastMPerSec() * Math.sin(yaw));
         Pose raw = new Pose(1000 * position.northM(), -1000 * position.eastM(), -attitude.yawDeg());
         velocities.reported(raw, speed, -attitude.yawDegPerSec(), measuredNanos);
+    }
+
+    /** By the clock of the autopilot; reports without a time belong to that of their arrival. */
+    private double apartS(Received<AttitudeReport> attitude, LocalPosition position) {
+        long ms = position.bootMs() - attitude.value().bootMs();
+        return position.bootMs() == 0 || attitude.value().bootMs() == 0
+                ? time.secondsSince(attitude.atNanos())
+                : Math.abs(ms) / 1e3;
     }
 
     private boolean isPlaced() {

@@ -1,9 +1,11 @@
 package majic.mavlink.session;
 
+import java.util.Comparator;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.stream.Stream;
 import majic.mavlink.frame.MavlinkFrame;
 import majic.mavlink.frame.MavlinkMessageType;
 import majic.mavlink.message.AttitudeReport;
@@ -17,6 +19,7 @@ import majic.mavlink.message.ObstacleRing;
 import majic.mavlink.message.RangeReading;
 import majic.mavlink.message.VehicleHeartbeat;
 import majic.time.TimeSource;
+import org.jspecify.annotations.Nullable;
 
 /** The newest messages of one vehicle, each with the time of its arrival. Thread-safe. */
 public final class VehicleReports {
@@ -24,6 +27,7 @@ public final class VehicleReports {
 
     private final TimeSource time;
     private final Map<Class<?>, Received<?>> newest = new ConcurrentHashMap<>();
+    private volatile @Nullable Received<AttitudeReport> attitudeBefore;
     private final Map<Integer, Received<RangeReading>> ranges = new ConcurrentHashMap<>();
     private final Map<MavlinkMessageType, Long> counts = new ConcurrentHashMap<>();
 
@@ -36,7 +40,7 @@ public final class VehicleReports {
         counts.merge(frame.type(), 1L, Long::sum);
         switch (frame.type()) {
             case HEARTBEAT -> put(VehicleHeartbeat.of(frame.payload()));
-            case ATTITUDE -> put(AttitudeReport.of(frame.payload()));
+            case ATTITUDE -> putAttitude(AttitudeReport.of(frame.payload()));
             case LOCAL_POSITION_NED -> put(LocalPosition.of(frame.payload()));
             case GLOBAL_POSITION_INT -> put(GlobalPosition.of(frame.payload()));
             case GPS_RAW_INT -> put(GpsFix.of(frame.payload()));
@@ -52,6 +56,11 @@ public final class VehicleReports {
 
     private void put(Object message) {
         newest.put(message.getClass(), new Received<>(message, time.nanos()));
+    }
+
+    private void putAttitude(AttitudeReport attitude) {
+        attitudeBefore = newest(AttitudeReport.class).orElse(null);
+        put(attitude);
     }
 
     private void putFirst(BatteryReport battery) {
@@ -93,6 +102,19 @@ public final class VehicleReports {
         return newest(type)
                 .filter(received -> time.secondsSince(received.atNanos()) <= seconds)
                 .map(Received::value);
+    }
+
+    /**
+     * Returns the attitude that was measured nearest to a moment: one of the last two, since reports may overtake each
+     * other.
+     *
+     * @param bootMs the moment, by the clock of the autopilot
+     */
+    public Optional<Received<AttitudeReport>> attitudeAt(long bootMs) {
+        return Stream.of(newest(AttitudeReport.class), Optional.ofNullable(attitudeBefore))
+                .flatMap(Optional::stream)
+                .min(Comparator.comparingLong(
+                        received -> Math.abs(received.value().bootMs() - bootMs)));
     }
 
     /** Returns the newest readings of the range finders, by their numbers. */
