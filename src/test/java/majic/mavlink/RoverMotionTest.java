@@ -120,6 +120,44 @@ class RoverMotionTest {
     }
 
     @Test
+    void aCommandThatIsInProgressIsAwaitedAndNotSentAgain() {
+        bot.connect();
+        rover.armingMs = 9000;
+
+        bot.run("arm", List.of());
+
+        assertThat(rover.armed).isTrue();
+        assertThat(rover.commands(400)).hasSize(1);
+    }
+
+    @Test
+    void aCommandThatIsInProgressForEverIsNotDone() {
+        bot.connect();
+        rover.armingMs = 1_000_000;
+        long fromMs = robot.peer.millis();
+
+        assertThatThrownBy(() -> bot.run("arm", List.of()))
+                .isInstanceOf(MotionFailed.class)
+                .hasMessageContaining("the autopilot does not finish the command to arm");
+
+        assertThat(rover.commands(400)).hasSize(1);
+        assertThat(robot.peer.millis() - fromMs).isBetween(29_000L, 33_500L);
+    }
+
+    @Test
+    void aCommandWhoseFinalAnswerIsLostIsNotDone() {
+        bot.connect();
+        rover.armingMs = 1500;
+        CompletableFuture<String> arming = robot.clock().aside(() -> bot.run("arm", List.of()));
+        robot.clock().until(() -> !rover.commands(400).isEmpty());
+        rover.answeredSystem = 245;
+
+        assertThatThrownBy(() -> robot.clock().join(arming))
+                .hasMessageContaining("the autopilot does not finish the command to arm");
+        assertThat(rover.commands(400)).hasSize(1);
+    }
+
+    @Test
     void armByMotionLetsTheFirstMotionArm() {
         bot.connect();
         bot.set("armByMotion", "on");

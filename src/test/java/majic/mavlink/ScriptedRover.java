@@ -49,6 +49,8 @@ final class ScriptedRover {
     volatile boolean withoutPosition;
     volatile boolean withoutAttitude;
     volatile int positionLagMs;
+    volatile int armingMs;
+    private long armedMs = Long.MAX_VALUE;
     volatile boolean onlyAnswers;
     volatile int answeredSystem;
     volatile String armRefusal = "";
@@ -178,8 +180,23 @@ final class ScriptedRover {
             text(armRefusal);
             return;
         }
+        if (armingMs > 0) {
+            acknowledge(400, 5);
+            armedMs = nowMs + armingMs;
+            return;
+        }
         armed = onlyAnswers ? armed : wanted;
         acknowledge(400, 0);
+    }
+
+    /** Answers every 2 s that it is still arming. */
+    private void goOnArming() {
+        if (nowMs == armedMs) {
+            armed = true;
+            acknowledge(400, 0);
+        } else if (armedMs - nowMs < armingMs && (armedMs - nowMs) % 2000 == 0) {
+            acknowledge(400, 5);
+        }
     }
 
     private void reposition(VehicleFrames.Got got) {
@@ -272,6 +289,7 @@ final class ScriptedRover {
         nowMs++;
         lateMs += congested ? 0.5 : 0;
         deliver();
+        goOnArming();
         drive();
         int ms = (int) (nowMs - bootMs);
         if (due(0, 1000)) {

@@ -131,7 +131,7 @@ final class GuidedMode implements ObstructionSource {
             if (motion.guardReached()) {
                 return false;
             }
-            if (!decided) {
+            if (!decided && !isInProgress(hold.get())) {
                 motion.send(this::set);
             }
         }
@@ -147,7 +147,7 @@ final class GuidedMode implements ObstructionSource {
             hold.set(new Hold(Claim.SHOWN, time.nanos(), ""));
             return;
         }
-        if (now.claim() == Claim.SHOWN || held && time.secondsSince(sentNanos) < AGAIN_S) {
+        if (now.claim() == Claim.SHOWN || held && (time.secondsSince(sentNanos) < AGAIN_S || isInProgress(now))) {
             return;
         }
         sentNanos = time.nanos();
@@ -192,6 +192,11 @@ final class GuidedMode implements ObstructionSource {
         return session.commands().answer(MavlinkRequests.SET_MODE, now.sinceNanos());
     }
 
+    /** Whether the autopilot has answered that it is still at it. */
+    private boolean isInProgress(Hold now) {
+        return now.claim() == Claim.SET && session.commands().isInProgress(MavlinkRequests.SET_MODE, now.sinceNanos());
+    }
+
     /** Returns why the mode is not in force though it was set; null while it is or may still come. */
     private @Nullable String refusal() {
         Hold now = hold.get();
@@ -203,7 +208,7 @@ final class GuidedMode implements ObstructionSource {
         }
         Optional<CommandAck> answer = answer(now);
         boolean refused = answer.filter(one -> !one.isAccepted()).isPresent();
-        boolean late = time.secondsSince(now.sinceNanos()) > ACCEPT_S;
+        boolean late = time.secondsSince(now.sinceNanos()) > ACCEPT_S && !isInProgress(now);
         if (!refused && !late) {
             return null;
         }
