@@ -367,6 +367,49 @@ class RoverMotionTest {
     }
 
     @Test
+    void aModeIsNotSetAndNotSaidToBeWhenTheConditionHoldsAlready() {
+        rover.type = 2;
+        ready();
+
+        assertThat(bot.run("land", List.of(), () -> true)).isEqualTo("not in LAND: the condition holds already");
+
+        assertThat(rover.commands(176)).isEmpty();
+        assertThat(rover.mode).isZero();
+    }
+
+    @Test
+    void theModeOfTheStopIsSetThoughTheConditionHoldsAlready() {
+        ready();
+
+        bot.run("hold", List.of(), () -> true);
+
+        assertThat(rover.mode).isEqualTo(ScriptedRover.HOLD);
+    }
+
+    @Test
+    void aModeIsNotSaidToBeSetWhenTheConditionBecomesTrueBeforeItIsShown() {
+        rover.type = 2;
+        ready();
+        rover.ignoresModes = true;
+        long fromMs = robot.peer.millis();
+
+        assertThat(bot.run("home", List.of(), () -> robot.peer.millis() > fromMs + 400))
+                .isEqualTo("not confirmed to be in RTL: the condition became true before");
+    }
+
+    @Test
+    void aRoverIsNotSaidToBeUnarmedWhenTheConditionBecomesTrueAfterTheCommand() {
+        bot.connect();
+        rover.armingMs = 2000;
+        long fromMs = robot.peer.millis();
+
+        assertThat(bot.run("arm", List.of(), () -> true)).isEqualTo("not armed: the condition holds already");
+        assertThat(rover.commands(400)).isEmpty();
+        assertThat(bot.run("arm", List.of(), () -> robot.peer.millis() > fromMs + 700))
+                .isEqualTo("not confirmed to be armed: the condition became true before");
+    }
+
+    @Test
     void anAnswerToAnotherGroundStationIsNone() {
         robot.ready();
         rover.answeredSystem = 245;

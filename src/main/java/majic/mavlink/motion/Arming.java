@@ -53,26 +53,27 @@ final class Arming {
      * Arms a rover, boat or copter, and waits until it is. A copter is in the mode GUIDED then, and its home position
      * is where it is.
      *
-     * @return false if the guard of the motion ended it
      * @throws MotionFailed with the reasons of the autopilot, if it refuses
      */
-    boolean arm(Motion motion) {
+    CommandOutcome arm(Motion motion) {
         if (!session.vehicle().isMoved()) {
             throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC does not arm it");
         }
-        if (flies() && !entersGrounded(motion)) {
-            return false;
+        if (!motion.pause(0) || flies() && !entersGrounded(motion)) {
+            return CommandOutcome.NOT_SENT;
         }
-        if (!session.commands().run(motion, "arm", MavlinkRequests.ARM, 1)) {
-            return false;
+        boolean sent = session.commands().run(motion, "arm", MavlinkRequests.ARM, 1);
+        boolean shown = sent && motion.await(this::isArmed, SHOWN_S);
+        if (!shown && motion.guardReached()) {
+            return CommandOutcome.UNCONFIRMED;
         }
-        if (!motion.await(this::isArmed, SHOWN_S)) {
+        if (!shown) {
             throw new MotionFailed("the autopilot accepts to arm, but its heartbeats do not show it");
         }
         if (flies()) {
             flight.armed(flight.position());
         }
-        return true;
+        return CommandOutcome.DONE;
     }
 
     /** A copter cannot be armed in the mode of a stop, and what is in the air is flown by another. */
@@ -92,7 +93,7 @@ final class Arming {
      *
      * @throws MotionFailed if the autopilot refuses it, or the vehicle may be in the air or under water
      */
-    void disarm(Motion motion) {
+    CommandOutcome disarm(Motion motion) {
         if (!session.vehicle().isMoved()) {
             throw new MotionFailed("it is a " + session.vehicle().title() + "; MAJIC does not disarm it");
         }
@@ -101,8 +102,13 @@ final class Arming {
                     "it does not report that it is on the ground, so it is not disarmed; \"land\" lands it");
         }
         boolean sent = session.commands().run(motion, "disarm", MavlinkRequests.ARM, 0);
-        if (sent && !motion.await(() -> !isArmed(), SHOWN_S) && !motion.guardReached()) {
+        boolean shown = sent && motion.await(() -> !isArmed(), SHOWN_S);
+        if (!shown && motion.guardReached()) {
+            return CommandOutcome.UNCONFIRMED;
+        }
+        if (!shown) {
             throw new MotionFailed("the autopilot accepts to disarm, but its heartbeats do not show it");
         }
+        return CommandOutcome.DONE;
     }
 }

@@ -267,7 +267,7 @@ public final class VehicleMotion {
         if (flies()) {
             return prepareFlight(motion, mm, 0);
         }
-        if (!arming.isArmed() && owner.armsByMotion() && !arming.arm(motion)) {
+        if (!arming.isArmed() && owner.armsByMotion() && arming.arm(motion) != CommandOutcome.DONE) {
             return false;
         }
         arming.failUnlessArmed();
@@ -336,23 +336,28 @@ public final class VehicleMotion {
     }
 
     /** Arms the vehicle; as {@link Arming#arm}. */
-    public boolean arm(Motion motion) {
+    public CommandOutcome arm(Motion motion) {
         return arming.arm(motion);
     }
 
     /** Disarms the vehicle; as {@link Arming#disarm}. */
-    public void disarm(Motion motion) {
-        arming.disarm(motion);
+    public CommandOutcome disarm(Motion motion) {
+        return arming.disarm(motion);
     }
 
     /**
-     * Sets a mode that the user has named, and waits until it is shown.
+     * Sets a mode that the user has named, and waits until it is shown. That of the stop is set also when the guard of
+     * the motion holds already.
      *
      * @param name one of the modes of the vehicle
      * @throws MotionFailed if the autopilot refuses it
      */
-    public void setMode(String name, Motion motion) {
+    public CommandOutcome setMode(String name, Motion motion) {
         long number = session.modes().number(name).orElseThrow(() -> new BotException("there is no mode " + name));
+        boolean stops = session.modes().stop().stream().anyMatch(mode -> mode == number);
+        if (!motion.pause(0) && !stops) {
+            return CommandOutcome.NOT_SENT;
+        }
         motion.send(() -> {
             stop.cancel();
             stop.otherModeSent();
@@ -365,10 +370,14 @@ public final class VehicleMotion {
                         MavlinkRequests.SET_MODE,
                         session.modes().arguments(number));
         boolean shown = sent && motion.await(() -> session.newestHeartbeat().customMode() == number, 3);
-        if (sent && !shown && !motion.guardReached()) {
+        if (!shown && motion.guardReached()) {
+            return CommandOutcome.UNCONFIRMED;
+        }
+        if (!shown) {
             throw new MotionFailed("the autopilot accepts " + name + ", but its heartbeats show "
                     + session.modes().name(session.newestHeartbeat().customMode()));
         }
+        return CommandOutcome.DONE;
     }
 
     /**

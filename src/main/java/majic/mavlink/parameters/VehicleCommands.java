@@ -86,19 +86,20 @@ public final class VehicleCommands {
     }
 
     private DriverCommand mode(String name, String mode, String help) {
-        return new DriverCommand(name, List.of(), true, help + " (" + mode + ")", (values, motion) -> {
-            access.open().motion().setMode(mode, motion);
-            return "in " + mode;
-        });
+        return new DriverCommand(
+                name,
+                List.of(),
+                true,
+                help + " (" + mode + ")",
+                (values, motion) -> access.open().motion().setMode(mode, motion).answer("in " + mode));
     }
 
     private String arm(List<Value> values, Motion motion) {
-        return access.open().motion().arm(motion) ? "armed" : "not armed: the condition holds already";
+        return access.open().motion().arm(motion).answer("armed");
     }
 
     private String disarm(List<Value> values, Motion motion) {
-        access.open().motion().disarm(motion);
-        return "disarmed";
+        return access.open().motion().disarm(motion).answer("disarmed");
     }
 
     private String goToGlobal(List<Value> values, Motion motion) {
