@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import majic.bot.ConnectFailed;
 import majic.bot.Value;
 import org.junit.jupiter.api.AutoClose;
@@ -107,6 +108,37 @@ class RoverConnectingTest {
         assertThat(bot.get("battery").number()).isEqualTo(80);
         assertThat(bot.get("model")).isEqualTo(Value.text("rover 4.6.0"));
         assertThat(bot.get("damagedFrames").number()).isZero();
+    }
+
+    @Test
+    void aSecondBatteryDoesNotHideTheMainOne() {
+        rover.batteries = List.of(ScriptedRover.battery(1, 25_200, 20));
+        bot.connect();
+        robot.pass(4);
+
+        assertThat(bot.get("voltage").number()).isEqualTo(12.4);
+        assertThat(bot.get("battery").number()).isEqualTo(80);
+    }
+
+    @Test
+    void theMainBatteryIsTakenBeforeTheStatusAndWhatItLeavesOutFromTheStatus() {
+        rover.batteries = List.of(ScriptedRover.battery(0, 12_100, -1), ScriptedRover.battery(1, 25_200, 20));
+        bot.connect();
+        robot.pass(4);
+
+        assertThat(bot.get("voltage").number()).isEqualTo(12.1);
+        assertThat(bot.get("battery").number()).isEqualTo(80);
+    }
+
+    @Test
+    void aBatteryThatEndsItsReportsIsThatOfTheStatusAgain() {
+        rover.batteries = List.of(ScriptedRover.battery(0, 12_100, 70));
+        bot.connect();
+        robot.pass(2);
+        rover.batteries = List.of();
+        robot.pass(4);
+
+        assertThat(bot.get("voltage").number()).isEqualTo(12.4);
     }
 
     @Test

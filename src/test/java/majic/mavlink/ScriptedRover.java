@@ -50,6 +50,7 @@ final class ScriptedRover {
     volatile boolean withoutAttitude;
     volatile int positionLagMs;
     volatile int armingMs;
+    List<ByteBuffer> batteries = List.of();
     private long armedMs = Long.MAX_VALUE;
     volatile boolean onlyAnswers;
     volatile int answeredSystem;
@@ -342,6 +343,9 @@ final class ScriptedRover {
         if (due(24, 1000)) {
             send(24, fields(52).put(28, (byte) 3).put(29, (byte) 11));
         }
+        if (due(147, 1000)) {
+            batteries.forEach(battery -> send(147, battery));
+        }
         if (due(1, 1000)) {
             send(1, fields(43).putShort(14, (short) 12_400).put(30, (byte) 80));
         }
@@ -388,6 +392,15 @@ final class ScriptedRover {
 
     double mmPerSec() {
         return mmPerSec;
+    }
+
+    /** A BATTERY_STATUS. */
+    static ByteBuffer battery(int id, int millivolts, int percent) {
+        ByteBuffer fields = fields(54);
+        for (int cell = 0; cell < 10; cell++) {
+            fields.putShort(10 + 2 * cell, (short) (cell == 0 ? millivolts : 0xFFFF));
+        }
+        return fields.put(32, (byte) id).put(35, (byte) percent);
     }
 
     /** The commands of a kind that have been received. */

@@ -30,6 +30,12 @@ public record BatteryReport(int id, OptionalDouble volts, OptionalDouble percent
         return new BatteryReport(0, volts(millivolts == UNKNOWN_MV ? 0 : millivolts), percent(payload.i8(30)));
     }
 
+    /** Returns this report with what it leaves out taken from another one. */
+    public BatteryReport or(BatteryReport other) {
+        return new BatteryReport(
+                id, volts.isPresent() ? volts : other.volts, percent.isPresent() ? percent : other.percent);
+    }
+
     private static OptionalDouble volts(int millivolts) {
         return millivolts == 0 ? OptionalDouble.empty() : OptionalDouble.of(millivolts / 1000.0);
     }

@@ -2,6 +2,7 @@ package majic.mavlink.parameters;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.function.ToLongFunction;
@@ -55,20 +56,21 @@ public final class VehicleParameters {
         describePlace(table);
         table.add(
                 Parameter.number("battery", Unit.PERCENT, "charge left"),
-                access.newest(
-                        BatteryReport.class,
-                        battery -> battery.percent().isPresent()
-                                ? Value.of(battery.percent().getAsDouble(), Unit.PERCENT)
-                                : VehicleAccess.NOT_REPORTED));
-        table.add(
-                Parameter.number("voltage", Unit.V, "of the battery"),
-                access.newest(
-                        BatteryReport.class,
-                        battery -> battery.volts().isPresent()
-                                ? Value.of(battery.volts().getAsDouble(), Unit.V)
-                                : VehicleAccess.NOT_REPORTED));
+                battery(BatteryReport::percent, Unit.PERCENT));
+        table.add(Parameter.number("voltage", Unit.V, "of the battery"), battery(BatteryReport::volts, Unit.V));
         count(table, "lostFrames", "frames that did not arrive", FrameCounts::lost);
         count(table, "damagedFrames", "frames that arrived damaged", FrameCounts::damaged);
+    }
+
+    private Supplier<Value> battery(Function<BatteryReport, OptionalDouble> reader, Unit unit) {
+        return access.read(open -> {
+            OptionalDouble value = open.session()
+                    .reports()
+                    .battery(VehicleAccess.OLD_S)
+                    .map(reader)
+                    .orElse(OptionalDouble.empty());
+            return value.isPresent() ? Value.of(value.getAsDouble(), unit) : VehicleAccess.NOT_REPORTED;
+        });
     }
 
     private void describeState(ParameterTable table) {

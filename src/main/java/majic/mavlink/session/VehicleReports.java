@@ -28,6 +28,8 @@ public final class VehicleReports {
     private final TimeSource time;
     private final Map<Class<?>, Received<?>> newest = new ConcurrentHashMap<>();
     private volatile @Nullable Received<AttitudeReport> attitudeBefore;
+    private volatile @Nullable Received<BatteryReport> mainBattery;
+    private volatile @Nullable Received<BatteryReport> systemBattery;
     private final Map<Integer, Received<RangeReading>> ranges = new ConcurrentHashMap<>();
     private final Map<MavlinkMessageType, Long> counts = new ConcurrentHashMap<>();
 
@@ -47,8 +49,13 @@ public final class VehicleReports {
             case AUTOPILOT_VERSION -> put(AutopilotVersion.of(frame.payload()));
             case EXTENDED_SYS_STATE -> put(LandedState.of(frame.payload()));
             case OBSTACLE_DISTANCE -> put(ObstacleRing.of(frame.payload()));
-            case BATTERY_STATUS -> putFirst(BatteryReport.ofBattery(frame.payload()));
-            case SYS_STATUS -> putSystem(BatteryReport.ofSystem(frame.payload()));
+            case BATTERY_STATUS -> {
+                BatteryReport battery = BatteryReport.ofBattery(frame.payload());
+                if (battery.id() == 0) {
+                    mainBattery = new Received<>(battery, time.nanos());
+                }
+            }
+            case SYS_STATUS -> systemBattery = new Received<>(BatteryReport.ofSystem(frame.payload()), time.nanos());
             case DISTANCE_SENSOR -> put(RangeReading.of(frame.payload()));
             default -> {}
         }
@@ -61,19 +68,6 @@ public final class VehicleReports {
     private void putAttitude(AttitudeReport attitude) {
         attitudeBefore = newest(AttitudeReport.class).orElse(null);
         put(attitude);
-    }
-
-    private void putFirst(BatteryReport battery) {
-        if (battery.id() == 0) {
-            put(battery);
-        }
-    }
-
-    /** What a BATTERY_STATUS says of the same battery is as new. */
-    private void putSystem(BatteryReport battery) {
-        if (count(MavlinkMessageType.BATTERY_STATUS) == 0) {
-            put(battery);
-        }
     }
 
     private void put(RangeReading reading) {
@@ -99,8 +93,25 @@ public final class VehicleReports {
      * @param seconds the greatest age
      */
     public <T> Optional<T> newest(Class<T> type, double seconds) {
-        return newest(type)
-                .filter(received -> time.secondsSince(received.atNanos()) <= seconds)
+        return notOlder(newest(type).orElse(null), seconds);
+    }
+
+    /**
+     * Returns what the main battery reports: the battery 0 of BATTERY_STATUS, and what that leaves out of SYS_STATUS.
+     *
+     * @param seconds the greatest age of either
+     * @return empty if neither is that new
+     */
+    public Optional<BatteryReport> battery(double seconds) {
+        Optional<BatteryReport> system = notOlder(systemBattery, seconds);
+        return notOlder(mainBattery, seconds)
+                .map(main -> system.map(main::or).orElse(main))
+                .or(() -> system);
+    }
+
+    private <T> Optional<T> notOlder(@Nullable Received<T> received, double seconds) {
+        return Optional.ofNullable(received)
+                .filter(one -> time.secondsSince(one.atNanos()) <= seconds)
                 .map(Received::value);
     }
 
