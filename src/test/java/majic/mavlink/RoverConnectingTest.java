@@ -209,6 +209,58 @@ class RoverConnectingTest {
     }
 
     @Test
+    void aSlowRadioIsAskedMoreAndMoreRarelyAndReportedOnce() {
+        rover.leastPeriodMs = 250;
+        bot.connect();
+        robot.pass(60);
+        int before = rover.commands(511).size();
+        robot.pass(120);
+
+        assertThat(before).isGreaterThan(30);
+        assertThat(rover.commands(511).size() - before).isBetween(8, 24);
+        assertThat(robot.notices())
+                .filteredOn(notice -> notice.contains("come only"))
+                .singleElement()
+                .asString()
+                .contains("its position and attitude come only 4 times a second, and MAJIC asks for 10");
+    }
+
+    @Test
+    void aSlowRadioIsAskedAtOnceAfterARestart() {
+        rover.leastPeriodMs = 250;
+        bot.connect();
+        robot.pass(100);
+        int before = rover.commands(511).size();
+
+        rover.restart();
+        robot.pass(1.5);
+
+        assertThat(rover.commands(511).size() - before).isGreaterThanOrEqualTo(8);
+    }
+
+    @Test
+    void furtherRequestsAreSentOneByOne() {
+        rover.leastPeriodMs = 250;
+        bot.connect();
+        robot.pass(1);
+        for (int part = 0; part < 100; part++) {
+            int before = rover.commands(511).size();
+            robot.pass(0.1);
+            assertThat(rover.commands(511).size() - before).isLessThanOrEqualTo(1);
+        }
+        assertThat(rover.commands(511).size()).isGreaterThan(16);
+    }
+
+    @Test
+    void aVehicleThatIsFastIsNotReported() {
+        bot.connect();
+        robot.pass(30);
+
+        assertThat(robot.notices()).noneMatch(notice -> notice.contains("come only"));
+        assertThat(rover.commands(511)).hasSize(8);
+    }
+
+    @Test
     void afterALossTheRobotIsNotAnotherVehicle() {
         bot.connect();
         robot.cut();

@@ -50,6 +50,10 @@ final class ScriptedRover {
     volatile boolean withoutAttitude;
     volatile int positionLagMs;
     volatile int armingMs;
+
+    /** As by a radio that carries no more. */
+    volatile int leastPeriodMs;
+
     List<ByteBuffer> batteries = List.of();
     private long armedMs = Long.MAX_VALUE;
     volatile boolean onlyAnswers;
@@ -356,7 +360,7 @@ final class ScriptedRover {
     }
 
     private boolean due(int id, int usualMs) {
-        return (nowMs + id) % periodsMs.getOrDefault(id, usualMs) == 0;
+        return (nowMs + id) % Math.max(periodsMs.getOrDefault(id, usualMs), leastPeriodMs) == 0;
     }
 
     private void drive() {

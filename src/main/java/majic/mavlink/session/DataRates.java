@@ -1,25 +1,41 @@
 package majic.mavlink.session;
 
+import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Consumer;
+import majic.bot.Value;
 import majic.mavlink.frame.MavlinkMessageType;
+import majic.mavlink.frame.OutgoingMessage;
 import majic.mavlink.message.CommandAck;
 import majic.mavlink.message.MavlinkRequests;
 import majic.time.TimeSource;
 
 /**
  * Asks a vehicle for the reports that MAJIC needs, again when they do not come as often as asked for: after a restart
- * of the autopilot, the loss of a request, or a change by another ground station (MAVLink sheet 5).
+ * of the autopilot, the loss of a request, or a change by another ground station (MAVLink sheet 5). A radio that does
+ * not carry more is asked more and more rarely. Further requests are sent one by one, so that a stop never waits behind
+ * several of them.
  */
 final class DataRates {
     private static final int POSE_HZ = 10;
     private static final int LANDED_HZ = 5;
     private static final double CHECK_S = 2;
 
-    /** Less than half of the reports have come. */
-    private static final long LEAST = (long) (CHECK_S * POSE_HZ / 2);
+    /** Fewer reports are asked for again: half of those that were asked for. */
+    private static final double LEAST_HZ = POSE_HZ / 2.0;
+
+    /** After so many rounds of requests that did not help, the next ones have more time between them. */
+    private static final int MOST_VAIN_ROUNDS = 3;
+
+    private static final double LONGEST_PERIOD_S = 60;
+
+    /** Requests have helped if the reports come more often by this factor. */
+    private static final double HELPFUL = 1.25;
 
     /**
      * The groups of an autopilot without single messages, and how often: status, positions, attitude, speed, ranges.
@@ -31,15 +47,27 @@ final class DataRates {
     private final TimeSource time;
     private final Map<MavlinkMessageType, Integer> wanted = new EnumMap<>(MavlinkMessageType.class);
     private final Map<MavlinkMessageType, Long> before = new ConcurrentHashMap<>();
-    private volatile long requestedNanos;
-    private volatile long checkedNanos;
-    private volatile int rounds;
+    private final Queue<OutgoingMessage> waiting = new ArrayDeque<>();
+    private final Consumer<String> notices;
+    private long requestedNanos;
+    private long checkedNanos;
+    private int rounds;
+    private double bestHz;
+    private int vainRounds;
+    private double periodS = CHECK_S;
+    private boolean told;
     private volatile boolean restarted;
 
-    DataRates(VehicleSession session, VehicleReports reports, TimeSource time) {
+    /**
+     * Asks for nothing yet.
+     *
+     * @param notices receives messages for the user
+     */
+    DataRates(VehicleSession session, VehicleReports reports, TimeSource time, Consumer<String> notices) {
         this.session = session;
         this.reports = reports;
         this.time = time;
+        this.notices = notices;
         wanted.put(MavlinkMessageType.ATTITUDE, POSE_HZ);
         wanted.put(MavlinkMessageType.LOCAL_POSITION_NED, POSE_HZ);
         wanted.put(MavlinkMessageType.GLOBAL_POSITION_INT, 2);
@@ -50,20 +78,27 @@ final class DataRates {
         wanted.put(MavlinkMessageType.OBSTACLE_DISTANCE, POSE_HZ);
     }
 
-    /** Sends the requests. */
-    void request() {
-        requestedNanos = time.nanos();
+    /** Sends the requests, all at once: the vehicle does not move by MAJIC yet. */
+    synchronized void request() {
+        waiting.clear();
+        requests().forEach(session::send);
         begin();
+    }
+
+    private List<OutgoingMessage> requests() {
+        requestedNanos = time.nanos();
         if (session.vehicle() == VehicleClass.COPTER) {
             wanted.put(MavlinkMessageType.GLOBAL_POSITION_INT, POSE_HZ);
             wanted.put(MavlinkMessageType.EXTENDED_SYS_STATE, LANDED_HZ);
         }
+        List<OutgoingMessage> requests = new ArrayList<>();
         if (isOld()) {
-            STREAMS.forEach((stream, hz) -> session.send(MavlinkRequests.stream(session.system(), stream, hz)));
+            STREAMS.forEach((stream, hz) -> requests.add(MavlinkRequests.stream(session.system(), stream, hz)));
         } else {
-            wanted.forEach((type, hz) -> session.send(MavlinkRequests.interval(session.system(), type, hz)));
+            wanted.forEach((type, hz) -> requests.add(MavlinkRequests.interval(session.system(), type, hz)));
         }
         rounds++;
+        return requests;
     }
 
     private void begin() {
@@ -90,23 +125,73 @@ final class DataRates {
         restarted = true;
     }
 
-    /** Sends the requests again if they are not fulfilled; called often. */
-    void check() {
+    /** Sends the requests again if they are not fulfilled, one message at each call; called often. */
+    synchronized void check() {
         if (restarted) {
             restarted = false;
+            hurry();
             request();
+            return;
+        }
+        OutgoingMessage next = waiting.poll();
+        if (next != null) {
+            session.send(next);
+            begin();
             return;
         }
         if (requestedNanos == 0 || time.secondsSince(checkedNanos) < CHECK_S) {
             return;
         }
-        boolean slow =
-                before.entrySet().stream().anyMatch(entry -> reports.count(entry.getKey()) - entry.getValue() < LEAST);
-        if (slow) {
-            request();
-        } else {
+        double hz = slowestHz();
+        begin();
+        if (hz >= LEAST_HZ) {
             rounds = 0;
-            begin();
+            hurry();
+        } else {
+            askAgain(hz);
+        }
+    }
+
+    /** Asks as often as at the beginning. */
+    private void hurry() {
+        bestHz = 0;
+        vainRounds = 0;
+        periodS = CHECK_S;
+    }
+
+    private double slowestHz() {
+        double seconds = time.secondsSince(checkedNanos);
+        return before.entrySet().stream()
+                .mapToDouble(entry -> (reports.count(entry.getKey()) - entry.getValue()) / seconds)
+                .min()
+                .orElse(0);
+    }
+
+    private void askAgain(double hz) {
+        if (hz > HELPFUL * bestHz + 1 / CHECK_S) {
+            hurry();
+            bestHz = hz;
+        }
+        if (time.secondsSince(requestedNanos) < periodS) {
+            return;
+        }
+        vainRounds++;
+        if (vainRounds > MOST_VAIN_ROUNDS) {
+            periodS = Math.min(LONGEST_PERIOD_S, 2 * periodS);
+            tell(hz);
+        }
+        waiting.addAll(requests());
+    }
+
+    /** A vehicle that sends no position at all has none yet. */
+    private void tell(double hz) {
+        boolean matters =
+                session.vehicle().isMoved() && session.modes().guided().isPresent();
+        if (hz > 0 && matters && !told) {
+            told = true;
+            notices.accept("its position and attitude come only " + Value.plain(Math.round(10 * hz) / 10.0)
+                    + " times a second, and MAJIC asks for " + POSE_HZ
+                    + ": the connection may be a slow radio; motions are less exact, and may fail");
         }
     }
 }

@@ -113,7 +113,7 @@ public final class VehicleSession {
         this.texts = new StatusTexts(time, listener::notice);
         this.commands = new CommandSender(this, time);
         this.parameters = new AutopilotParameters(this, waiting);
-        this.rates = new DataRates(this, reports, time);
+        this.rates = new DataRates(this, reports, time, listener::notice);
         this.modes = FlightModes.of(new VehicleHeartbeat(0, 0, 0, false, 0));
     }
 
