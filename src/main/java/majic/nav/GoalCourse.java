@@ -190,6 +190,7 @@ final class GoalCourse implements Course, AutoCloseable {
             if (space.freeMm(here, 0, LEAVE_MM) == LEAVE_MM) {
                 return new Drive(LEAVE_MM_PER_S, 0);
             }
+            turning.cannotLeave();
         }
         return standAndGiveBack();
     }

@@ -19,8 +19,8 @@ final class TurningRoom {
     /** What is nearer to the circle than this would be struck. */
     private static final double STRUCK_MM = 10;
 
-    /** How much farther outside of the circle something is when a robot has driven away from it. */
-    private static final double LEFT_MM = 50;
+    /** From something that is as far outside of the circle the corners of both stay apart, whoever turns. */
+    private static final double LEFT_MM = 180;
 
     /** Something that would be struck may go away by itself for this time longer than the random one, seconds. */
     private static final double LEAVING_S = 2;
@@ -67,7 +67,7 @@ final class TurningRoom {
             patienceS = LEAST_S + RANDOM_S * random.nextDouble();
         }
         double stillS = nowS - stillSinceS;
-        if (nowMm < circleMm + STRUCK_MM + (leaving ? LEFT_MM : 0)) {
+        if (nowMm < circleMm + (leaving ? LEFT_MM : STRUCK_MM)) {
             leaving |= stillS > patienceS + LEAVING_S;
             return false;
         }
@@ -84,5 +84,10 @@ final class TurningRoom {
     /** Whether the robot is to drive straight away from what it would strike in a turn. */
     boolean hasToLeave() {
         return leaving;
+    }
+
+    /** Takes note that there is no room to drive farther away. */
+    void cannotLeave() {
+        leaving = false;
     }
 }
