@@ -16,10 +16,9 @@ public final class MavlinkDecoder {
     private static final int LONGEST = MavlinkEncoder.HEADER_2 + 255 + MavlinkEncoder.CRC_LENGTH + 13;
     private static final int SIGNED = 1;
     private static final int SIGNATURE_LENGTH = 13;
-    private static final int NUMBERS = 256;
 
     private final byte[] buffer = new byte[2 * LONGEST];
-    private final Map<Integer, Integer> sequences = new HashMap<>();
+    private final Map<Integer, SequenceNumbers> senders = new HashMap<>();
     private int filled;
     private int start;
     private boolean inStep = true;
@@ -129,8 +128,13 @@ public final class MavlinkDecoder {
     }
 
     private void count(int sequence, int system, int component) {
-        Integer before = sequences.put(system << 8 | component, sequence);
-        int missing = before == null ? 0 : Math.floorMod(sequence - before - 1, NUMBERS);
+        SequenceNumbers sender = senders.get(system << 8 | component);
+        int missing = 0;
+        if (sender == null) {
+            senders.put(system << 8 | component, new SequenceNumbers(sequence));
+        } else {
+            missing = sender.take(sequence);
+        }
         counts = new FrameCounts(counts.frames() + 1, counts.lost() + missing, counts.damaged(), counts.skipped());
     }
 

@@ -98,6 +98,43 @@ class MavlinkDecoderTest {
         assertThat(decoder.counts()).isEqualTo(new FrameCounts(2, 3, 0, 0));
     }
 
+    private void decodeNumbers(int... numbers) {
+        for (int number : numbers) {
+            decode(MavlinkEncoder.encode(new OutgoingMessage(MavlinkMessageType.ATTITUDE), 2, number));
+        }
+    }
+
+    @Test
+    void aRepeatedFrameIsNotALoss() {
+        decodeNumbers(7, 7, 8, 8, 9);
+
+        assertThat(decoder.counts()).isEqualTo(new FrameCounts(5, 0, 0, 0));
+    }
+
+    @Test
+    void aFrameThatOthersHaveOvertakenIsLostOnlyUntilItArrives() {
+        decodeNumbers(254, 1);
+        assertThat(decoder.counts().lost()).isEqualTo(2);
+
+        decodeNumbers(255, 0, 2, 0, 255);
+
+        assertThat(decoder.counts().lost()).isZero();
+    }
+
+    @Test
+    void aFrameOfBeforeTheFirstOneIsNeitherLostNorFound() {
+        decodeNumbers(10, 9, 11, 13);
+
+        assertThat(decoder.counts().lost()).isEqualTo(1);
+    }
+
+    @Test
+    void aSenderThatCountsAnewHasLostNothing() {
+        decodeNumbers(100, 0, 1, 3);
+
+        assertThat(decoder.counts().lost()).isEqualTo(1);
+    }
+
     @Test
     void anUnknownMessageIsSkippedAndCountsAsArrived() {
         decode(HEARTBEAT_2, hex("fd02000002ffbe0f2700" + "fefd" + "1234"));
