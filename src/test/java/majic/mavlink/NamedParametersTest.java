@@ -53,6 +53,28 @@ class NamedParametersTest {
     }
 
     @Test
+    void anOldValueThatComesAfterTheRequestIsNotTakenForTheAnswer() {
+        robot.rover.sendsOldValues = true;
+
+        bot.set("param/WP_SPEED", 3);
+
+        assertThat(robot.rover.parameters.get("WP_SPEED")).isEqualTo(3f);
+        assertThat(bot.get("param/WP_SPEED")).isEqualTo(number(3));
+    }
+
+    @Test
+    void whatTheAutopilotKeepsIsReadAnew() {
+        robot.rover.keepsParameters = true;
+        robot.rover.received.clear();
+
+        assertThatThrownBy(() -> bot.set("param/WP_SPEED", 3))
+                .isInstanceOf(BotException.class)
+                .hasMessage("WP_SPEED: the autopilot keeps 2.0 in place of 3.0");
+        assertThat(robot.rover.received.stream().filter(got -> got.id() == 20)).hasSize(2);
+        assertThat(robot.rover.received.stream().filter(got -> got.id() == 23)).hasSize(1);
+    }
+
+    @Test
     void aParameterThatThereIsNotCannotBeSet() {
         assertThatThrownBy(() -> bot.set("param/NO_SUCH", 1))
                 .isInstanceOf(BotException.class)

@@ -45,6 +45,20 @@ final class ScriptedRover {
     volatile boolean ignoresModes;
     volatile int landed = 1;
     volatile int lostIndex = -1;
+
+    /** Before a parameter is set, its old value is sent twice; the answer comes 200 ms later. */
+    volatile boolean sendsOldValues;
+
+    volatile boolean keepsParameters;
+
+    /** How long it ran before the test, ms. */
+    volatile int ranMs;
+
+    /** Of the version of its firmware; 0 for one that does not report it. */
+    volatile int major = 4;
+
+    private String dueAnswer = "";
+    private long dueAnswerMs;
     volatile double heightMm;
     volatile boolean withoutPosition;
     volatile boolean withoutAttitude;
@@ -126,11 +140,24 @@ final class ScriptedRover {
                     }
                 }
             }
-            case 23 -> {
-                parameters.computeIfPresent(got.text(6, 16), (name, before) -> got.f32(0));
-                parameter(got.text(6, 16));
-            }
+            case 23 -> setParameter(got.text(6, 16), got.f32(0));
             default -> {}
+        }
+    }
+
+    private void setParameter(String name, float value) {
+        if (sendsOldValues) {
+            parameter(name);
+            listed(parameters.keySet().stream().sorted().toList().indexOf(name));
+        }
+        if (!keepsParameters) {
+            parameters.computeIfPresent(name, (key, before) -> value);
+        }
+        if (sendsOldValues) {
+            dueAnswer = name;
+            dueAnswerMs = nowMs + 200;
+        } else {
+            parameter(name);
         }
     }
 
@@ -148,8 +175,10 @@ final class ScriptedRover {
                 acknowledge(511, 0);
             }
             case 512 -> {
-                acknowledge(512, 0);
-                send(148, fields(78).put(18, (byte) 6).put(19, (byte) 4));
+                acknowledge(512, major == 0 ? 3 : 0);
+                if (major > 0) {
+                    send(148, fields(78).put(18, (byte) 6).put(19, (byte) major));
+                }
             }
             default -> acknowledge(command, 3);
         }
@@ -292,11 +321,14 @@ final class ScriptedRover {
     /** Lets a millisecond pass. */
     void step() {
         nowMs++;
+        if (nowMs == dueAnswerMs) {
+            parameter(dueAnswer);
+        }
         lateMs += congested ? 0.5 : 0;
         deliver();
         goOnArming();
         drive();
-        int ms = (int) (nowMs - bootMs);
+        int ms = (int) (nowMs - bootMs) + ranMs;
         if (due(0, 1000)) {
             heartbeat();
         }

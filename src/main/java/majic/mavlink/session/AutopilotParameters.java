@@ -96,7 +96,9 @@ public final class AutopilotParameters {
     }
 
     /**
-     * Sets a value, and reads what the autopilot has then.
+     * Sets a value, and waits until the autopilot reports it. Another value that comes first may have been sent before
+     * the request, whatever its index (an answer to a read has the index of an answer to a set), so it decides nothing:
+     * what the autopilot keeps is read anew.
      *
      * @param name in capitals
      * @throws BotException if there is no such parameter, or it has another value afterwards
@@ -112,18 +114,30 @@ public final class AutopilotParameters {
         long from = arrivals.get();
         for (int times = 0; times < TIMES; times++) {
             session.send(MavlinkRequests.setParameter(session.system(), name, bits(before, value), before.type()));
-            if (waiting.await(() -> newest(name, from) != null || session.hasEnded(), ANSWER_S)) {
+            if (waiting.await(() -> is(newest(name, from), value) || session.hasEnded(), ANSWER_S)
+                    || mayAnswer(newest(name, from))) {
                 break;
             }
         }
         ParameterValue after = newest(name, from);
+        if (after != null && !is(after, value) && !session.hasEnded()) {
+            after = ask(name);
+        }
         if (after == null) {
             throw new BotException(name + ": the autopilot did not confirm the new value");
         }
-        if (number(after) != (after.type() == REAL ? (float) value : value)) {
+        if (!is(after, value)) {
             throw new BotException(String.format(
                     Locale.ROOT, "%s: the autopilot keeps %s in place of %s", name, number(after), value));
         }
+    }
+
+    private static boolean mayAnswer(@Nullable ParameterValue reported) {
+        return reported != null && reported.index() == ParameterValue.NO_INDEX;
+    }
+
+    private boolean is(@Nullable ParameterValue reported, double value) {
+        return reported != null && number(reported) == (reported.type() == REAL ? (float) value : value);
     }
 
     /** What it means that a read is not answered, as half a sentence. */

@@ -23,8 +23,6 @@ final class ParameterList {
     /** Without a further value the rest is not asked for again. */
     private static final int MOST_ROUNDS = 5;
 
-    private static final int NO_INDEX = 65_535;
-
     private final VehicleSession session;
     private final TimeSource time;
     private final Set<String> names = new ConcurrentSkipListSet<>();
@@ -42,7 +40,7 @@ final class ParameterList {
     /** Takes a value; on the reader thread. */
     synchronized void take(ParameterValue value) {
         names.add(value.name());
-        if (value.index() != NO_INDEX) {
+        if (value.index() != ParameterValue.NO_INDEX) {
             count = value.count();
             newestNanos = time.nanos();
             if (!arrived.get(value.index())) {
