@@ -49,6 +49,8 @@ final class SharedLine {
     private final List<LinePeer> peers = new CopyOnWriteArrayList<>();
     private final LinePeer onlyPeer = LinePeer.at(null);
     private final FirstBytes firstBytes = new FirstBytes();
+    private final Object closing = new Object();
+    private @Nullable SharedLine before;
     private volatile @Nullable IOException cause;
 
     /**
@@ -66,23 +68,39 @@ final class SharedLine {
 
     private boolean opened;
 
-    SharedLine(Link link, TimeSource time) {
+    /**
+     * Creates a connection that is not open yet.
+     *
+     * @param before the connection whose port it takes over, which is closed first; null for none
+     */
+    SharedLine(Link link, TimeSource time, @Nullable SharedLine before) {
         this.link = link;
         this.time = time;
+        this.before = before;
         this.datagrams = link instanceof UdpLink udp ? udp : null;
         if (datagrams == null) {
             peers.add(onlyPeer);
         }
     }
 
-    /** Opens the link and begins to read, unless another user has; one that opens it at the same time is awaited. */
-    synchronized void openOnce(int timeoutMs) throws IOException {
-        IOException before = cause;
-        if (before != null) {
-            throw new IOException(before.getMessage(), before);
-        }
+    /**
+     * Opens the link and begins to read, unless another user has; one that opens it at the same time is awaited.
+     *
+     * @return false if it was open and has ended
+     * @throws IOException if it cannot be opened
+     */
+    synchronized boolean openOnce(int timeoutMs) throws IOException {
+        IOException failed = cause;
         if (opened) {
-            return;
+            return failed == null;
+        }
+        if (failed != null) {
+            throw new IOException(failed.getMessage(), failed);
+        }
+        SharedLine old = before;
+        before = null;
+        if (old != null) {
+            old.close();
         }
         try {
             link.open(timeoutMs);
@@ -92,10 +110,18 @@ final class SharedLine {
         }
         opened = true;
         new LinkReader<>(link, "the other end closed it", new Handler()).start("mavlink " + link.address());
+        return true;
     }
 
-    void add(FrameListener listener) {
-        listeners.add(listener);
+    /**
+     * Adds a user, which is notified of the end.
+     *
+     * @return false if the connection has ended; the listener is not added then
+     */
+    boolean add(FrameListener listener) {
+        synchronized (listeners) {
+            return cause == null && listeners.add(listener);
+        }
     }
 
     void remove(FrameListener listener) {
@@ -167,8 +193,11 @@ final class SharedLine {
         return vehicle == null ? FrameCounts.NONE : vehicle.peer().decoder().counts();
     }
 
+    /** Closes the link; returns when it is closed, on whatever thread that is done. */
     void close() {
-        link.close();
+        synchronized (closing) {
+            link.close();
+        }
     }
 
     /**
@@ -261,8 +290,10 @@ final class SharedLine {
 
         @Override
         public void ended(IOException reason) {
-            cause = reason;
-            link.close();
+            synchronized (listeners) {
+                cause = reason;
+            }
+            close();
             listeners.forEach(listener -> listener.ended(reason));
         }
     }

@@ -7,22 +7,30 @@ import majic.time.TimeSource;
 
 /** The open connections of this program: robots with the same endpoint share one. Thread-safe. */
 public final class VehicleLines {
+    /** One that its last user has left stays here until its port is closed. */
     private static final Map<String, Entry> OPEN = new HashMap<>();
 
     private VehicleLines() {}
 
-    /** A connection and its number of users. */
+    /** A connection and its users. */
     private static final class Entry {
-        private int users;
         private final SharedLine line;
+        private final VehicleEndpoint endpoint;
+        private int users;
+        private boolean left;
 
-        private Entry(SharedLine line) {
+        private Entry(SharedLine line, VehicleEndpoint endpoint) {
             this.line = line;
+            this.endpoint = endpoint;
+        }
+
+        private boolean isOver() {
+            return left || line.cause() != null;
         }
     }
 
     /**
-     * Joins a connection, which the first user opens.
+     * Joins a connection, which the first user opens. A connection to the same port that is being closed is awaited.
      *
      * @param endpoint where the vehicles are
      * @param timeoutMs how long opening may take, ms
@@ -33,22 +41,27 @@ public final class VehicleLines {
      */
     public static VehicleLine join(VehicleEndpoint endpoint, int timeoutMs, TimeSource time, FrameListener listener)
             throws IOException {
-        Entry entry = enter(endpoint, time);
-        try {
-            entry.line.openOnce(timeoutMs);
-        } catch (IOException e) {
-            leave(endpoint, entry);
-            throw e;
+        while (true) {
+            Entry entry = enter(endpoint, time);
+            try {
+                if (entry.line.openOnce(timeoutMs) && entry.line.add(listener)) {
+                    return new VehicleLine(entry.line, listener, () -> leave(entry));
+                }
+            } catch (IOException e) {
+                leave(entry);
+                throw e;
+            }
+            // It has ended meanwhile.
+            leave(entry);
         }
-        entry.line.add(listener);
-        return new VehicleLine(entry.line, listener, () -> leave(endpoint, entry));
     }
 
     private static Entry enter(VehicleEndpoint endpoint, TimeSource time) {
         synchronized (OPEN) {
             Entry entry = OPEN.get(endpoint.key());
-            if (entry == null || entry.line.cause() != null) {
-                entry = new Entry(new SharedLine(endpoint.links().get(), time));
+            if (entry == null || entry.isOver()) {
+                entry = new Entry(
+                        new SharedLine(endpoint.links().get(), time, entry == null ? null : entry.line), endpoint);
                 OPEN.put(endpoint.key(), entry);
             }
             entry.users++;
@@ -56,17 +69,17 @@ public final class VehicleLines {
         }
     }
 
-    private static void leave(VehicleEndpoint endpoint, Entry entry) {
-        boolean last;
+    private static void leave(Entry entry) {
         synchronized (OPEN) {
             entry.users--;
-            last = entry.users == 0;
-            if (last) {
-                OPEN.remove(endpoint.key(), entry);
+            if (entry.users > 0) {
+                return;
             }
+            entry.left = true;
         }
-        if (last) {
-            entry.line.close();
+        entry.line.close();
+        synchronized (OPEN) {
+            OPEN.remove(entry.endpoint.key(), entry);
         }
     }
 }
