@@ -48,6 +48,11 @@ final class VehicleSearch {
     /** The connection keeps what is needed. */
     private static final class Ignored implements FrameListener {
         @Override
+        public int system() {
+            return 0;
+        }
+
+        @Override
         public void received(MavlinkFrame frame) {
             // The connection has the heartbeats.
         }

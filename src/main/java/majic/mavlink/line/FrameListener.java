@@ -5,6 +5,9 @@ import majic.mavlink.frame.MavlinkFrame;
 
 /** Receives what arrives on a connection, on its reader thread, and must not wait. */
 public interface FrameListener {
+    /** The number of the vehicle that is used; 0 while it is not known, on any thread. */
+    int system();
+
     /** Takes a frame, of whatever vehicle. */
     void received(MavlinkFrame frame);
 

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import majic.driver.FirstBytes;
 import majic.driver.LinkHandler;
 import majic.driver.LinkReader;
@@ -122,6 +123,11 @@ final class SharedLine {
         synchronized (listeners) {
             return cause == null && listeners.add(listener);
         }
+    }
+
+    /** The numbers of the vehicles that its users have found. */
+    IntStream systems() {
+        return listeners.stream().mapToInt(FrameListener::system).filter(system -> system != 0);
     }
 
     void remove(FrameListener listener) {

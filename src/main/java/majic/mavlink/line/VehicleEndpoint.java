@@ -12,9 +12,10 @@ import majic.link.UdpLink;
  * @param key the same for the same port
  * @param title for messages: {@code UDP port 14550}, {@code 10.0.0.5 port 5760}, {@code /dev/ttyUSB0}
  * @param isTcp whether it is a TCP connection
+ * @param baud the speed of a serial port; 0 for others
  * @param links makes the link of a connection
  */
-public record VehicleEndpoint(String key, String title, boolean isTcp, Supplier<Link> links) {
+public record VehicleEndpoint(String key, String title, boolean isTcp, int baud, Supplier<Link> links) {
     /**
      * A UDP port of this computer that vehicles send to, or one of a vehicle that waits to be spoken to.
      *
@@ -26,6 +27,7 @@ public record VehicleEndpoint(String key, String title, boolean isTcp, Supplier<
                 "udp://" + host.toLowerCase(Locale.ROOT) + ":" + port,
                 host.isEmpty() ? "UDP port " + port : host + " UDP port " + port,
                 false,
+                0,
                 () -> new UdpLink(host, port));
     }
 
@@ -38,7 +40,11 @@ public record VehicleEndpoint(String key, String title, boolean isTcp, Supplier<
     public static VehicleEndpoint tcp(String host, int port) {
         LinkAddress address = LinkAddress.of("//" + host + ":" + port, port, 0);
         return new VehicleEndpoint(
-                "tcp://" + host.toLowerCase(Locale.ROOT) + ":" + port, host + " port " + port, true, address::newLink);
+                "tcp://" + host.toLowerCase(Locale.ROOT) + ":" + port,
+                host + " port " + port,
+                true,
+                0,
+                address::newLink);
     }
 
     /**
@@ -49,7 +55,7 @@ public record VehicleEndpoint(String key, String title, boolean isTcp, Supplier<
      */
     public static VehicleEndpoint serial(String name, int baud) {
         LinkAddress address = LinkAddress.of(name, 0, baud);
-        return new VehicleEndpoint("serial:" + name, name, false, address::newLink);
+        return new VehicleEndpoint("serial:" + name, name, false, baud, address::newLink);
     }
 
     @Override

@@ -3,6 +3,7 @@ package majic.mavlink.line;
 import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.Collectors;
 import majic.time.TimeSource;
 
 /** The open connections of this program: robots with the same endpoint share one. Thread-safe. */
@@ -37,7 +38,7 @@ public final class VehicleLines {
      * @param time the clock of the vehicles
      * @param listener receives what arrives from now on
      * @return to be closed by the caller
-     * @throws IOException if it cannot be opened; the message is a sentence
+     * @throws IOException if it cannot be opened, or is open with another speed; the message is a sentence
      */
     public static VehicleLine join(VehicleEndpoint endpoint, int timeoutMs, TimeSource time, FrameListener listener)
             throws IOException {
@@ -56,7 +57,7 @@ public final class VehicleLines {
         }
     }
 
-    private static Entry enter(VehicleEndpoint endpoint, TimeSource time) {
+    private static Entry enter(VehicleEndpoint endpoint, TimeSource time) throws IOException {
         synchronized (OPEN) {
             Entry entry = OPEN.get(endpoint.key());
             if (entry == null || entry.isOver()) {
@@ -64,9 +65,21 @@ public final class VehicleLines {
                         new SharedLine(endpoint.links().get(), time, entry == null ? null : entry.line), endpoint);
                 OPEN.put(endpoint.key(), entry);
             }
+            if (entry.endpoint.baud() != endpoint.baud()) {
+                throw new IOException(otherSpeed(entry, endpoint));
+            }
             entry.users++;
             return entry;
         }
+    }
+
+    private static String otherSpeed(Entry open, VehicleEndpoint wanted) {
+        String systems = open.line.systems().mapToObj(String::valueOf).collect(Collectors.joining(", "));
+        return "the serial port " + wanted.title() + " is open at " + open.endpoint.baud()
+                + (systems.isEmpty()
+                        ? " baud for another robot, and has one speed"
+                        : " baud for vehicle " + systems + ", and has one speed")
+                + ": use ?baud=" + open.endpoint.baud() + " in both addresses, or disconnect that robot first";
     }
 
     private static void leave(Entry entry) {

@@ -378,6 +378,11 @@ public final class VehicleSession {
     /** Sorts what arrives. */
     private final class Handler implements FrameListener {
         @Override
+        public int system() {
+            return system;
+        }
+
+        @Override
         public void received(MavlinkFrame frame) {
             if (first == null) {
                 waiting.changes().raise();

@@ -1,6 +1,7 @@
 package majic.mavlink.line;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.util.List;
@@ -112,18 +113,18 @@ class VehicleLinesTest {
         }
     }
 
-    private VehicleEndpoint port() {
-        return new VehicleEndpoint("serial:/dev/test", "/dev/test", false, Port::new);
+    private VehicleEndpoint port(int baud) {
+        return new VehicleEndpoint("serial:/dev/test", "/dev/test", false, baud, Port::new);
     }
 
-    private VehicleLine join(int system) throws IOException {
-        return VehicleLines.join(port(), 1000, clock.time(), new User(system));
+    private VehicleLine join(int baud, int system) throws IOException {
+        return VehicleLines.join(port(baud), 1000, clock.time(), new User(system));
     }
 
     @Test
     void theLastUserClosesThePort() throws IOException {
-        VehicleLine one = join(1);
-        VehicleLine two = join(2);
+        VehicleLine one = join(57_600, 1);
+        VehicleLine two = join(57_600, 2);
         assertThat(events).containsExactly("opened");
 
         one.close();
@@ -135,7 +136,7 @@ class VehicleLinesTest {
 
     @Test
     void aPortThatIsBeingClosedIsOpenedAgainWhenItIsClosed() throws Exception {
-        VehicleLine old = join(1);
+        VehicleLine old = join(57_600, 1);
         closesSlowly = true;
         Thread leaving = new Thread(old::close, "leaving");
         leaving.start();
@@ -157,7 +158,7 @@ class VehicleLinesTest {
                 () -> joined.completeAsync(
                         () -> {
                             try {
-                                return join(2);
+                                return join(57_600, 2);
                             } catch (IOException e) {
                                 throw new IllegalStateException(e);
                             }
@@ -174,7 +175,7 @@ class VehicleLinesTest {
 
     @Test
     void aPortThatHasEndedIsOpenedAgainWhenItIsClosed() throws Exception {
-        VehicleLine old = join(1);
+        VehicleLine old = join(57_600, 1);
         closesSlowly = true;
         newest.ended.countDown();
         await(closing);
@@ -185,6 +186,27 @@ class VehicleLinesTest {
         old.close();
         assertThat(events).containsExactly("opened", "closed", "opened");
         second.close();
+        assertThat(events).containsExactly("opened", "closed", "opened", "closed");
+    }
+
+    @Test
+    void anotherSpeedThanThatOfTheOpenPortIsRefused() throws IOException {
+        List<VehicleLine> open = List.of(join(57_600, 1), join(57_600, 2));
+
+        assertThatThrownBy(() -> join(115_200, 3))
+                .isInstanceOf(IOException.class)
+                .hasMessage("the serial port /dev/test is open at 57600 baud for vehicle 1, 2, and has one"
+                        + " speed: use ?baud=57600 in both addresses, or disconnect that robot first");
+
+        open.forEach(VehicleLine::close);
+    }
+
+    @Test
+    void anotherSpeedIsAcceptedWhenThePortWasClosed() throws IOException {
+        join(57_600, 1).close();
+
+        join(115_200, 1).close();
+
         assertThat(events).containsExactly("opened", "closed", "opened", "closed");
     }
 }
