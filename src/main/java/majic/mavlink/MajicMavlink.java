@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Collectors;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
@@ -229,21 +230,36 @@ public final class MajicMavlink extends BotDriver {
         }
     }
 
-    /** Sends notices about what matters before the vehicle moves. */
-    private void adviseAbout(VehicleSession opened) {
+    /** Sends a notice about what MAJIC can do with the kind of vehicle and the version of its autopilot. */
+    private void adviseAboutKind(VehicleSession opened) {
         Optional<AutopilotVersion> version = opened.version();
         if (!opened.modes().isKnown()) {
             notice("its autopilot is neither ArduPilot nor PX4, or the kind of vehicle is unknown: MAJIC shows it, but"
                     + " cannot stop it");
         } else if (opened.modes().isPx4()) {
-            notice("its autopilot is PX4: MAJIC shows and stops it, but does not drive it");
+            notice("its autopilot is PX4: MAJIC shows and stops it, but neither arms nor moves it otherwise than by "
+                    + commandsOf(opened));
         } else if (!opened.vehicle().isMoved()) {
-            notice("it is a " + opened.vehicle().title() + ": MAJIC shows and stops it, but does not arm or move it");
+            notice("it is a " + opened.vehicle().title() + ": MAJIC shows and stops it, but neither arms nor moves it"
+                    + " otherwise than by " + commandsOf(opened));
         } else if (version.isEmpty()) {
-            notice("its autopilot has not reported its version; MAJIC needs ArduPilot 4 or newer to drive it");
+            notice("its autopilot has not reported its version: before ArduPilot 4, MAJIC shows and stops it, but its"
+                    + " motions fail, because older versions ignore velocities");
         } else if (version.get().major() < OLDEST_MAJOR) {
-            notice("its autopilot is ArduPilot " + version.get() + "; MAJIC needs version 4 or newer to drive it");
+            notice("its autopilot is ArduPilot " + version.get() + ": MAJIC shows and stops it, but its motions fail,"
+                    + " because versions before 4 ignore velocities");
         }
+    }
+
+    private String commandsOf(VehicleSession opened) {
+        return commands.of(opened.vehicle(), opened.modes()).stream()
+                .map(command -> command.command().name())
+                .collect(Collectors.joining(", "));
+    }
+
+    /** Sends notices about what matters before the vehicle moves. */
+    private void adviseAbout(VehicleSession opened) {
+        adviseAboutKind(opened);
         if (opened.vehicle() == VehicleClass.COPTER
                 && fence == null
                 && opened.modes().guided().isPresent()) {

@@ -169,20 +169,71 @@ class RoverConnectingTest {
         }
     }
 
-    @Test
-    void otherKindsOfVehiclesAndAutopilotsAreSaid() {
-        rover.type = 2;
+    private void connectTo(int type, int autopilot, int major) {
+        rover.type = type;
+        rover.autopilot = autopilot;
+        rover.major = major;
         bot.connect();
+    }
+
+    @Test
+    void aCopterFliesOnlyInsideAFence() {
+        connectTo(2, 3, 4);
 
         assertThat(robot.notices()).anyMatch(notice -> notice.contains("it flies only after"));
     }
 
     @Test
-    void px4IsSaid() {
-        rover.autopilot = 12;
-        bot.connect();
+    void aRoverWithArduPilot4IsDrivenWithoutFurtherNotice() {
+        connectTo(10, 3, 4);
 
-        assertThat(robot.notices()).anyMatch(notice -> notice.contains("PX4"));
+        assertThat(robot.notices()).noneMatch(notice -> notice.contains("MAJIC shows"));
+    }
+
+    @Test
+    void whatCanBeDoneWithPx4IsSaid() {
+        connectTo(2, 12, 1);
+
+        assertThat(robot.notices())
+                .contains(
+                        "its autopilot is PX4: MAJIC shows and stops it, but neither arms nor moves it otherwise than by"
+                                + " hold, land, home");
+    }
+
+    @Test
+    void whatCanBeDoneWithAPlaneIsSaid() {
+        connectTo(1, 3, 4);
+
+        assertThat(robot.notices())
+                .contains(
+                        "it is a plane: MAJIC shows and stops it, but neither arms nor moves it otherwise than by hold,"
+                                + " home");
+    }
+
+    @Test
+    void whatCanBeDoneWithASubmarineIsSaid() {
+        connectTo(12, 3, 4);
+
+        assertThat(robot.notices())
+                .contains("it is a submarine: MAJIC shows and stops it, but neither arms nor moves it otherwise than by"
+                        + " hold, surface");
+    }
+
+    @Test
+    void whatCanBeDoneWithAnArduPilotBeforeVersion4IsSaid() {
+        connectTo(10, 3, 3);
+
+        assertThat(robot.notices())
+                .contains("its autopilot is ArduPilot 3.6.0: MAJIC shows and stops it, but its motions fail, because"
+                        + " versions before 4 ignore velocities");
+    }
+
+    @Test
+    void anAutopilotThatDoesNotReportItsVersionMayBeAnOldOne() {
+        connectTo(10, 3, 0);
+
+        assertThat(robot.notices())
+                .anyMatch(notice -> notice.contains("has not reported its version: before ArduPilot 4"));
     }
 
     @Test

@@ -140,7 +140,10 @@ public final class VehicleSession {
             send(MavlinkRequests.command(
                     system, MavlinkRequests.REQUEST_MESSAGE, 0, MavlinkMessageType.AUTOPILOT_VERSION.id()));
             waiting.awaitConnecting(
-                    () -> over.get() || parameters.known("FS_GCS_ENABLE").isPresent(), PARAMETERS_S);
+                    () -> over.get()
+                            || parameters.known("FS_GCS_ENABLE").isPresent()
+                                    && version().isPresent(),
+                    PARAMETERS_S);
             failIfOver();
         } catch (RuntimeException e) {
             close();
