@@ -6,12 +6,14 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotState;
 import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
 import majic.bot.Parameter;
 import majic.bot.ParameterException;
 import majic.bot.Pose;
@@ -81,6 +83,11 @@ public final class MajicMavlink extends BotDriver {
     private volatile @Nullable FlightFence fence;
     private volatile boolean describesRanges;
 
+    /** Whether MAJIC moved the vehicle when its clock went back. */
+    private volatile boolean heldBefore;
+
+    private volatile boolean stopsBoth;
+
     /**
      * Creates the driver of a vehicle, with the system's clock and no settings.
      *
@@ -135,6 +142,16 @@ public final class MajicMavlink extends BotDriver {
         VehicleSession open = session;
         if (open != null) {
             open.check();
+            stopBoth(open);
+        }
+    }
+
+    /** Stops what MAJIC was moving when a second vehicle with its number was found, which may have followed too. */
+    private void stopBoth(VehicleSession open) {
+        VehicleAccess.Parts now = parts.get();
+        if (stopsBoth && now != null && now.session() == open && !open.hasEnded()) {
+            stopsBoth = false;
+            now.motion().haltAhead();
         }
     }
 
@@ -149,6 +166,8 @@ public final class MajicMavlink extends BotDriver {
         last = before == null ? last : before.motion().last();
         // A robot stays the vehicle that it was first: another one may send there when the connection is lost.
         int wanted = address.system() == 0 ? knownSystem : address.system();
+        heldBefore = false;
+        stopsBoth = false;
         VehicleSession opening = new VehicleSession(address.endpoint(), wanted, waiting(), new Events());
         session = opening;
         opening.open();
@@ -306,16 +325,29 @@ public final class MajicMavlink extends BotDriver {
 
     @Override
     protected Value moveBy(double mm, Motion motion) {
-        return motion().move(mm, cruiseMmPerSec(), motion);
+        return alone(() -> motion().move(mm, cruiseMmPerSec(), motion));
     }
 
     @Override
     protected Value turnBy(double degrees, Motion motion) {
-        return motion().turn(degrees, cruiseTurnDegPerSec(), motion);
+        return alone(() -> motion().turn(degrees, cruiseTurnDegPerSec(), motion));
+    }
+
+    /** Does what moves the vehicle; fails before, or with that reason, if it is not the only one with its number. */
+    private Value alone(Supplier<Value> moves) {
+        VehicleSession open = connected().session();
+        open.failIfDoubled();
+        try {
+            return moves.get();
+        } catch (MotionFailed e) {
+            open.failIfDoubled();
+            throw e;
+        }
     }
 
     @Override
     protected void driveAt(double mmPerSec, double degPerSec) {
+        connected().session().failIfDoubled();
         motion().drive(mmPerSec, degPerSec);
     }
 
@@ -335,15 +367,25 @@ public final class MajicMavlink extends BotDriver {
 
     @Override
     public void confirmHalt() {
-        motion().confirmHalt();
+        VehicleAccess.Parts open = connected();
+        if (open.session().isDoubled()) {
+            throw new BotException(
+                    name() + " has the number of another vehicle, so its stop, which was sent to both, is"
+                            + " not confirmed; look at both");
+        }
+        open.motion().confirmHalt();
     }
 
     private VehicleMotion motion() {
+        return connected().motion();
+    }
+
+    private VehicleAccess.Parts connected() {
         VehicleAccess.Parts open = parts.get();
         if (open == null) {
             throw new BotException(name() + " is not connected");
         }
-        return open.motion();
+        return open;
     }
 
     /** The range finders that have reported so far. */
@@ -427,7 +469,7 @@ public final class MajicMavlink extends BotDriver {
     private final class Events implements VehicleSession.Listener {
         @Override
         public void moved(VehicleSession from) {
-            if (from == session) {
+            if (from == session && !from.isDoubled()) {
                 parts(from).motion().moved();
             }
         }
@@ -457,8 +499,18 @@ public final class MajicMavlink extends BotDriver {
         @Override
         public void restarted(VehicleSession from) {
             if (from == session) {
+                heldBefore = parts(from).motion().isHeld();
                 parts(from).motion().restarted();
                 MajicMavlink.this.notice("the autopilot has restarted");
+            }
+        }
+
+        @Override
+        public void doubled(VehicleSession from) {
+            if (from == session) {
+                VehicleMotion motion = parts(from).motion();
+                stopsBoth = heldBefore || motion.isHeld() || motion.isMoving();
+                motion.restarted();
             }
         }
 

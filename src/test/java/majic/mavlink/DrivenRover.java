@@ -2,6 +2,7 @@ package majic.mavlink;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import majic.bot.BotAddress;
 import majic.bot.BotListener;
 import majic.bot.MajicBot;
@@ -16,6 +17,10 @@ import majic.environment.Settings;
 final class DrivenRover implements TestedRobot, ScriptedPeer.Robot {
     final ScriptedPeer peer = new ScriptedPeer(this);
     final ScriptedRover rover = new ScriptedRover(peer::send);
+
+    /** Other vehicles behind the same port. */
+    final List<ScriptedRover> others = new CopyOnWriteArrayList<>();
+
     final List<String> notices = new ArrayList<>();
     private final MajicMavlink bot;
 
@@ -69,11 +74,13 @@ final class DrivenRover implements TestedRobot, ScriptedPeer.Robot {
     @Override
     public void received(ScriptedPeer client, byte[] bytes) {
         rover.receive(bytes);
+        others.forEach(other -> other.receive(bytes));
     }
 
     @Override
     public void step(ScriptedPeer client) {
         rover.step();
+        others.forEach(ScriptedRover::step);
     }
 
     @Override

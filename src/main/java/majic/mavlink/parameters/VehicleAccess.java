@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import majic.bot.BotException;
+import majic.bot.MotionFailed;
 import majic.bot.Value;
 import majic.mavlink.motion.VehicleMotion;
 import majic.mavlink.ranging.VehicleRanges;
@@ -53,6 +54,17 @@ public final class VehicleAccess {
         return open == null || open.session().hasEnded()
                 ? List.of()
                 : open.session().parameters().names();
+    }
+
+    /**
+     * The parts of the present connection, for what moves the vehicle.
+     *
+     * @throws MotionFailed if another vehicle has its number
+     */
+    Parts alone() {
+        Parts open = open();
+        open.session().failIfDoubled();
+        return open;
     }
 
     Parts open() {

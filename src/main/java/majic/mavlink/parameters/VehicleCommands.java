@@ -47,14 +47,14 @@ public final class VehicleCommands {
                     true,
                     "takes off and waits until the height is reached",
                     (values, motion) ->
-                            access.open().motion().takeOff(values.get(0).number(), motion) + " above home"));
+                            access.alone().motion().takeOff(values.get(0).number(), motion) + " above home"));
             commands.add(new DriverCommand(
                     "climb",
                     List.of(Parameter.number("distance", Unit.MM, "up positive")
                             .within(-FlightFence.LARGEST_MM, FlightFence.LARGEST_MM)),
                     true,
                     "changes its height",
-                    (values, motion) -> access.open()
+                    (values, motion) -> access.alone()
                             .motion()
                             .climb(values.get(0).number(), motion)
                             .toString()));
@@ -91,19 +91,22 @@ public final class VehicleCommands {
                 List.of(),
                 true,
                 help + " (" + mode + ")",
-                (values, motion) -> access.open().motion().setMode(mode, motion).answer("in " + mode));
+                (values, motion) -> (name.equals("home") ? access.alone() : access.open())
+                        .motion()
+                        .setMode(mode, motion)
+                        .answer("in " + mode));
     }
 
     private String arm(List<Value> values, Motion motion) {
-        return access.open().motion().arm(motion).answer("armed");
+        return access.alone().motion().arm(motion).answer("armed");
     }
 
     private String disarm(List<Value> values, Motion motion) {
-        return access.open().motion().disarm(motion).answer("disarmed");
+        return access.alone().motion().disarm(motion).answer("disarmed");
     }
 
     private String goToGlobal(List<Value> values, Motion motion) {
-        return access.open()
+        return access.alone()
                 .motion()
                 .goToGlobal(
                         (int) Math.round(TO_E7 * values.get(0).number()),

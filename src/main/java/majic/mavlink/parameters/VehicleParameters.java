@@ -116,7 +116,7 @@ public final class VehicleParameters {
     }
 
     private void setMode(List<Value> values, Motion motion) {
-        VehicleAccess.Parts open = access.open();
+        VehicleAccess.Parts open = access.alone();
         FlightModes modes = open.session().modes();
         String name = values.get(0).toString().toUpperCase(Locale.ROOT);
         if (modes.number(name).isEmpty()) {

@@ -9,6 +9,7 @@ import java.util.stream.Collectors;
 import majic.bot.ConnectFailed;
 import majic.bot.ConnectFailed.Reason;
 import majic.bot.LinkLost;
+import majic.bot.MotionFailed;
 import majic.driver.FirstBytes;
 import majic.driver.RobotWait;
 import majic.mavlink.frame.FrameCounts;
@@ -49,9 +50,6 @@ public final class VehicleSession {
     /** A vehicle that has sent nothing for so long is lost, seconds (MAVLink sheet 3). */
     private static final double SILENCE_S = 3;
 
-    /** The clock of an autopilot goes back by more than this when it restarts, ms: frames may overtake each other. */
-    private static final long RESTART_MS = 2000;
-
     private static final String ASLEEP = "this computer was asleep";
 
     private final VehicleEndpoint endpoint;
@@ -71,7 +69,8 @@ public final class VehicleSession {
     private volatile @Nullable VehicleHeartbeat first;
     private volatile FlightModes modes;
     private volatile long heardNanos;
-    private volatile long bootMs = -1;
+    private final NumberCheck numbers;
+    private volatile boolean doubled;
     private boolean asleep;
 
     /** Is notified of what happens, on the reader thread. */
@@ -87,6 +86,9 @@ public final class VehicleSession {
 
         /** The autopilot has restarted. */
         void restarted(VehicleSession session);
+
+        /** Another vehicle sends with the same number from the same address; called once. */
+        void doubled(VehicleSession session);
 
         /** The connection has ended; called once, on any thread. */
         void lost(VehicleSession session, LinkLost cause);
@@ -113,6 +115,7 @@ public final class VehicleSession {
         this.texts = new StatusTexts(time, listener::notice);
         this.commands = new CommandSender(this, time);
         this.parameters = new AutopilotParameters(this, waiting);
+        this.numbers = new NumberCheck(time);
         this.rates = new DataRates(this, reports, time, listener::notice);
         this.modes = FlightModes.of(new VehicleHeartbeat(0, 0, 0, false, 0));
     }
@@ -351,6 +354,23 @@ public final class VehicleSession {
         return open == null ? FrameCounts.NONE : open.counts(system);
     }
 
+    /** Whether another vehicle sends with the same number from the same address: every message may be of either. */
+    public boolean isDoubled() {
+        return doubled;
+    }
+
+    /**
+     * Does nothing if the vehicle is the only one with its number.
+     *
+     * @throws MotionFailed if it is not: what moves it would move the other one too
+     */
+    public void failIfDoubled() {
+        if (doubled) {
+            throw new MotionFailed("two vehicles send with the number " + system + " from one address; give one of them"
+                    + " another SYSID_THISMAV, and connect again");
+        }
+    }
+
     /** Whether the connection has ended. */
     public boolean hasEnded() {
         return over.get();
@@ -406,7 +426,11 @@ public final class VehicleSession {
             }
             reports.take(frame);
             switch (frame.type()) {
-                case HEARTBEAT -> listener.heartbeat(VehicleSession.this, VehicleHeartbeat.of(frame.payload()));
+                case HEARTBEAT -> {
+                    VehicleHeartbeat heartbeat = VehicleHeartbeat.of(frame.payload());
+                    handle(numbers.heartbeat(heartbeat));
+                    listener.heartbeat(VehicleSession.this, heartbeat);
+                }
                 case COMMAND_ACK -> {
                     if (CommandAck.isFor(frame.payload(), MavlinkEncoder.SYSTEM, MavlinkEncoder.COMPONENT)) {
                         commands.take(CommandAck.of(frame.payload()));
@@ -420,11 +444,11 @@ public final class VehicleSession {
                     }
                 }
                 case ATTITUDE -> {
-                    findRestart(frame.payload().u32(0));
+                    handle(numbers.clock(frame.payload().u32(0)));
                     listener.reported(VehicleSession.this, frame.type());
                 }
                 case LOCAL_POSITION_NED -> {
-                    findRestart(frame.payload().u32(0));
+                    handle(numbers.clock(frame.payload().u32(0)));
                     listener.moved(VehicleSession.this);
                 }
                 default -> listener.reported(VehicleSession.this, frame.type());
@@ -432,12 +456,17 @@ public final class VehicleSession {
             waiting.changes().raise();
         }
 
-        private void findRestart(long newestMs) {
-            long before = bootMs;
-            bootMs = newestMs;
-            if (before >= 0 && newestMs < before - RESTART_MS) {
+        private void handle(NumberCheck.Finding finding) {
+            if (finding == NumberCheck.Finding.RESTARTED && !doubled) {
                 rates.restarted();
                 listener.restarted(VehicleSession.this);
+            }
+            if (finding == NumberCheck.Finding.TWO && !doubled) {
+                doubled = true;
+                listener.doubled(VehicleSession.this);
+                listener.notice(
+                        "two vehicles send with the number " + system + " from one address: MAJIC moves neither of"
+                                + " them, and a stop goes to both; give one of them another SYSID_THISMAV, and connect again");
             }
         }
 
