@@ -70,6 +70,17 @@ class OneNumberTest {
         assertThat(noticesWith("has restarted")).isEqualTo(2);
     }
 
+    /** As vehicles that are made with MAVSDK. */
+    @Test
+    void anotherClockForEachKindOfReportIsNoSecondVehicleAndNoRestart() {
+        rover.positionLagMs = 100_000;
+        robot.ready();
+        robot.pass(5);
+
+        assertThat(noticesWith(FOUND)).isZero();
+        assertThat(noticesWith("has restarted")).isZero();
+    }
+
     @Test
     void aMotionEndsWithThatReasonAndBothAreStopped() {
         robot.ready();

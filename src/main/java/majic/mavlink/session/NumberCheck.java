@@ -54,7 +54,7 @@ final class NumberCheck {
     }
 
     /**
-     * Takes the time of a report.
+     * Takes the time of a report; of one kind only, since some autopilots have another clock for each.
      *
      * @param newestMs since power-on
      */

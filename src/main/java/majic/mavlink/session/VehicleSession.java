@@ -447,10 +447,7 @@ public final class VehicleSession {
                     handle(numbers.clock(frame.payload().u32(0)));
                     listener.reported(VehicleSession.this, frame.type());
                 }
-                case LOCAL_POSITION_NED -> {
-                    handle(numbers.clock(frame.payload().u32(0)));
-                    listener.moved(VehicleSession.this);
-                }
+                case LOCAL_POSITION_NED -> listener.moved(VehicleSession.this);
                 default -> listener.reported(VehicleSession.this, frame.type());
             }
             waiting.changes().raise();
