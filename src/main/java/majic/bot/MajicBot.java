@@ -258,6 +258,15 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     }
 
     /**
+     * Returns the circle that the robot must not leave; waits for nothing.
+     *
+     * @return empty for a robot without a fence, and while the middle of the fence is not known
+     */
+    public Optional<Fence> fence() {
+        return Optional.empty();
+    }
+
+    /**
      * Returns the parameters that describe this one robot and hold for longer than a session, such as measured speeds.
      * They are saved with a team.
      *

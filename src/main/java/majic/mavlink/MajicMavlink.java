@@ -12,6 +12,7 @@ import javax.swing.JComponent;
 import majic.bot.BotAddress;
 import majic.bot.BotException;
 import majic.bot.BotState;
+import majic.bot.Fence;
 import majic.bot.LinkLost;
 import majic.bot.MotionFailed;
 import majic.bot.Parameter;
@@ -418,6 +419,19 @@ public final class MajicMavlink extends BotDriver {
                 .filter(GlobalPosition::isKnown)
                 .map(position -> OptionalDouble.of(position.aboveHomeMm()))
                 .orElse(OptionalDouble.empty());
+    }
+
+    /** The circle of a copter's fence over the ground, once the copter was armed by MAJIC's command. */
+    @Override
+    public Optional<Fence> fence() {
+        VehicleAccess.Parts open = parts.get();
+        FlightFence set = fence;
+        return open == null || set == null
+                ? Optional.empty()
+                : open.motion()
+                        .home()
+                        .map(odometryOrigin()::plus)
+                        .map(home -> new Fence(home.xMm(), home.yMm(), set.radiusMm()));
     }
 
     @Override

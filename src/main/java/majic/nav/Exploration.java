@@ -221,7 +221,8 @@ final class Exploration implements Course, AutoCloseable {
                         other.state().pose().yMm(),
                         other.profile().bodyMm()))
                 .toList();
-        return new FreeSpace(known.map(), robot.profile().bodyMm(), standing);
+        return new FreeSpace(
+                known.map(), robot.profile().bodyMm(), standing, robot.fence().orElse(null));
     }
 
     private Optional<Way> way(Known known, Frontiers.Views views) {

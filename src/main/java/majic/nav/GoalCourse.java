@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.stream.Stream;
 import majic.bot.Course;
 import majic.bot.DriveGuard.Room;
+import majic.bot.Fence;
 import majic.bot.MajicBot;
 import majic.bot.MotionFailed;
 import majic.bot.Pose;
@@ -85,6 +86,7 @@ final class GoalCourse implements Course, AutoCloseable {
     private int turnsAtEnd;
 
     GoalCourse(MajicBot robot, Destination destination, TeamSpace team) {
+        robot.fence().ifPresent(fence -> refuseOutside(fence, destination));
         this.robot = robot;
         this.destination = destination;
         this.team = team;
@@ -97,6 +99,14 @@ final class GoalCourse implements Course, AutoCloseable {
         this.planned = new PlannedWay(local, destination, team, vehicle);
         this.yielding = new Yielding(local, planned, destination, team.traffic(), vehicle);
         local.open();
+    }
+
+    private static void refuseOutside(Fence fence, Destination destination) {
+        Pose to = destination.pose();
+        if (fence.insideMm(to.xMm(), to.yMm()) < 0) {
+            throw new NoWay(destination + " is " + fence.distance(to.xMm(), to.yMm())
+                    + " from home, outside of the fence of " + fence.radius() + "; \"set fence\" sets a larger one");
+        }
     }
 
     @Override

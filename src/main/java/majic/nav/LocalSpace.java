@@ -132,7 +132,8 @@ final class LocalSpace {
     }
 
     private FreeSpace with(List<Disc> things) {
-        return new FreeSpace(map, robot.profile().bodyMm(), things);
+        return new FreeSpace(
+                map, robot.profile().bodyMm(), things, robot.fence().orElse(null));
     }
 
     private List<Disc> things(boolean withTraffic, boolean withKnown) {

@@ -2,6 +2,7 @@ package majic.nav;
 
 import java.util.Locale;
 import java.util.Optional;
+import majic.bot.Fence;
 import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.nav.path.FreeSpace;
@@ -178,10 +179,16 @@ final class PlannedWay {
         if (!map.isKnown(to.xMm(), to.yMm())) {
             throw noWay("nothing is known of that place; the map has to be larger");
         }
-        if (new PathPlanner(local.onMapOnly()).plan(here, to).isEmpty()) {
-            throw noWay("walls, or what is unknown, close every way that is as wide as the robot ("
-                    + Math.round(2 * (bodyMm + FreeSpace.MARGIN_MM)) + " mm)");
+        FreeSpace fenced = local.onMapOnly();
+        if (new PathPlanner(fenced).plan(here, to).isPresent()) {
+            return;
         }
+        Fence fence = fenced.fence();
+        if (fence != null && new PathPlanner(fenced.unfenced()).plan(here, to).isPresent()) {
+            throw noWay("every way leaves the fence of " + fence.radius() + "; \"set fence\" sets a larger one");
+        }
+        throw noWay("walls, or what is unknown, close every way that is as wide as the robot ("
+                + Math.round(2 * (bodyMm + FreeSpace.MARGIN_MM)) + " mm)");
     }
 
     private NoWay noWay(String why) {

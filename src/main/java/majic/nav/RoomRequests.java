@@ -114,7 +114,11 @@ final class RoomRequests {
         List<Disc> things =
                 new ArrayList<>(without(standing, local.besideTraffic()).things());
         things.add(new Disc(here.xMm(), here.yMm(), robot.profile().bodyMm()));
-        return new FreeSpace(local.map(), standing.profile().bodyMm(), things);
+        return new FreeSpace(
+                local.map(),
+                standing.profile().bodyMm(),
+                things,
+                standing.fence().orElse(null));
     }
 
     /** Returns a space without one of the robots in it. */

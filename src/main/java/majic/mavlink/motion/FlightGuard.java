@@ -3,9 +3,11 @@ package majic.mavlink.motion;
 import java.util.Locale;
 import java.util.function.Supplier;
 import majic.bot.MotionFailed;
+import majic.bot.Pose;
 import majic.mavlink.message.AttitudeReport;
 import majic.mavlink.message.GlobalPosition;
 import majic.mavlink.message.LandedState;
+import majic.mavlink.message.LocalPosition;
 import majic.mavlink.motion.FlightFence.Place;
 import majic.mavlink.session.VehicleSession;
 import majic.time.TimeSource;
@@ -35,6 +37,7 @@ final class FlightGuard implements ObstructionSource {
     private final TimeSource time;
     private final Supplier<@Nullable FlightFence> fence;
     private volatile @Nullable GlobalPosition home;
+    private volatile @Nullable Pose homeInOdometry;
     private volatile @Nullable String ended;
     private volatile boolean takingOff;
 
@@ -46,12 +49,24 @@ final class FlightGuard implements ObstructionSource {
 
     /** Takes note that MAJIC's command has armed it, where it is. */
     void armed(GlobalPosition where) {
+        homeInOdometry = session.reports()
+                .newest(LocalPosition.class, OLD_S)
+                .filter(LocalPosition::isUsable)
+                .map(position -> new Pose(1000 * position.northM(), -1000 * position.eastM(), 0))
+                .orElse(null);
         home = where;
     }
 
     /** Takes note that it is not armed. */
     void disarmed() {
         home = null;
+        homeInOdometry = null;
+    }
+
+    /** Where it was armed, in the frame of its odometry; null if it was not, or that is not known. */
+    @Nullable
+    Pose homeInOdometry() {
+        return homeInOdometry;
     }
 
     boolean isArmedByMajic() {

@@ -204,6 +204,13 @@ public final class VehicleMotion {
         return velocities.last();
     }
 
+    /** Where a copter was armed by MAJIC's command, from where it was added; empty if it was not. */
+    public Optional<Pose> home() {
+        LastOdometry now = velocities.last();
+        return Optional.ofNullable(flight.homeInOdometry())
+                .map(home -> now.pose().plus(home.seenFrom(now.raw())));
+    }
+
     /**
      * Moves straight.
      *

@@ -1,7 +1,9 @@
 package majic.nav.path;
 
 import java.util.List;
+import majic.bot.Fence;
 import majic.bot.Pose;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Where a robot fits: the obstacles of a map, and round things that are not on it, such as other robots or what its
@@ -10,8 +12,13 @@ import majic.bot.Pose;
  * @param map the distances from the obstacles of the map
  * @param bodyMm the radius of the robot
  * @param things what is not on the map
+ * @param fence outside of which no way is planned; null without one
  */
-public record FreeSpace(ObstacleDistance map, double bodyMm, List<Disc> things) {
+public record FreeSpace(
+        ObstacleDistance map,
+        double bodyMm,
+        List<Disc> things,
+        @Nullable Fence fence) {
     /** A robot keeps as far from everything if it can, mm: what its odometry and its control are wrong by. */
     public static final double MARGIN_MM = 30;
 
@@ -43,13 +50,44 @@ public record FreeSpace(ObstacleDistance map, double bodyMm, List<Disc> things) 
     }
 
     /**
+     * A space without a fence.
+     *
+     * @param map the distances from the obstacles of the map
+     * @param bodyMm the radius of the robot
+     * @param things what is not on the map
+     */
+    public FreeSpace(ObstacleDistance map, double bodyMm, List<Disc> things) {
+        this(map, bodyMm, things, null);
+    }
+
+    /**
      * Returns this space with other things.
      *
      * @param others what is not on the map
      * @return a space on the same map
      */
     public FreeSpace with(List<Disc> others) {
-        return new FreeSpace(map, bodyMm, others);
+        return new FreeSpace(map, bodyMm, others, fence);
+    }
+
+    /**
+     * Returns this space without its fence.
+     *
+     * @return a space with the same obstacles
+     */
+    public FreeSpace unfenced() {
+        return new FreeSpace(map, bodyMm, things);
+    }
+
+    /**
+     * Returns whether a way may lead through a place, by the fence alone.
+     *
+     * @param xMm of the robot's centre, in the frame of the map
+     * @param yMm of the robot's centre
+     * @return true without a fence
+     */
+    public boolean isInFence(double xMm, double yMm) {
+        return fence == null || fence.insideMm(xMm, yMm) >= 0;
     }
 
     /**

@@ -13,7 +13,8 @@ import majic.nav.grid.OccupancyGrid;
 /**
  * The shortest way across a space: A* over the cells of the map (Hart, Nilsson, Raphael 1968), then the straight lines
  * that cost no more. A way close to an obstacle costs up to twice its length, so that it keeps away where there is
- * room. What is unknown is not crossed. Used by one thread.
+ * room. What is unknown is not crossed, and a fence is not left: it is round, so no straight line between two places
+ * inside leaves it. Used by one thread.
  */
 public final class PathPlanner {
     /** Ways keep as far from obstacles where there is room, mm. */
@@ -313,12 +314,20 @@ public final class PathPlanner {
             if (code == PlanNodes.BORDER) {
                 return Float.POSITIVE_INFINITY;
             }
-            if (code == PlanNodes.CLOSED || hasThings && blocked.get(node)) {
+            if (code == PlanNodes.CLOSED || hasThings && blocked.get(node) || isOutOfFence(node)) {
                 return node == goal || isAround(node) ? 2 : Float.POSITIVE_INFINITY;
             }
             return traffic
                     ? PlanNodes.price(code) + onTheLeftOfNode(column, row, RIGHT[direction], UP[direction])
                     : PlanNodes.price(code);
+        }
+
+        private boolean isOutOfFence(int node) {
+            if (space.fence() == null) {
+                return false;
+            }
+            Pose there = place(node);
+            return !space.isInFence(there.xMm(), there.yMm());
         }
 
         /** The shortest way to the goal in steps from node to node. */

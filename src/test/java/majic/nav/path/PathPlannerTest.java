@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.within;
 
 import java.util.List;
 import java.util.Optional;
+import majic.bot.Fence;
 import majic.bot.Pose;
 import majic.nav.grid.NavigationMap;
 import majic.nav.grid.NavigationMap.ForbiddenLine;
@@ -84,6 +85,29 @@ class PathPlannerTest {
         FreeSpace space = new FreeSpace(new ObstacleDistance(map), 300, List.of());
 
         assertThat(new PathPlanner(space).plan(LEFT, RIGHT)).isEmpty();
+    }
+
+    @Test
+    void aFenceIsNotLeft() {
+        Pose right = new Pose(6000, 5000, 0);
+        FreeSpace wide = new FreeSpace(new ObstacleDistance(MAP), 300, List.of(), new Fence(5000, 5000, 3500));
+        FreeSpace narrow = new FreeSpace(wide.map(), 300, List.of(), new Fence(5000, 5000, 2000));
+
+        Way way = new PathPlanner(wide).plan(new Pose(4000, 5000, 0), right).orElseThrow();
+        assertThat(way.points())
+                .allSatisfy(point ->
+                        assertThat(wide.isInFence(point.xMm(), point.yMm())).isTrue());
+        assertThat(new PathPlanner(narrow).plan(new Pose(4000, 5000, 0), right)).isEmpty();
+        assertThat(new PathPlanner(narrow.unfenced()).plan(new Pose(4000, 5000, 0), right))
+                .isPresent();
+    }
+
+    @Test
+    void aRobotThatIsALittleOutsideOfItsFenceComesBack() {
+        FreeSpace space = new FreeSpace(new ObstacleDistance(MAP), 300, List.of(), new Fence(2000, 5000, 1500));
+
+        assertThat(new PathPlanner(space).plan(new Pose(2000, 6700, 0), new Pose(2000, 5000, 0)))
+                .isPresent();
     }
 
     @Test
