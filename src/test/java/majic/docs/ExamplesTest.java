@@ -54,6 +54,7 @@ class ExamplesTest {
                 "TenLines",
                 "Wanderer",
                 "RosWander",
+                "RoverDrive",
                 "PrintScans",
                 "BuildMap",
                 "GoThere"

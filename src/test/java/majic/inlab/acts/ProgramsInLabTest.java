@@ -172,19 +172,63 @@ class ProgramsInLabTest {
     }
 
     @Test
+    void aRoverDrivesAroundACornerByJava() throws Exception {
+        try (LabRig rig = LabRig.exactWithMavlink("rover+ready")) {
+            Pose start = new Pose(1200, 0, 0);
+            ActLabs.place(rig, "mavlink", start);
+            assertThat(printed("RoverDrive", "drive", rig.add("mavlink")))
+                    .hasSize(2)
+                    .doesNotHaveDuplicates()
+                    .allMatch(line -> line.matches("-35\\.363\\d* ° 149\\.165\\d* °"));
+            assertThat(rig.truePose("mavlink").distanceMm(start.plus(new Pose(1500, 500, 90))))
+                    .isLessThan(250);
+            assertThat(ActLabs.bumps(rig)).containsEntry("mavlink", 0);
+        }
+    }
+
+    @Test
+    void aCopterFliesAlongASquareAndLandsByAScriptThatIsAnAct() throws Exception {
+        try (LabRig rig = LabRig.exactWithMavlink("copter+ready")) {
+            ActLabs.place(rig, "mavlink", new Pose(1200, 0, 0));
+            rig.add("mavlink");
+            rig.lab().time().sleep(2);
+            Pose start = rig.truePose("mavlink");
+
+            assertThat(rig.run("1 set fence 5000 500 4000", "1 act examples/flight.majic side=1m"))
+                    .anyMatch(line -> line.contains("landed at"))
+                    .last()
+                    .asString()
+                    .contains("act examples/flight.majic side=1m: done (");
+
+            assertThat(rig.truePose("mavlink").distanceMm(start)).isLessThan(400);
+            rig.lab().simulators().besideMavlink("mavlink", copter -> {
+                assertThat(copter.heightM()).isZero();
+                assertThat(copter.isArmed()).isFalse();
+                assertThat(copter.crashes()).isZero();
+                assertThat(copter.disarmsInFlight()).isZero();
+            });
+        }
+    }
+
+    @Test
     void theScansOfATurtleBotArePrintedByJava() throws Exception {
+        try (LabRig rig = LabRig.exactWithRos("2")) {
+            assertThat(printed("PrintScans", "print", rig.add("ros")))
+                    .hasSizeGreaterThan(2)
+                    .allMatch(line -> line.matches("laser at Pose\\[.*]: the nearest echo is at [0-9.]+ mm"));
+        }
+    }
+
+    private static List<String> printed(String example, String method, MajicBot robot) throws Exception {
         PrintStream console = System.out;
         ByteArrayOutputStream printed = new ByteArrayOutputStream();
-        try (LabRig rig = LabRig.exactWithRos("2")) {
-            MajicBot robot = rig.add("ros");
-            System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
-            call("PrintScans", "print", robot);
+        System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
+        try {
+            call(example, method, robot);
         } finally {
             System.setOut(console);
         }
-        assertThat(printed.toString(StandardCharsets.UTF_8).lines())
-                .hasSizeGreaterThan(2)
-                .allMatch(line -> line.matches("laser at Pose\\[.*]: the nearest echo is at [0-9.]+ mm"));
+        return printed.toString(StandardCharsets.UTF_8).lines().toList();
     }
 
     @Test
