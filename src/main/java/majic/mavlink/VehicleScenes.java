@@ -8,6 +8,7 @@ import majic.mavlink.message.AttitudeReport;
 import majic.mavlink.message.ObstacleRing;
 import majic.mavlink.message.RangeReading;
 import majic.mavlink.message.StatusText;
+import majic.mavlink.message.VehicleHeartbeat;
 import majic.mavlink.panel.VehicleScene;
 import majic.mavlink.panel.VehicleScene.Severity;
 import majic.mavlink.parameters.VehicleParameters;
@@ -24,6 +25,9 @@ final class VehicleScenes {
     /** The vehicle has moved on since older echoes, seconds. */
     private static final double OLD_ECHO_S = 0.6;
 
+    /** A heartbeat comes once a second; an older one says nothing about now, seconds. */
+    private static final double OLD_HEARTBEAT_S = 3;
+
     private final TimeSource time;
 
     VehicleScenes(TimeSource time) {
@@ -35,7 +39,18 @@ final class VehicleScenes {
                 session.reports().newest(AttitudeReport.class).flatMap(this::attitude),
                 VehicleParameters.settableModes(session),
                 echoes(session.reports()),
-                messages(session.texts().all()));
+                messages(session.texts().all()),
+                failsafe(session));
+    }
+
+    /** By the newest heartbeat, or by a text that has come since and announces a failsafe. */
+    private Optional<Boolean> failsafe(VehicleSession session) {
+        return session.reports()
+                .newest(VehicleHeartbeat.class)
+                .filter(heartbeat -> time.secondsSince(heartbeat.atNanos()) <= OLD_HEARTBEAT_S)
+                .map(heartbeat -> heartbeat.value().isFailsafe()
+                        || session.texts().all().stream()
+                                .anyMatch(text -> text.atNanos() - heartbeat.atNanos() > 0 && text.isFailsafe()));
     }
 
     private Optional<VehicleScene.Attitude> attitude(Received<AttitudeReport> received) {

@@ -33,6 +33,7 @@ import majic.inlab.LabRobot;
 import majic.inlab.LaidOutPanel;
 import majic.panel.CommandHost;
 import majic.panel.RefreshingPanel;
+import majic.panel.StatusLight;
 import majic.script.MajicParser;
 import majic.text.MarkedTexts;
 import majic.time.WaitLimit;
@@ -120,6 +121,25 @@ class MavlinkPanelInLabTest {
     }
 
     @Test
+    void aFailsafeThatATextAnnouncesIsShownUntilAHeartbeatDeniesIt() throws Exception {
+        try (LabRig lab = LabRig.exactWithMavlink("rover+ready")) {
+            MajicBot bot = lab.add("mavlink");
+            lab.run("wait 2s");
+            assertThat(LaidOutPanel.of(bot, 900, 600).text("failsafe")).isEqualTo("no failsafe");
+
+            lab.lab().simulators().besideMavlink("mavlink", rover -> rover.say(4, "Battery Failsafe"));
+            lab.lab().time().sleep(0.01);
+            StatusLight light = (StatusLight) LaidOutPanel.of(bot, 900, 600).label("failsafe");
+            assertThat(light.getText()).isEqualTo("FAILSAFE");
+            assertThat(light.kind()).isEqualTo(StatusLight.Kind.ALARM);
+            assertThat(light.getAccessibleContext().getAccessibleName()).isEqualTo("FAILSAFE");
+
+            lab.run("wait 2s");
+            assertThat(LaidOutPanel.of(bot, 900, 600).text("failsafe")).isEqualTo("no failsafe");
+        }
+    }
+
+    @Test
     void aCopterHasButtonsToLandAndToReturn() throws Exception {
         try (LabRig lab = LabRig.exactWithMavlink("copter+ready")) {
             LaidOutPanel panel = LaidOutPanel.of(lab.add("mavlink"), 900, 600);
@@ -193,7 +213,7 @@ class MavlinkPanelInLabTest {
             LaidOutPanel live = LaidOutPanel.of(bot, 900, 600);
 
             LaidOutPanel replayed = LaidOutPanel.of(() -> replay(bot, state), 900, 600);
-            for (String name : List.of("satellites", "armed", "battery", "altitude")) {
+            for (String name : List.of("satellites", "armed", "failsafe", "battery", "altitude")) {
                 assertThat(replayed.text(name)).as(name).isEqualTo(live.text(name));
             }
             assertThat(messages(replayed)).isNotEmpty().isEqualTo(messages(live));

@@ -38,6 +38,8 @@ final class ScriptedRover {
     volatile int autopilot = 3;
     volatile int version = 2;
     volatile int mode;
+    volatile int status = 4;
+    volatile boolean heartless;
     volatile boolean armed;
     volatile boolean silent;
     volatile boolean blocked;
@@ -314,7 +316,7 @@ final class ScriptedRover {
                         .put((byte) type)
                         .put((byte) autopilot)
                         .put((byte) (1 | (armed ? 128 : 0)))
-                        .put((byte) 4)
+                        .put((byte) status)
                         .put((byte) 3));
     }
 
@@ -329,7 +331,7 @@ final class ScriptedRover {
         goOnArming();
         drive();
         int ms = (int) (nowMs - bootMs) + ranMs;
-        if (due(0, 1000)) {
+        if (!heartless && due(0, 1000)) {
             heartbeat();
         }
         double north = frame.plus(pose).xMm() / 1000;

@@ -1,5 +1,7 @@
 package majic.mavlink.message;
 
+import java.util.Locale;
+
 /**
  * A whole text of an autopilot. Immutable.
  *
@@ -19,5 +21,11 @@ public record StatusText(int severity, String text, long atNanos) {
     /** Whether it reports a warning, or worse. */
     public boolean isWarning() {
         return severity <= WARNING;
+    }
+
+    /** Whether it announces a failsafe, as {@code Battery Failsafe}; not one that ended or that prevents arming. */
+    public boolean isFailsafe() {
+        String lower = text.toLowerCase(Locale.ROOT);
+        return isWarning() && lower.contains("failsafe") && !lower.contains("clear") && !lower.contains("arm:");
     }
 }

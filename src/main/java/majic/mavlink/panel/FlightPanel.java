@@ -28,7 +28,7 @@ final class FlightPanel extends JPanel implements FoldingPane {
     /** Sides of the compass beside the values, and above them, pixels. */
     private static final int COMPASS = 124;
 
-    private static final int FOLDED_COMPASS = 70;
+    private static final int FOLDED_COMPASS = 58;
     private static final String LONGEST = "-88888 mm/s";
     private static final List<String> READINGS = List.of("altitude", "climbRate", "groundSpeed");
 
@@ -64,7 +64,7 @@ final class FlightPanel extends JPanel implements FoldingPane {
         compass.show(scene.flatMap(VehicleScene::attitude), current);
         controls.show(bot, scene.map(VehicleScene::modes).orElse(List.of()));
         readings.show(bot, current);
-        lights.show(bot);
+        lights.show(bot, scene.flatMap(VehicleScene::failsafe));
         battery.setEnabled(current);
         showBattery(number(bot, "voltage"), number(bot, "battery"));
     }

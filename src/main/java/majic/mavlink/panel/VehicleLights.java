@@ -2,6 +2,7 @@ package majic.mavlink.panel;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import majic.bot.MajicBot;
 import majic.bot.Reading;
 import majic.bot.Value;
@@ -11,7 +12,7 @@ import majic.panel.StatusLight.Kind;
 import majic.panel.StatusLightsPanel;
 import majic.text.Texts;
 
-/** Armed, satellites and link, each shown as a word and a shape. For the event dispatch thread. */
+/** Armed, failsafe, satellites and link, each shown as a word and a shape. For the event dispatch thread. */
 final class VehicleLights {
     private static final Texts TEXTS = Texts.of(VehicleLights.class);
     private static final double SILENT_S = 1.2;
@@ -21,25 +22,34 @@ final class VehicleLights {
     private static final String NO_FIX = "no ";
 
     private final StatusLight armed = new StatusLight("armed", TEXTS.get("armed.tip"));
+    private final StatusLight failsafe = new StatusLight("failsafe", TEXTS.get("failsafe.tip"));
     private final StatusLight satellites = new StatusLight("satellites", TEXTS.get("satellites.tip"));
     private final StatusLight link = new StatusLight("link", TEXTS.get("link.tip"));
     private final StatusLightsPanel panel = new StatusLightsPanel(
             List.of(
                     TEXTS.get("armed.no"),
                     TEXTS.get("armed.yes"),
+                    TEXTS.get("failsafe.no"),
+                    TEXTS.get("failsafe.yes"),
                     TEXTS.get("satellites", "3-D", "88"),
                     TEXTS.get("satellites.noFix", "88"),
                     TEXTS.get("link.lost")),
-            List.of(armed, satellites, link));
+            List.of(armed, failsafe, satellites, link));
 
     StatusLightsPanel panel() {
         return panel;
     }
 
-    void show(MajicBot bot) {
+    /**
+     * Shows the conditions.
+     *
+     * @param isFailsafe whether a failsafe is in force; empty if that is not known
+     */
+    void show(MajicBot bot, Optional<Boolean> isFailsafe) {
         panel.setCurrent(bot.isConnected());
         link.setEnabled(true);
         showArmed(value(bot, "armed"));
+        showFailsafe(isFailsafe);
         showSatellites(value(bot, "fix"), value(bot, "satellites"));
         showLink(bot);
     }
@@ -56,6 +66,14 @@ final class VehicleLights {
                     flag.yes() ? TEXTS.get("armed.yes") : TEXTS.get("armed.no"));
         } else {
             armed.show(Kind.QUIET, TEXTS.get("armed.unknown"));
+        }
+    }
+
+    private void showFailsafe(Optional<Boolean> is) {
+        if (is.isEmpty()) {
+            failsafe.show(Kind.QUIET, TEXTS.get("failsafe.unknown"));
+        } else {
+            failsafe.show(is.get() ? Kind.ALARM : Kind.GOOD, TEXTS.get(is.get() ? "failsafe.yes" : "failsafe.no"));
         }
     }
 

@@ -10,9 +10,14 @@ import java.util.Optional;
  * @param modes those that can be set, in the order of their names
  * @param echoes the newest distances; empty without a range finder, or if the last ones are too old
  * @param messages the texts of its autopilot, the newest first
+ * @param failsafe whether a failsafe is in force; empty if that was not reported lately
  */
 public record VehicleScene(
-        Optional<Attitude> attitude, List<String> modes, Optional<Echoes> echoes, List<Message> messages) {
+        Optional<Attitude> attitude,
+        List<String> modes,
+        Optional<Echoes> echoes,
+        List<Message> messages,
+        Optional<Boolean> failsafe) {
     /** Keeps copies of the lists. */
     public VehicleScene {
         modes = List.copyOf(modes);
@@ -71,6 +76,6 @@ public record VehicleScene(
 
     /** Returns this scene as one that is not received any more. */
     VehicleScene before() {
-        return new VehicleScene(attitude, modes, Optional.empty(), messages);
+        return new VehicleScene(attitude, modes, Optional.empty(), messages, Optional.empty());
     }
 }

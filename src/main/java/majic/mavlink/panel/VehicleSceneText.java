@@ -17,6 +17,7 @@ final class VehicleSceneText {
     private static final String MODES = "modes";
     private static final String ECHOES = "echoes";
     private static final String MESSAGES = "messages";
+    private static final String FAILSAFE = "failsafe";
     private static final String BETWEEN = "|";
     private static final int MOST_ECHOES = 72;
     private static final double MM_PER_CM = 10;
@@ -33,6 +34,7 @@ final class VehicleSceneText {
                 scene.messages().stream()
                         .map(message -> message.kind() + " " + message.text().replace(BETWEEN, "/"))
                         .collect(Collectors.joining(BETWEEN)));
+        texts.put(FAILSAFE, scene.failsafe().map(String::valueOf).orElse(""));
         return texts;
     }
 
@@ -69,7 +71,8 @@ final class VehicleSceneText {
                     echoesIn(parts(texts, ECHOES, " "), echoNanos),
                     parts(texts, MESSAGES, "\\|").stream()
                             .map(VehicleSceneText::message)
-                            .toList()));
+                            .toList(),
+                    failsafeIn(texts.getOrDefault(FAILSAFE, ""))));
         } catch (IllegalArgumentException | ArrayIndexOutOfBoundsException e) {
             return Optional.empty();
         }
@@ -93,6 +96,11 @@ final class VehicleSceneText {
         double[] angles =
                 Arrays.stream(words, 0, 3).mapToDouble(Integer::parseInt).toArray();
         return Optional.of(new VehicleScene.Attitude(angles[0], angles[1], angles[2], Boolean.parseBoolean(words[3])));
+    }
+
+    /** Of a recording without it, nothing is known. */
+    private static Optional<Boolean> failsafeIn(String text) {
+        return text.isEmpty() ? Optional.empty() : Optional.of(Boolean.parseBoolean(text));
     }
 
     private static Optional<VehicleScene.Echoes> echoesIn(List<String> points, long atNanos) {

@@ -25,14 +25,16 @@ class VehicleSceneTextTest {
                 Optional.of(new Echoes(List.of(new Echo(1200, -340), new Echo(0, 50)), NANOS)),
                 List.of(
                         new Message(Severity.ERROR, "Arm: Accels inconsistent", Double.NaN),
-                        new Message(Severity.INFO, "ArduRover V4.6.0", Double.NaN)));
+                        new Message(Severity.INFO, "ArduRover V4.6.0", Double.NaN)),
+                Optional.of(true));
 
         assertThat(VehicleSceneText.parse(VehicleSceneText.of(scene), NANOS)).contains(scene);
     }
 
     @Test
     void aVehicleThatHasReportedNothingIsReadAgain() {
-        VehicleScene scene = new VehicleScene(Optional.empty(), List.of(), Optional.empty(), List.of());
+        VehicleScene scene =
+                new VehicleScene(Optional.empty(), List.of(), Optional.empty(), List.of(), Optional.of(false));
         assertThat(VehicleSceneText.parse(VehicleSceneText.of(scene), NANOS)).contains(scene);
     }
 
@@ -42,11 +44,20 @@ class VehicleSceneTextTest {
                 Optional.empty(),
                 List.of(),
                 Optional.empty(),
-                List.of(new Message(Severity.WARNING, "a|b", Double.NaN)));
+                List.of(new Message(Severity.WARNING, "a|b", Double.NaN)),
+                Optional.empty());
         assertThat(VehicleSceneText.parse(VehicleSceneText.of(scene), NANOS)
                         .orElseThrow()
                         .messages())
                 .containsExactly(new Message(Severity.WARNING, "a/b", Double.NaN));
+    }
+
+    @Test
+    void ofAFailsafeThatWasNotRecordedNothingIsKnown() {
+        assertThat(VehicleSceneText.parse(Map.of("attitude", ""), NANOS)
+                        .orElseThrow()
+                        .failsafe())
+                .isEmpty();
     }
 
     @ParameterizedTest
