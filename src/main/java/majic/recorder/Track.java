@@ -1,6 +1,7 @@
 package majic.recorder;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -18,14 +19,23 @@ final class Track {
     private int[] atMs = new int[FIRST_CAPACITY];
     private double[] numbers = new double[FIRST_CAPACITY];
     private final Map<Integer, String> texts = new HashMap<>();
+
+    /** Numbers with more digits than usual, as those of a latitude. */
+    private final BitSet plain = new BitSet();
+
     private int size;
 
     /** Adds a value at a time that is not before the last one. */
     void add(double seconds, String text) {
         double exact = ValueText.exact(text);
         if (Double.isNaN(exact)) {
-            texts.put(size, text);
-            add(seconds, ValueText.amount(text));
+            double amount = ValueText.amount(text);
+            if (Double.isFinite(amount) && ValueText.plain(amount).equals(text)) {
+                plain.set(size);
+            } else {
+                texts.put(size, text);
+            }
+            add(seconds, amount);
         } else {
             add(seconds, exact);
         }
@@ -56,7 +66,10 @@ final class Track {
 
     String text(int index) {
         String text = texts.get(index);
-        return text == null ? ValueText.of(numbers[index]) : text;
+        if (text != null) {
+            return text;
+        }
+        return plain.get(index) ? ValueText.plain(numbers[index]) : ValueText.of(numbers[index]);
     }
 
     /** The value in force at a time; null before the first. */

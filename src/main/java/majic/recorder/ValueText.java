@@ -1,6 +1,7 @@
 package majic.recorder;
 
 import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import majic.bot.Parameter;
@@ -19,17 +20,32 @@ final class ValueText {
     private static final double[] TENS = {1, 10, 100, 1000, 10_000, 100_000};
     private static final int MOST_DIGITS = 25;
 
+    /** Units with more digits behind the point are those of a place on the earth. */
+    private static final int USUAL_DIGITS = 3;
+
     private ValueText() {}
 
     /** A value as text without tabs and line ends. */
     static String of(Value value) {
         if (value instanceof Value.Number number) {
-            return of(number.amount());
+            int digits = number.unit().digits();
+            return digits > USUAL_DIGITS ? plain(number.amount(), digits) : of(number.amount());
         }
         if (value instanceof Value.Many many) {
             return many.values().stream().map(ValueText::of).collect(Collectors.joining(BETWEEN));
         }
         return VisibleText.of(value instanceof Value.Unknown unknown ? UNKNOWN + unknown.reason() : value.toString());
+    }
+
+    /** A latitude needs all the digits of its unit. */
+    private static String plain(double number, int digits) {
+        BigDecimal rounded = BigDecimal.valueOf(number).setScale(digits, RoundingMode.HALF_UP);
+        return rounded.signum() == 0 ? "0" : rounded.stripTrailingZeros().toPlainString();
+    }
+
+    /** The text of a number with all its digits. */
+    static String plain(double number) {
+        return BigDecimal.valueOf(number).toPlainString();
     }
 
     /** A number with four digits or more, as far as they are not zero. */

@@ -35,6 +35,18 @@ class ValueTextTest {
     }
 
     @Test
+    void aPlaceOnTheEarthKeepsAllItsDigits() {
+        for (String text : List.of("-35.3632377", "149.1652203", "0.0000001", "12.5", "-7", "0")) {
+            Value place = Value.of(Double.parseDouble(text), Unit.LAT_LON);
+            assertThat(ValueText.of(place)).isEqualTo(text);
+            Track track = new Track();
+            track.add(0, text);
+            assertThat(track.text(0)).isEqualTo(text);
+            assertThat(track.numberAt(0)).isEqualTo(place.number());
+        }
+    }
+
+    @Test
     void theTextOfANumberIsReadExactly() {
         Random random = new Random(5);
         for (int round = 0; round < 20_000; round++) {

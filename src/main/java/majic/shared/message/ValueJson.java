@@ -19,6 +19,10 @@ public final class ValueJson {
     private static final String UNKNOWN = "unknown";
     private static final String ABOUT = "about";
 
+    private static final int DECIMALS = 6;
+    private static final double STEPS = 1e6;
+    private static final double FINE_STEPS = 1e7;
+
     private ValueJson() {}
 
     /**
@@ -30,7 +34,7 @@ public final class ValueJson {
     public static JsonNode of(Value value) {
         JsonNodeFactory json = JsonNodeFactory.instance;
         if (value instanceof Value.Number number) {
-            JsonNode amount = number(number.amount());
+            JsonNode amount = number(number.amount(), number.unit().digits());
             return number.about() ? json.objectNode().set(ABOUT, amount) : amount;
         }
         if (value instanceof Value.Flag flag) {
@@ -49,9 +53,10 @@ public final class ValueJson {
                 : json.textNode(value.toString());
     }
 
-    /** With six significant decimals: more than any sensor has, and half the bytes. */
-    private static JsonNode number(double amount) {
-        double rounded = Math.rint(amount * 1e6) / 1e6;
+    /** With six decimals, more than any sensor has and half the bytes, or with the more digits of a latitude. */
+    private static JsonNode number(double amount, int digits) {
+        double steps = digits > DECIMALS ? FINE_STEPS : STEPS;
+        double rounded = Math.rint(amount * steps) / steps;
         return rounded == Math.rint(rounded) && Math.abs(rounded) < 1e15
                 ? JsonNodeFactory.instance.numberNode((long) rounded)
                 : JsonNodeFactory.instance.numberNode(rounded);
