@@ -19,6 +19,8 @@ import org.jspecify.annotations.Nullable;
  * <p>The drivers of robots extend {@link majic.driver.BotDriver}, which implements all of this.
  */
 public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoCloseable {
+    private static final String ALTITUDE = "altitude";
+
     /** The state of a robot's connection. */
     public enum Connection {
         /** Not yet connected. */
@@ -249,12 +251,23 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public abstract Uncertainty uncertainty();
 
     /**
-     * Returns how high the robot is now, for a robot that flies; waits for nothing.
+     * Returns how high the robot is now: its parameter {@code altitude} in mm, if its profile says that it leaves the
+     * ground; waits for nothing.
      *
-     * @return mm above where it took off; empty for a robot that does not fly, and if the height is not known
+     * @return mm above where it took off; empty for a robot that stays on the ground, and if the height is not known
+     *     now
      */
     public OptionalDouble heightMm() {
-        return OptionalDouble.empty();
+        if (!profile().leavesGround() || parameters().stream().noneMatch(MajicBot::isAltitude)) {
+            return OptionalDouble.empty();
+        }
+        return get(ALTITUDE) instanceof Value.Number height && Double.isFinite(height.amount())
+                ? OptionalDouble.of(height.amount())
+                : OptionalDouble.empty();
+    }
+
+    private static boolean isAltitude(Parameter parameter) {
+        return parameter.name().equals(ALTITUDE) && parameter.unit() == Unit.MM;
     }
 
     /**

@@ -4,7 +4,6 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -29,7 +28,6 @@ import majic.driver.RobotWait;
 import majic.environment.BotEnvironment;
 import majic.mavlink.frame.MavlinkMessageType;
 import majic.mavlink.message.AutopilotVersion;
-import majic.mavlink.message.GlobalPosition;
 import majic.mavlink.message.ObstacleRing;
 import majic.mavlink.message.RangeReading;
 import majic.mavlink.message.StatusText;
@@ -66,9 +64,6 @@ public final class MajicMavlink extends BotDriver {
 
     /** A vehicle without a position, as before its first fix, is connected after this time, seconds. */
     private static final double LOCATED_S = 2.5;
-
-    /** A height that is older is not shown on the map, seconds. */
-    private static final double LONGEST_HEIGHT_AGE_S = 3;
 
     private final MavlinkAddress address;
     private final AtomicReference<VehicleAccess.@Nullable Parts> parts = new AtomicReference<>();
@@ -404,21 +399,6 @@ public final class MajicMavlink extends BotDriver {
     public List<StatusText> texts() {
         VehicleAccess.Parts open = parts.get();
         return open == null ? List.of() : open.session().texts().all();
-    }
-
-    /** The height of an aircraft above its home position, if it was reported within the last 3 s. */
-    @Override
-    public OptionalDouble heightMm() {
-        VehicleAccess.Parts open = parts.get();
-        if (open == null || !open.session().vehicle().flies()) {
-            return OptionalDouble.empty();
-        }
-        return open.session()
-                .reports()
-                .newest(GlobalPosition.class, LONGEST_HEIGHT_AGE_S)
-                .filter(GlobalPosition::isKnown)
-                .map(position -> OptionalDouble.of(position.aboveHomeMm()))
-                .orElse(OptionalDouble.empty());
     }
 
     /** The circle of a copter's fence over the ground, once the copter was armed by MAJIC's command. */

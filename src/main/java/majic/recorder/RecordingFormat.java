@@ -29,6 +29,9 @@ final class RecordingFormat {
     /** The status of a robot that has the way on which it drives to a place. */
     static final String WAY = "way";
 
+    /** The status of a robot that leaves the ground, so that its altitude is shown on the map. */
+    static final String AIRCRAFT = "aircraft";
+
     private static final String TAB = "\t";
 
     /** About four months. */

@@ -99,6 +99,7 @@ final class RobotSampler {
         bot.displayState().forEach((name, text) -> report(lines, name, text));
         note(lines, Kind.STATUS, "connection", bot.connection().name().toLowerCase(Locale.ROOT));
         note(lines, Kind.STATUS, "placed", bot.placedAt().isPresent() ? "yes" : "");
+        note(lines, Kind.STATUS, RecordingFormat.AIRCRAFT, bot.profile().leavesGround() ? "yes" : "");
         note(lines, Kind.STATUS, "owner", owner(member.owner()));
         note(
                 lines,

@@ -144,7 +144,7 @@ public final class RobotTracks {
     /**
      * Returns what the team knew of the robot at a time.
      *
-     * @param name {@code connection}, {@code owner}, {@code placed}, {@code stop} or {@code way}
+     * @param name {@code connection}, {@code owner}, {@code placed}, {@code aircraft}, {@code stop} or {@code way}
      * @param seconds time of the recording
      * @return the text; empty if there was none
      */
@@ -172,6 +172,16 @@ public final class RobotTracks {
      */
     public boolean isPlaced(double seconds) {
         return !status("placed", seconds).isEmpty();
+    }
+
+    /**
+     * Returns how high an aircraft was at a time.
+     *
+     * @param seconds time of the recording
+     * @return mm above where it took off; empty for a robot on the ground, and while its height was not known
+     */
+    public Optional<Double> heightMm(double seconds) {
+        return status(RecordingFormat.AIRCRAFT, seconds).isEmpty() ? Optional.empty() : number("altitude", seconds);
     }
 
     /**

@@ -1,6 +1,7 @@
 package majic.gui.map;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.OptionalInt;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
@@ -65,6 +66,10 @@ public record MapScene(
             PlannedWay way,
             double heightMm) {
         private static final double DECIMETRE_MM = 100;
+        private static final double MM_PER_M = 1000;
+
+        /** A robot that is not higher stands, by what its altimeter errs. */
+        private static final double ON_GROUND_MM = 200;
 
         /** A robot on the floor. */
         public Robot(
@@ -95,7 +100,7 @@ public record MapScene(
         }
 
         /** Returns this robot at a height, which is rounded. */
-        Robot at(double mm) {
+        public Robot at(double mm) {
             return new Robot(
                     number,
                     label,
@@ -109,6 +114,16 @@ public record MapScene(
                     stopUnconfirmed,
                     way,
                     DECIMETRE_MM * Math.round(mm / DECIMETRE_MM));
+        }
+
+        /** Whether it is so high that its height is shown. */
+        boolean isInAir() {
+            return heightMm > ON_GROUND_MM;
+        }
+
+        /** Returns its height as users read it, m. */
+        String metres() {
+            return String.format(Locale.ROOT, "%.1f", heightMm / MM_PER_M);
         }
     }
 

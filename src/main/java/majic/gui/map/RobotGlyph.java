@@ -13,7 +13,6 @@ import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
-import java.util.Locale;
 import java.util.OptionalInt;
 import majic.bot.Pose;
 import majic.bot.Uncertainty;
@@ -46,10 +45,6 @@ final class RobotGlyph {
     private static final double SELECTED_GAP_PX = 7;
     private static final int BADGE_PX = 16;
 
-    /** A robot that is not higher stands, by what its altimeter errs. */
-    private static final double ON_GROUND_MM = 200;
-
-    private static final double MM_PER_M = 1000;
     private static final double HEIGHT_GAP_PX = 8;
     private static final Stroke TRUTH =
             new BasicStroke(1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 1, new float[] {5, 3}, 0);
@@ -221,10 +216,10 @@ final class RobotGlyph {
 
     /** Draws the height of a robot in the air to the right of it, where that covers no other label. */
     void paintHeight(Graphics2D g, LabelRoom room) {
-        if (robot.heightMm() <= ON_GROUND_MM) {
+        if (!robot.isInAir()) {
             return;
         }
-        String text = TEXTS.get("height", String.format(Locale.ROOT, "%.1f", robot.heightMm() / MM_PER_M));
+        String text = TEXTS.get("height", robot.metres());
         FontMetrics metrics = g.getFontMetrics();
         Point2D middle = pixel(robot.reported());
         double width = metrics.stringWidth(text);

@@ -75,14 +75,17 @@ final class TeamFloor implements MapContent {
         waypoints = drawn;
     }
 
-    /** Returns the robots as {@code 1 Pioneer, 2 Aibo}, or the keys that draw waypoints. */
+    /** Returns the robots as {@code 1 Pioneer, 2 Copter at 3.0 m}, or the keys that draw waypoints. */
     String description() {
         List<Waypoint> drawn = waypoints;
         return drawn == null
-                ? scene.robots().stream()
-                        .map(robot -> robot.number() + " " + robot.label())
-                        .collect(Collectors.joining(", "))
+                ? scene.robots().stream().map(TeamFloor::name).collect(Collectors.joining(", "))
                 : TEXTS.get("waypoints.count", drawn.size()) + "; " + String.join("; ", WaypointPainter.keys());
+    }
+
+    private static String name(MapScene.Robot robot) {
+        String name = robot.number() + " " + robot.label();
+        return robot.isInAir() ? TEXTS.get("robot.inAir", name, robot.metres()) : name;
     }
 
     /** Returns the selected robots; the only one if none is selected. */
@@ -222,8 +225,9 @@ final class TeamFloor implements MapContent {
                 Math.round(at.xMm()),
                 Math.round(at.yMm()),
                 Math.round(at.headingDeg()));
+        String high = robot.isInAir() ? "\n" + TEXTS.get("robot.height", robot.metres()) : "";
         String why = robot.way().waits();
-        return why.isEmpty() ? place : place + "\n" + TEXTS.get("robot.waits", why);
+        return place + high + (why.isEmpty() ? "" : "\n" + TEXTS.get("robot.waits", why));
     }
 
     private static String place(Pose at) {

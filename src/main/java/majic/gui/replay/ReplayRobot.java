@@ -121,17 +121,18 @@ final class ReplayRobot implements AutoCloseable {
     MapScene.Robot onMap(Recording recording, double atS) {
         @Nullable Pose truth = recording.truePoses(atS).get(robot().inLab());
         return new MapScene.Robot(
-                robot().number(),
-                robot().label(),
-                robot().bodyMm(),
-                tracks.origin(atS),
-                place(atS),
-                uncertainty(atS),
-                truth,
-                trail,
-                bot.isConnected(),
-                !tracks.status("stop", atS).isEmpty(),
-                way(atS));
+                        robot().number(),
+                        robot().label(),
+                        robot().bodyMm(),
+                        tracks.origin(atS),
+                        place(atS),
+                        uncertainty(atS),
+                        truth,
+                        trail,
+                        bot.isConnected(),
+                        !tracks.status("stop", atS).isEmpty(),
+                        way(atS))
+                .at(tracks.heightMm(atS).orElse(0.0));
     }
 
     private MapScene.PlannedWay way(double atS) {

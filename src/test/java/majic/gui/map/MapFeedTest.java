@@ -136,6 +136,22 @@ class MapFeedTest {
     }
 
     @Test
+    void aCopterHasItsHeightAndARoverHasNone() throws InterruptedException {
+        try (LabRig rig = LabRig.exactWithMavlink("copter+ready,rover+ready");
+                MapFeed ofLab = new MapFeed(
+                        rig.team(), rig.session().factory(), rig.session().map(), scene -> {})) {
+            rig.add("mavlink");
+            rig.add("mavlink2");
+            rig.lab().time().sleep(2);
+            rig.run("1 set fence 5000 500 5000", "1 arm", "1 takeoff 2000", "1 wait");
+
+            assertThat(ofLab.scene().robots().get(0).heightMm()).isBetween(1700.0, 2300.0);
+            assertThat(rig.team().member(2).bot().get("altitude").number()).isFinite();
+            assertThat(rig.team().member(2).bot().heightMm()).isEmpty();
+        }
+    }
+
+    @Test
     void anUnchangedTeamMakesAnEqualScene() {
         add("toy://one");
         assertThat(feed.scene()).isEqualTo(feed.scene());

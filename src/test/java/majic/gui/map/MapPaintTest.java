@@ -113,6 +113,17 @@ class MapPaintTest {
     }
 
     @Test
+    void theHeightOfARobotIsInTheTipAndInTheDescriptionForScreenReaders() {
+        MapScene.Robot standing = robot(new Pose(1000, 1000, 0), null);
+        paint(scene(standing.at(180)));
+        assertThat(map.getAccessibleContext().getAccessibleDescription()).isEqualTo("1 Toy");
+
+        paint(scene(standing.at(1234)));
+        assertThat(map.getAccessibleContext().getAccessibleDescription()).isEqualTo("1 Toy at a height of 1.2 m");
+        assertThat(tip(1000, 1000)).endsWith("\nheight 1.2 m");
+    }
+
+    @Test
     void theWayOfARobotIsDrawnWithWhatItHasReservedAndWhyItWaits() {
         Pose here = new Pose(1000, 1500, 0);
         Pose place = new Pose(3500, 1500, 0);
