@@ -30,8 +30,8 @@ import majic.team.Member;
 import majic.team.Team;
 
 /**
- * The desk desk2 of Bert with the Pioneer of a stepped lab, which it shares over a broker in memory, and other desks
- * that use it, each with a team and a session of its own.
+ * The desk desk2 of Bert with the Pioneer, or another robot, of a stepped lab, which it shares over a broker in memory,
+ * and other desks that use it, each with a team and a session of its own.
  */
 final class TwoDesks implements AutoCloseable {
     final LabRig desk2;
@@ -40,6 +40,7 @@ final class TwoDesks implements AutoCloseable {
     final FakeBroker broker;
     final List<FakeConnection> ofDesk2 = new ArrayList<>();
     final DeskSharing sharing;
+    private final String typeAtDesk2;
     private final List<Desk> users = new ArrayList<>();
 
     TwoDesks() {
@@ -47,8 +48,13 @@ final class TwoDesks implements AutoCloseable {
     }
 
     TwoDesks(LabRig lab) {
+        this(lab, "pioneer");
+    }
+
+    TwoDesks(LabRig lab, String robot) {
         desk2 = lab;
-        pioneer = lab.add("pioneer");
+        typeAtDesk2 = robot;
+        pioneer = lab.add(robot);
         environment = new BotEnvironment(lab.team().time(), Settings.inMemory());
         broker = new FakeBroker(environment.time());
         sharing = new DeskSharing(
@@ -73,7 +79,7 @@ final class TwoDesks implements AutoCloseable {
     }
 
     Pose truePose() {
-        return desk2.truePose("pioneer");
+        return desk2.truePose(typeAtDesk2);
     }
 
     /** Lets time pass. */

@@ -1,6 +1,7 @@
 package majic.gui.replay;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import com.formdev.flatlaf.FlatLightLaf;
 import java.awt.Component;
@@ -13,16 +14,18 @@ import javax.swing.JComponent;
 import javax.swing.JLabel;
 import javax.swing.SwingUtilities;
 import majic.bot.BotType;
+import majic.bot.MajicBot;
 import majic.inlab.LabRig;
 import majic.panel.RefreshingPanel;
 import majic.recorder.Recorder;
 import majic.recorder.Recording;
 import majic.recorder.RecordingFolder;
+import majic.recorder.Series;
 import majic.team.Member;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** In a replay the panels of all four robots show what they showed when it was recorded. */
+/** In a replay the panels of all robots show what they showed when it was recorded. */
 class ReplayPanelsInLabTest {
     @TempDir
     private Path folder;
@@ -56,8 +59,45 @@ class ReplayPanelsInLabTest {
                 .containsEntry("scanner", "scan ok");
     }
 
+    @Test
+    void aReplayedCopterHasItsPanelItsHeightOnTheMapAndItsCurve() throws Exception {
+        SwingUtilities.invokeAndWait(FlatLightLaf::setup);
+        RecordingFolder files = new RecordingFolder(folder);
+        try (LabRig rig = LabRig.exactWithMavlink("copter+ready")) {
+            Recorder recorder = new Recorder(rig.team(), rig.session().factory(), files, problem -> {});
+            recorder.start();
+            MajicBot copter = rig.add("mavlink");
+            rig.lab().time().sleep(2);
+            rig.run("1 set fence 5000 500 5000", "1 arm", "1 takeoff 2000", "1 move 500", "wait 2s");
+            assertThat(recorder.history().series(1, "altitude", 0).size()).isGreaterThan(10);
+            recorder.close();
+            SwingUtilities.invokeAndWait(() -> recorded.put(1, texts(copter.display())));
+            Recording recording = Recording.read(files.files().get(0));
+            replay(recording, rig.session().factory().types());
+
+            double height = onMap(rig.session().factory().type("mavlink"), recording, recording.endS());
+            assertThat(height).isCloseTo(copter.heightMm().orElseThrow(), within(100.0));
+            assertThat(onMap(rig.session().factory().type("mavlink"), recording, recording.beginS() + 1))
+                    .isZero();
+            Series altitude = recording.series(1, "altitude", 0);
+            assertThat(altitude.values()[0]).isBetween(-100.0, 100.0);
+            assertThat(altitude.values()[altitude.size() - 1]).isBetween(1700.0, 2300.0);
+        }
+        assertThat(replayed.get(1)).containsAllEntriesOf(recorded.get(1));
+        assertThat(recorded.get(1)).containsEntry("armed", "ARMED").containsEntry("failsafe", "no failsafe");
+    }
+
+    private static double onMap(BotType type, Recording recording, double atS) throws Exception {
+        ReplayRobot[] made = new ReplayRobot[1];
+        SwingUtilities.invokeAndWait(
+                () -> made[0] = new ReplayRobot(type, recording.tracks().get(0)));
+        try (ReplayRobot robot = made[0]) {
+            return robot.onMap(recording, atS).heightMm();
+        }
+    }
+
     private void replay(Recording recording, List<BotType> types) throws Exception {
-        for (int index = 0; index < 4; index++) {
+        for (int index = 0; index < recording.tracks().size(); index++) {
             int number = index + 1;
             ReplayRobot[] made = new ReplayRobot[1];
             SwingUtilities.invokeAndWait(() -> made[0] = new ReplayRobot(
