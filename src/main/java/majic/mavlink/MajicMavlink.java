@@ -531,6 +531,12 @@ public final class MajicMavlink extends BotDriver {
         }
 
         @Override
+        public boolean isExpected(String text) {
+            VehicleAccess.Parts open = parts.get();
+            return open != null && open.motion().isExpected(text);
+        }
+
+        @Override
         public void notice(String message) {
             MajicMavlink.this.notice(message);
         }

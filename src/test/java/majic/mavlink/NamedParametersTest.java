@@ -125,6 +125,18 @@ class NamedParametersTest {
                 .hasMessageContaining("the autopilot keeps 1.6777216E7");
     }
 
+    @Test
+    void thoseOfAnUnknownAutopilotAreBitsAndItsFailsafeIsUnknown() {
+        try (DrivenRover unknown = new DrivenRover()) {
+            unknown.rover.autopilot = 0;
+            unknown.rover.parameters.put("FS_GCS_ENABLE", Float.intBitsToFloat(1));
+            unknown.ready();
+
+            assertThat(unknown.bot().get("param/FS_GCS_ENABLE")).isEqualTo(number(1));
+            assertThat(unknown.bot().get("failsafe").toString()).contains("does not know the failsafes");
+        }
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {7, -1, 16_777_217, -5_000_000, 2_139_095_041})
     void wholeNumbersOfPx4AreExact(int number) {

@@ -443,4 +443,19 @@ class RoverMotionTest {
                 .hasMessageContaining("its odometry arrives")
                 .hasMessageContaining("s late");
     }
+
+    @Test
+    void theEndOfTheTargetIsANoticeOnlyInAMotion() {
+        robot.ready();
+        bot.move(300);
+        rover.text("target not received last 3secs, stopping");
+        robot.pass(0.1);
+        assertThat(robot.notices()).noneMatch(notice -> notice.contains("target not received"));
+
+        CompletableFuture<?> moving = robot.clock().aside(() -> bot.move(3000));
+        robot.clock().until(() -> rover.mmPerSec() > 300 || moving.isDone());
+        rover.text("target not received last 4secs, stopping");
+        robot.clock().join(moving);
+        assertThat(robot.notices()).anyMatch(notice -> notice.contains("target not received"));
+    }
 }

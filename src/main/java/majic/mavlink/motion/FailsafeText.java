@@ -13,6 +13,9 @@ public final class FailsafeText {
         if (session.modes().isPx4()) {
             return "NAV_DLL_ACT and COM_DL_LOSS_T of its autopilot say what";
         }
+        if (!session.modes().isArduPilot()) {
+            return "MAJIC does not know the failsafes of its autopilot";
+        }
         Optional<Double> enabled = session.parameters().known("FS_GCS_ENABLE");
         if (enabled.isEmpty()) {
             return "its parameter FS_GCS_ENABLE, which was not read, says what";
@@ -38,7 +41,7 @@ public final class FailsafeText {
 
     /** Whether the vehicle goes on when MAJIC ends without a stop, by what was read. */
     public static boolean goesOn(VehicleSession session) {
-        return !session.modes().isPx4()
+        return session.modes().isArduPilot()
                 && session.parameters()
                         .known("FS_GCS_ENABLE")
                         .filter(enabled -> enabled == 0)

@@ -189,6 +189,11 @@ public final class VehicleMotion {
         flight.said(text);
     }
 
+    /** Whether a text is the one with which a vehicle that stands ends its target, 3 s after the end of a motion. */
+    public boolean isExpected(String text) {
+        return text.startsWith("target not received") && !isMoving();
+    }
+
     /** Takes the restart of the autopilot; on the reader thread. */
     public void restarted() {
         mode.restarted();

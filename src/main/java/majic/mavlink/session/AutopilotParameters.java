@@ -8,6 +8,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import majic.bot.BotException;
 import majic.driver.RobotWait;
+import majic.mavlink.message.AutopilotVersion;
 import majic.mavlink.message.MavlinkRequests;
 import majic.mavlink.message.ParameterValue;
 import org.jspecify.annotations.Nullable;
@@ -146,12 +147,18 @@ public final class AutopilotParameters {
                 + String.format(Locale.ROOT, "%.1f", TIMES * ANSWER_S) + " s";
     }
 
-    /** PX4 sends whole numbers as bits (MAVLink sheet 8). */
     private double number(ParameterValue value) {
-        return session.modes().isPx4() && value.type() != REAL ? value.bits() : value.value();
+        return isSentAsBits(value) ? value.bits() : value.value();
     }
 
     private int bits(ParameterValue before, double value) {
-        return session.modes().isPx4() && before.type() != REAL ? (int) value : Float.floatToIntBits((float) value);
+        return isSentAsBits(before) ? (int) value : Float.floatToIntBits((float) value);
+    }
+
+    /** Whole numbers are bits, as with PX4, unless the autopilot is ArduPilot or says otherwise (MAVLink sheet 8). */
+    private boolean isSentAsBits(ParameterValue value) {
+        return value.type() != REAL
+                && !session.modes().isArduPilot()
+                && !session.version().map(AutopilotVersion::castsParameters).orElse(false);
     }
 }

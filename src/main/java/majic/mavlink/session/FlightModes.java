@@ -40,14 +40,14 @@ public final class FlightModes {
             "OFFBOARD", px4(6, 0),
             "STABILIZED", px4(7, 0));
 
-    private final boolean px4;
+    private final int autopilot;
     private final Map<String, Long> numbers;
     private final String stop;
     private final String home;
     private final String down;
 
-    private FlightModes(boolean px4, Map<String, Long> numbers, String stop, String home, String down) {
-        this.px4 = px4;
+    private FlightModes(int autopilot, Map<String, Long> numbers, String stop, String home, String down) {
+        this.autopilot = autopilot;
         this.numbers = numbers;
         this.stop = stop;
         this.home = home;
@@ -57,18 +57,18 @@ public final class FlightModes {
     /** Returns the modes of the vehicle that has sent a heartbeat. */
     public static FlightModes of(VehicleHeartbeat heartbeat) {
         if (heartbeat.autopilot() == PX4) {
-            return new FlightModes(true, OF_PX4, "HOLD", "RETURN", "LAND");
+            return new FlightModes(PX4, OF_PX4, "HOLD", "RETURN", "LAND");
         }
         if (heartbeat.autopilot() != ARDUPILOT) {
-            return new FlightModes(false, Map.of(), "", "", "");
+            return new FlightModes(heartbeat.autopilot(), Map.of(), "", "", "");
         }
         return switch (VehicleClass.of(heartbeat)) {
-            case ROVER -> new FlightModes(false, ROVER, "HOLD", "RTL", "");
-            case BOAT -> new FlightModes(false, ROVER, "LOITER", "RTL", "");
-            case COPTER -> new FlightModes(false, COPTER, "BRAKE", "RTL", "LAND");
-            case SUBMARINE -> new FlightModes(false, SUBMARINE, "POSHOLD", "", "SURFACE");
-            case PLANE -> new FlightModes(false, PLANE, "LOITER", "RTL", "");
-            case OTHER -> new FlightModes(false, Map.of(), "", "", "");
+            case ROVER -> new FlightModes(ARDUPILOT, ROVER, "HOLD", "RTL", "");
+            case BOAT -> new FlightModes(ARDUPILOT, ROVER, "LOITER", "RTL", "");
+            case COPTER -> new FlightModes(ARDUPILOT, COPTER, "BRAKE", "RTL", "LAND");
+            case SUBMARINE -> new FlightModes(ARDUPILOT, SUBMARINE, "POSHOLD", "", "SURFACE");
+            case PLANE -> new FlightModes(ARDUPILOT, PLANE, "LOITER", "RTL", "");
+            case OTHER -> new FlightModes(ARDUPILOT, Map.of(), "", "", "");
         };
     }
 
@@ -87,7 +87,12 @@ public final class FlightModes {
 
     /** Whether the autopilot is PX4. */
     public boolean isPx4() {
-        return px4;
+        return autopilot == PX4;
+    }
+
+    /** Whether the autopilot is ArduPilot. */
+    public boolean isArduPilot() {
+        return autopilot == ARDUPILOT;
     }
 
     /** Whether MAJIC knows the numbers of the modes. */
@@ -117,7 +122,7 @@ public final class FlightModes {
 
     /** Returns the mode in which targets are followed; empty if MAJIC does not drive this vehicle. */
     public OptionalLong guided() {
-        return px4 ? OptionalLong.empty() : number(GUIDED);
+        return isPx4() ? OptionalLong.empty() : number(GUIDED);
     }
 
     /** Returns the mode of a stop; empty if none is known. */
@@ -137,6 +142,6 @@ public final class FlightModes {
 
     /** Returns the parameters of the command that sets a mode. */
     public double[] arguments(long number) {
-        return px4 ? new double[] {1, number >> 16 & 0xFF, number >> 24} : new double[] {1, number};
+        return isPx4() ? new double[] {1, number >> 16 & 0xFF, number >> 24} : new double[] {1, number};
     }
 }

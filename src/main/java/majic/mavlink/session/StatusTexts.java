@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import majic.mavlink.message.StatusPiece;
 import majic.mavlink.message.StatusText;
@@ -19,13 +20,15 @@ public final class StatusTexts {
 
     private final TimeSource time;
     private final Consumer<String> notices;
+    private final Predicate<String> expected;
     private final Deque<StatusText> texts = new ArrayDeque<>();
     private final StringBuilder pieces = new StringBuilder();
     private int joined;
 
-    StatusTexts(TimeSource time, Consumer<String> notices) {
+    StatusTexts(TimeSource time, Consumer<String> notices, Predicate<String> expected) {
         this.time = time;
         this.notices = notices;
+        this.expected = expected;
     }
 
     /**
@@ -35,7 +38,7 @@ public final class StatusTexts {
      */
     String take(StatusPiece piece) {
         String whole = join(piece);
-        if (!whole.isBlank() && add(new StatusText(piece.severity(), whole, time.nanos()))) {
+        if (!whole.isBlank() && add(new StatusText(piece.severity(), whole, time.nanos())) && !expected.test(whole)) {
             notices.accept("the autopilot reports: " + whole);
         }
         return whole;

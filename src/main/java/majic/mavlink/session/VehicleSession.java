@@ -96,6 +96,9 @@ public final class VehicleSession {
         /** The autopilot has sent a text. */
         void said(VehicleSession session, String text);
 
+        /** Whether a text of the autopilot follows from what MAJIC does, so that the user needs no notice of it. */
+        boolean isExpected(String text);
+
         /** A message for the user. */
         void notice(String message);
     }
@@ -112,7 +115,7 @@ public final class VehicleSession {
         this.time = waiting.time();
         this.listener = listener;
         this.reports = new VehicleReports(time);
-        this.texts = new StatusTexts(time, listener::notice);
+        this.texts = new StatusTexts(time, listener::notice, listener::isExpected);
         this.commands = new CommandSender(this, time);
         this.parameters = new AutopilotParameters(this, waiting);
         this.numbers = new NumberCheck(time);
