@@ -2,8 +2,10 @@ package majic.mavlink;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import majic.bot.MajicBot;
 import majic.bot.Pose;
 import majic.inlab.LabRig;
 import org.junit.jupiter.api.Test;
@@ -37,6 +39,24 @@ class VehiclesInSessionTest {
             assertThat(again.run("1 get model,armed,fence", "2 get model"))
                     .contains("1 model = copter 4.6.0", "1 armed = no", "1 fence = unknown (not set)")
                     .contains("2 model = rover 4.6.0");
+        }
+    }
+
+    /** So the example of a flight waits until the copter is on the ground. */
+    @Test
+    void theStopAtTheEndOfAnActEndsALanding(@TempDir Path folder) throws Exception {
+        Path script = Files.writeString(folder.resolve("Hop.majic"), "me arm\nme takeoff 2000\nme land\n");
+        try (LabRig rig = LabRig.exactWithMavlink("copter+ready,rover+ready")) {
+            MajicBot copter = rig.add("mavlink");
+            rig.add("mavlink2");
+            rig.lab().time().sleep(2);
+
+            assertThat(rig.run("2 act \"" + script + "\"")).anyMatch(line -> line.contains("robot 2 has no command "));
+            rig.run("1 set fence 5000 500 5000", "1 act \"" + script + "\"");
+            rig.lab().time().sleep(10);
+
+            assertThat(copter.get("mode")).hasToString("BRAKE");
+            assertThat(copter.heightMm().orElseThrow()).isGreaterThan(1000);
         }
     }
 
