@@ -28,8 +28,8 @@ class MavlinkPictures {
             MajicBot bot = lab.add("mavlink");
             JFrame large = PanelPicture.open(() -> withCommands(bot), new Dimension(900, 560), false);
             JFrame small = PanelPicture.open(() -> withCommands(bot), new Dimension(450, 310), true);
-            lab.run("wait 3s", "1 arm", "1 move 1500", "1 turn 90", "1 move 800", "1 turn 60");
-            MajicParser.pipe(lab.session()).parseText("1 drive 400 20 for 9s");
+            lab.run("wait 3s", "1 arm", "1 move 1200", "1 turn 90", "1 move 300", "1 turn 60");
+            MajicParser.pipe(lab.session()).parseText("1 drive 200 20 for 9s");
             lab.await(() -> bot.state().turnRateDegPerSec() > 15);
             PanelPicture.save(large, false, "mavlink.png");
             PanelPicture.save(small, true, "mavlink-small.png");
