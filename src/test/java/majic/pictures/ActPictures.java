@@ -39,8 +39,8 @@ class ActPictures {
     private static final Path IMAGES = Path.of("docs", "images");
     private static final LabOptions OPTIONS =
             LabOptions.standard().withPorts(LabPorts.FREE).withNoise(7);
-    private static final ActDetails PATROL =
-            new ActDetails("Patrol", "1.2", "Ada Lovelace", "Goes round and round a square.");
+    private static final ActDetails SQUARE =
+            new ActDetails("Square", "1.2", "Ada Lovelace", "Goes round and round a square.");
     private static final ActDetails RELAY =
             new ActDetails("Relay", "1.0", "Ada Lovelace", "One robot sets off when the other has arrived.");
     private static final String SOURCE = """
@@ -48,7 +48,7 @@ class ActPictures {
             import majic.act.MajicAct;
             import majic.bot.Unit;
 
-            public class Patrol extends MajicAct {
+            public class Square extends MajicAct {
                 @Argument(value = "how long a side is", unit = Unit.MM, from = 100, to = 2000)
                 private double side = 300;
 
@@ -81,7 +81,7 @@ class ActPictures {
             awaitDialog(frame, "Assign Roles");
             save(frame, "roles.png");
             click(awaitDialog(frame, "Assign Roles"), "Cancel");
-            choose(frame, 2, "Patrol");
+            choose(frame, 2, "Square");
             save(frame, "choose-act.png");
             click(awaitDialog(frame, "Choose Act"), "loadChosen");
             Container trust = awaitDialog(frame, "Trust this code?");
@@ -105,8 +105,8 @@ class ActPictures {
 
     private static Path acts(Path home) throws Exception {
         Path folder = Files.createDirectories(home.resolve("acts"));
-        Path source = Files.writeString(home.resolve("Patrol.java"), SOURCE);
-        Files.write(folder.resolve("Patrol.act"), ActMaker.from(source).make("Patrol", PATROL));
+        Path source = Files.writeString(home.resolve("Square.java"), SOURCE);
+        Files.write(folder.resolve("Square.act"), ActMaker.from(source).make("Square", SQUARE));
         Files.write(folder.resolve("Relay.act"), ActMaker.save(new ScriptAct("relay.majic", SCRIPT), RELAY));
         return source;
     }
@@ -139,10 +139,10 @@ class ActPictures {
         });
         awaitWindow(() -> ((JComboBox<?>) find(dialog, "makeAct")).getItemCount() > 0);
         SwingUtilities.invokeAndWait(() -> {
-            from.setText("/home/ada/Patrol.java");
-            write(dialog, "makeAuthor", PATROL.author());
-            write(dialog, "makeDescription", PATROL.description());
-            write(dialog, "makeTarget", "/home/ada/.local/share/majic/acts/Patrol.act");
+            from.setText("/home/ada/Square.java");
+            write(dialog, "makeAuthor", SQUARE.author());
+            write(dialog, "makeDescription", SQUARE.description());
+            write(dialog, "makeTarget", "/home/ada/.local/share/majic/acts/Square.act");
         });
     }
 
