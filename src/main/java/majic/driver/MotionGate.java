@@ -131,6 +131,7 @@ final class MotionGate {
         Motion motion = new Motion(bot, this, until, permit);
         try {
             endDrive();
+            locked(bot::motionBegins);
             return watching(until, () -> {
                 motion.check();
                 Value amount = DriverCode.<@Nullable Value>call(bot, () -> maneuver.run(motion));
@@ -400,7 +401,11 @@ final class MotionGate {
             refuseInMotion();
             GuardedDrive before = guarded;
             boolean moves = driving && (before == null || before.share > 0);
+            boolean begins = !driving;
             driving = true;
+            if (begins) {
+                bot.motionBegins();
+            }
             guarded = isGuarded ? new GuardedDrive(mmPerSec, degPerSec, permit, share) : null;
             timer.once("drive lapse", BotControl.DRIVE_LEASE_S, this::endDrive);
             if (share > 0) {

@@ -314,6 +314,13 @@ abstract class MovingRobot extends MajicBot {
     }
 
     /**
+     * Takes note that a motion or drive begins that was commanded anew, before anything of it is sent: a turn of a
+     * course, or the renewal of a drive, is none. Called as {@link #driveAt}. Does nothing unless overridden, for a
+     * robot that others may take over: what was commanded before that must not take it back.
+     */
+    protected void motionBegins() {}
+
+    /**
      * Drives straight until done. Every command that moves the robot is sent through the motion; exceptions it throws
      * must not be caught. Motors are switched on here when they are off, with a notice.
      *

@@ -320,6 +320,14 @@ public final class MajicMavlink extends BotDriver {
     }
 
     @Override
+    protected void motionBegins() {
+        VehicleAccess.Parts open = parts.get();
+        if (open != null) {
+            open.motion().begins(isDriving());
+        }
+    }
+
+    @Override
     protected Value moveBy(double mm, Motion motion) {
         return alone(() -> motion().move(mm, cruiseMmPerSec(), motion));
     }

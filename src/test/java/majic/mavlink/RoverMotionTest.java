@@ -9,6 +9,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import majic.bot.BotException;
+import majic.bot.Course;
 import majic.bot.Guard;
 import majic.bot.MotionFailed;
 import majic.bot.MotionReport;
@@ -193,6 +194,50 @@ class RoverMotionTest {
         robot.pass(3);
         assertThat(rover.mode).isZero();
         assertThat(rover.commands(176)).hasSize(modes);
+    }
+
+    /** Drives for 1.5 s, stands for 3 s, in which another takes the vehicle over, and goes on by a step. */
+    private Course standing(Course.Step goesOn) {
+        long beganMs = robot.peer.millis();
+        AtomicBoolean taken = new AtomicBoolean();
+        return () -> {
+            long passedMs = robot.peer.millis() - beganMs;
+            if (passedMs > 3000 && taken.compareAndSet(false, true)) {
+                rover.changeMode(0);
+            }
+            return passedMs < 1500
+                    ? new Course.Drive(500, 0)
+                    : passedMs < 4500 ? Course.Drive.STAND : passedMs < 8000 ? goesOn : new Course.Arrived(null);
+        };
+    }
+
+    @Test
+    void aCourseWhoseModeWasTakenOverWhileItStoodDoesNotTakeItBack() {
+        ready();
+        for (Course.Step goesOn : List.of(new Course.Drive(500, 0), new Course.Turn(90), new Course.Move(500))) {
+            Course course = standing(goesOn);
+            int before = rover.commands(176).size();
+            CompletableFuture<MotionReport> motion = robot.clock().aside(() -> bot.follow(course, Guard.NEVER));
+
+            assertThat(failure(motion))
+                    .as("%s", goesOn)
+                    .hasMessageContaining("the mode was changed to MANUAL by another");
+            robot.pass(2);
+            assertThat(rover.mode).isZero();
+            assertThat(rover.commands(176)).hasSize(before + 1);
+        }
+    }
+
+    @Test
+    void aMotionThatIsCommandedAfterATakeoverSetsTheModeAgain() {
+        ready();
+        CompletableFuture<MotionReport> motion = moving(5000);
+        rover.changeMode(0);
+        failure(motion);
+
+        bot.move(500);
+
+        assertThat(rover.mode).isEqualTo(ScriptedRover.GUIDED);
     }
 
     @Test

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.atomic.AtomicBoolean;
+import majic.bot.Course;
 import majic.bot.Guard;
 import majic.bot.MotionFailed;
 import majic.bot.Unit;
@@ -17,6 +18,7 @@ import org.junit.jupiter.api.Test;
 /** What a copter is sent, and what is not sent to it. */
 class ScriptedCopterTest {
     private static final int GUIDED = 4;
+    private static final int LAND = 9;
     private static final int BRAKE = 17;
     private static final int ARM = 400;
 
@@ -207,6 +209,27 @@ class ScriptedCopterTest {
 
         assertThatThrownBy(() -> robot.clock().join(motion)).hasMessageContaining("Battery Failsafe");
         assertThat(copter.commands(176)).hasSize(before);
+    }
+
+    @Test
+    void theFailsafeOfItsBatteryEndsACourseThatStands() {
+        flying();
+        long beganMs = robot.peer.millis();
+        AtomicBoolean failed = new AtomicBoolean();
+        Course course = () -> {
+            long passedMs = robot.peer.millis() - beganMs;
+            if (passedMs > 3000 && failed.compareAndSet(false, true)) {
+                copter.text("Battery Failsafe");
+                copter.changeMode(LAND);
+            }
+            return passedMs < 1500 || passedMs > 4500 ? new Course.Drive(300, 0) : Course.Drive.STAND;
+        };
+        CompletableFuture<?> motion = robot.clock().aside(() -> bot.follow(course, Guard.NEVER));
+        robot.clock().until(() -> copter.mode == LAND || motion.isDone());
+
+        assertThatThrownBy(() -> robot.clock().join(motion)).hasMessageContaining("Battery Failsafe");
+        robot.pass(2);
+        assertThat(copter.mode).isEqualTo(LAND);
     }
 
     @Test

@@ -209,8 +209,8 @@ final class FlightGuard implements ObstructionSource {
         return new Place(from.northMm(now.latitudeE7()), from.eastMm(now.longitudeE7()), now.aboveHomeMm());
     }
 
-    /** Lets the next motion begin: what has ended the one before does not end it. */
-    void begin() {
+    /** Lets a motion begin that was commanded anew: what has ended the one before does not end it. */
+    void begins() {
         ended = null;
     }
 
@@ -219,10 +219,16 @@ final class FlightGuard implements ObstructionSource {
         takingOff = now;
     }
 
-    /** Why the last motion was ended from here; null if it was not. */
-    @Nullable
-    String endedBecause() {
-        return ended;
+    /**
+     * Refuses to go on with a motion of several parts.
+     *
+     * @throws MotionFailed if it was ended from here
+     */
+    void failIfEnded() {
+        String reason = ended;
+        if (reason != null) {
+            throw new MotionFailed(reason);
+        }
     }
 
     /**

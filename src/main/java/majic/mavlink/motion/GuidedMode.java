@@ -34,7 +34,7 @@ final class GuidedMode implements ObstructionSource {
     private final VehicleSession session;
     private final StopControl stop;
     private final TimeSource time;
-    private final AtomicReference<Hold> hold = new AtomicReference<>(new Hold(Claim.NONE, 0, ""));
+    private final AtomicReference<Hold> hold = new AtomicReference<>(Hold.NONE);
     private volatile long sentNanos;
     private volatile long stoppedNanos;
 
@@ -50,7 +50,9 @@ final class GuidedMode implements ObstructionSource {
         LOST
     }
 
-    private record Hold(Claim claim, long sinceNanos, String reason) {}
+    private record Hold(Claim claim, long sinceNanos, String reason) {
+        static final Hold NONE = new Hold(Claim.NONE, 0, "");
+    }
 
     GuidedMode(VehicleSession session, StopControl stop, TimeSource time) {
         this.session = session;
@@ -84,7 +86,7 @@ final class GuidedMode implements ObstructionSource {
 
     /** Ends the claim: a stop has been ordered, or the connection ends. */
     void release() {
-        hold.set(new Hold(Claim.NONE, 0, ""));
+        hold.set(Hold.NONE);
     }
 
     /** Takes the end of the autopilot's program. */
@@ -106,11 +108,12 @@ final class GuidedMode implements ObstructionSource {
         return claim == Claim.SET || claim == Claim.SHOWN;
     }
 
-    /** Returns why the mode was lost; null if it was not. */
-    @Nullable
-    String lostBecause() {
+    /** Lets a motion begin that was commanded anew: it may set a mode that was lost before. */
+    void begins() {
         Hold now = hold.get();
-        return now.claim() == Claim.LOST ? now.reason() : null;
+        if (now.claim() == Claim.LOST) {
+            hold.compareAndSet(now, Hold.NONE);
+        }
     }
 
     /**
@@ -138,9 +141,16 @@ final class GuidedMode implements ObstructionSource {
         return true;
     }
 
-    /** Sets the mode, unless it is in force or was set just now; does not wait. Called under a permit to move. */
+    /**
+     * Sets the mode, unless it is in force or was set just now; does not wait. Called under a permit to move.
+     *
+     * @throws MotionFailed if it was lost since the motion was commanded: another has the vehicle
+     */
     void set() {
         Hold now = hold.get();
+        if (now.claim() == Claim.LOST) {
+            throw new MotionFailed(now.reason());
+        }
         boolean held = now.claim() == Claim.SHOWN || now.claim() == Claim.SET;
         stop.cancel();
         if (now.claim() != Claim.SHOWN && !held && isInForce()) {

@@ -217,6 +217,19 @@ public final class VehicleMotion {
     }
 
     /**
+     * Takes note that a motion begins that was commanded anew, and so may take back a vehicle that another has taken
+     * over, or that a failsafe has.
+     *
+     * @param drives whether it is a drive, which is none within 1 s of the last call for another
+     */
+    public void begins(boolean drives) {
+        if (!drives || droveNanos == 0 || time.secondsSince(droveNanos) >= TAKEN_OVER_S) {
+            mode.begins();
+            flight.begins();
+        }
+    }
+
+    /**
      * Moves straight.
      *
      * @param mm ahead positive
@@ -247,17 +260,13 @@ public final class VehicleMotion {
     public void drive(double mmPerSec, double degPerSec) {
         failUnlessDrivable();
         arming.failUnlessArmed();
-        String lost = flies() && flight.endedBecause() != null ? flight.endedBecause() : mode.lostBecause();
         boolean goesOn = droveNanos != 0 && time.secondsSince(droveNanos) < TAKEN_OVER_S;
         droveNanos = time.nanos();
-        if (lost != null && goesOn) {
-            throw new MotionFailed(lost);
-        }
         if (flies()) {
+            flight.failIfEnded();
             flight.failUnlessFlying();
             if (!goesOn) {
                 flight.failIfOutside(0, 0);
-                flight.begin();
             }
         }
         mode.set();
@@ -287,9 +296,9 @@ public final class VehicleMotion {
     }
 
     private boolean prepareFlight(Motion motion, double aheadMm, double upMm) {
+        flight.failIfEnded();
         flight.failUnlessFlying();
         flight.failIfOutside(aheadMm, upMm);
-        flight.begin();
         return mode.enter(motion);
     }
 
@@ -305,7 +314,7 @@ public final class VehicleMotion {
         flight.failUnlessGrounded(mm);
         flight.takingOff(true);
         try {
-            flight.begin();
+            flight.failIfEnded();
             if (!motion.pause(0) || !mode.enter(motion)) {
                 return Value.of(flight.heightMm(), Unit.MM);
             }
