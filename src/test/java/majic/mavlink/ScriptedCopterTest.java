@@ -184,6 +184,20 @@ class ScriptedCopterTest {
         assertThat(copter.armed).isTrue();
     }
 
+    /** A watchdog of the autopilot restarts it in the air; it arms itself again. */
+    @Test
+    void oneWhoseAutopilotHasRestartedInTheAirIsNotFlownOn() {
+        flying();
+        copter.restart();
+        copter.armed = true;
+        copter.mode = GUIDED;
+        robot.pass(3);
+        int before = copter.targets().size();
+
+        assertThatThrownBy(() -> bot.move(1000)).hasMessageContaining("it was not armed by \"arm\" of this connection");
+        assertThat(copter.targets()).hasSize(before);
+    }
+
     @Test
     void inTheAirNoDisarmIsSent() {
         flying();

@@ -57,7 +57,7 @@ final class FlightGuard implements ObstructionSource {
         home = where;
     }
 
-    /** Takes note that it is not armed. */
+    /** Takes note that it is not armed, or was not for a moment: a watchdog may restart an autopilot in the air. */
     void disarmed() {
         home = null;
         homeInOdometry = null;

@@ -197,6 +197,7 @@ public final class VehicleMotion {
     /** Takes the restart of the autopilot; on the reader thread. */
     public void restarted() {
         mode.restarted();
+        flight.disarmed();
     }
 
     /** Whether there has been a usable position. */
