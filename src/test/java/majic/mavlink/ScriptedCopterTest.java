@@ -56,6 +56,27 @@ class ScriptedCopterTest {
         assertThat(copter.commands(176)).isEmpty();
     }
 
+    /** It is not sent without a request. */
+    @Test
+    void itsStateOnTheGroundIsAskedForAgainWhenTheRequestWasLost() {
+        copter.lostRequest = 245;
+        bot.connect();
+        robot.pass(4);
+
+        bot.run("arm", List.of());
+
+        assertThat(copter.armed).isTrue();
+    }
+
+    @Test
+    void aCopterThatDoesNotKnowItsStateOnTheGroundIsNotAskedForEver() {
+        copter.withoutLandedState = true;
+        bot.connect();
+        robot.pass(120);
+
+        assertThat(copter.commands(511)).filteredOn(got -> got.f32(0) == 245).hasSizeLessThan(10);
+    }
+
     @Test
     void withoutAFenceEveryMotionIsRefusedWithHowToSetOne() {
         bot.connect();

@@ -48,6 +48,9 @@ final class ScriptedRover {
     volatile int landed = 1;
     volatile int lostIndex = -1;
 
+    /** The first request for this message is lost on the way. */
+    volatile int lostRequest = -1;
+
     /** Before a parameter is set, its old value is sent twice; the answer comes 200 ms later. */
     volatile boolean sendsOldValues;
 
@@ -64,6 +67,7 @@ final class ScriptedRover {
     volatile double heightMm;
     volatile boolean withoutPosition;
     volatile boolean withoutAttitude;
+    volatile boolean withoutLandedState;
     volatile int positionLagMs;
     volatile int armingMs;
 
@@ -173,6 +177,10 @@ final class ScriptedRover {
                 acknowledge(22, 0);
             }
             case 511 -> {
+                if (Math.round(got.f32(0)) == lostRequest) {
+                    lostRequest = -1;
+                    return;
+                }
                 periodsMs.put(Math.round(got.f32(0)), Math.round(got.f32(4) / 1000));
                 acknowledge(511, 0);
             }
@@ -375,7 +383,7 @@ final class ScriptedRover {
                                     .putInt((int) heightMm)
                                     .putShort(24, (short) (-climbMmPerSec / 10)));
         }
-        if (type == 2 && due(245, 1000)) {
+        if (type == 2 && periodsMs.containsKey(245) && !withoutLandedState && due(245, 1000)) {
             send(245, fields(2).put(1, (byte) landed));
         }
         if (due(24, 1000)) {

@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import majic.bot.Value;
 import majic.mavlink.frame.MavlinkMessageType;
 import majic.mavlink.frame.OutgoingMessage;
@@ -34,6 +35,9 @@ final class DataRates {
 
     private static final double LONGEST_PERIOD_S = 60;
 
+    /** Single reports that do not come are asked for again as often: an autopilot may not have them. */
+    private static final int MOST_SINGLE_ROUNDS = 5;
+
     /** Requests have helped if the reports come more often by this factor. */
     private static final double HELPFUL = 1.25;
 
@@ -41,6 +45,13 @@ final class DataRates {
      * The groups of an autopilot without single messages, and how often: status, positions, attitude, speed, ranges.
      */
     private static final Map<Integer, Integer> STREAMS = Map.of(2, 2, 6, POSE_HZ, 10, POSE_HZ, 11, 2, 12, POSE_HZ);
+
+    private static final List<MavlinkMessageType> POSE =
+            List.of(MavlinkMessageType.ATTITUDE, MavlinkMessageType.LOCAL_POSITION_NED);
+
+    /** What a copter does not fly without, besides. */
+    private static final List<MavlinkMessageType> FLIGHT =
+            List.of(MavlinkMessageType.GLOBAL_POSITION_INT, MavlinkMessageType.EXTENDED_SYS_STATE);
 
     private final VehicleSession session;
     private final VehicleReports reports;
@@ -54,6 +65,7 @@ final class DataRates {
     private int rounds;
     private double bestHz;
     private int vainRounds;
+    private int singleRounds;
     private double periodS = CHECK_S;
     private boolean told;
     private volatile boolean restarted;
@@ -82,6 +94,7 @@ final class DataRates {
     synchronized void request() {
         waiting.clear();
         requests().forEach(session::send);
+        singleRounds = 0;
         begin();
     }
 
@@ -103,8 +116,7 @@ final class DataRates {
 
     private void begin() {
         checkedNanos = time.nanos();
-        List.of(MavlinkMessageType.ATTITUDE, MavlinkMessageType.LOCAL_POSITION_NED)
-                .forEach(type -> before.put(type, reports.count(type)));
+        Stream.concat(POSE.stream(), FLIGHT.stream()).forEach(type -> before.put(type, reports.count(type)));
     }
 
     /**
@@ -143,6 +155,9 @@ final class DataRates {
             return;
         }
         double hz = slowestHz();
+        if (hz >= LEAST_HZ) {
+            askForSingleOnes();
+        }
         begin();
         if (hz >= LEAST_HZ) {
             rounds = 0;
@@ -160,11 +175,27 @@ final class DataRates {
     }
 
     private double slowestHz() {
-        double seconds = time.secondsSince(checkedNanos);
-        return before.entrySet().stream()
-                .mapToDouble(entry -> (reports.count(entry.getKey()) - entry.getValue()) / seconds)
-                .min()
-                .orElse(0);
+        return POSE.stream().mapToDouble(this::hz).min().orElse(0);
+    }
+
+    private double hz(MavlinkMessageType type) {
+        return (reports.count(type) - before.getOrDefault(type, 0L)) / time.secondsSince(checkedNanos);
+    }
+
+    /** Asks a copter again for what it does not fly without, where only that request was lost. */
+    private void askForSingleOnes() {
+        List<MavlinkMessageType> lost = session.vehicle() == VehicleClass.COPTER
+                ? FLIGHT.stream()
+                        .filter(type -> hz(type) < wanted.getOrDefault(type, 0) / 2.0)
+                        .toList()
+                : List.of();
+        if (lost.isEmpty()) {
+            singleRounds = 0;
+        } else if (singleRounds < MOST_SINGLE_ROUNDS && !isOld()) {
+            singleRounds++;
+            lost.forEach(type ->
+                    waiting.add(MavlinkRequests.interval(session.system(), type, wanted.getOrDefault(type, 1))));
+        }
     }
 
     private void askAgain(double hz) {
