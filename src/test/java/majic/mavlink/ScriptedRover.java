@@ -80,6 +80,7 @@ final class ScriptedRover {
     volatile int answeredSystem;
     volatile String armRefusal = "";
     volatile String modeRefusal = "";
+    volatile int refusedMode = -1;
     volatile Pose pose = Pose.START;
     Pose frame = new Pose(12_000, -5_000, 70);
     private double wantedMmPerSec;
@@ -196,6 +197,10 @@ final class ScriptedRover {
 
     private void setMode(int wanted) {
         if (ignoresModes) {
+            return;
+        }
+        if (wanted == refusedMode) {
+            acknowledge(176, 4);
             return;
         }
         if (!modeRefusal.isEmpty()) {

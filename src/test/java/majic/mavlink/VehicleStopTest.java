@@ -15,6 +15,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 /** The stop of vehicles: its mode at once, repeated, confirmed, and never a command that stops motors. */
 class VehicleStopTest {
+    private static final int LOITER = 5;
+
     @AutoClose
     private final DrivenRover robot = new DrivenRover();
 
@@ -65,6 +67,25 @@ class VehicleStopTest {
         assertThat(repeated).isGreaterThanOrEqualTo(10);
         assertThat(rover.commands(176)).hasSize(shown);
         assertThat(robot.peer.millis() - stoppedMs).isGreaterThan(1000);
+    }
+
+    /** LOITER needs a position. */
+    @Test
+    void aBoatThatCannotKeepItsPlaceIsStoppedByHold() {
+        rover.type = 11;
+        robot.ready();
+        moving();
+        rover.refusedMode = LOITER;
+        robot.pass(2);
+
+        bot.stop();
+
+        assertThat(rover.mode).isEqualTo(ScriptedRover.HOLD);
+        assertThat(rover.commands(176)).anyMatch(got -> got.f32(4) == LOITER);
+        robot.pass(0.5);
+        int stops = rover.commands(176).size();
+        robot.pass(3);
+        assertThat(rover.commands(176)).hasSize(stops);
     }
 
     @Test

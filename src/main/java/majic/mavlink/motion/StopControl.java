@@ -47,9 +47,20 @@ public final class StopControl {
     private final AtomicInteger times = new AtomicInteger();
     private volatile long otherNanos;
 
-    /** A stop that was ordered. */
-    private record Order(boolean pending, long atNanos) {
-        static final Order NONE = new Order(false, 0);
+    /**
+     * A stop that was ordered.
+     *
+     * @param pending whether it is still to be repeated
+     * @param atNanos when
+     * @param refusedNanos when its mode was refused, for which there is another; 0 if it was not
+     */
+    private record Order(boolean pending, long atNanos, long refusedNanos) {
+        static final Order NONE = new Order(false, 0, 0);
+
+        /** What shows the stop arrives after this time. */
+        long fromNanos() {
+            return Math.max(atNanos, refusedNanos);
+        }
 
         boolean exists() {
             return atNanos != 0;
@@ -74,7 +85,7 @@ public final class StopControl {
      */
     public void order() {
         times.set(0);
-        order = new Order(true, Math.max(1, time.nanos()));
+        order = new Order(true, Math.max(1, time.nanos()), 0);
         try {
             write();
         } finally {
@@ -84,7 +95,7 @@ public final class StopControl {
 
     private void write() {
         times.incrementAndGet();
-        OptionalLong mode = session.modes().stop();
+        OptionalLong mode = mode();
         if (mode.isPresent()) {
             session.send(MavlinkRequests.command(
                     session.system(),
@@ -99,8 +110,28 @@ public final class StopControl {
         }
     }
 
+    /** The mode of the stop; another one once that was refused. */
+    private OptionalLong mode() {
+        return order.refusedNanos() == 0
+                ? session.modes().stop()
+                : session.modes().otherStop();
+    }
+
+    /** Goes over to the other mode of a stop when the first one is refused. */
+    private synchronized void goOver(Order now) {
+        boolean isOwnAnswer = otherNanos == 0 || time.secondsSince(otherNanos) > OTHER_S;
+        if (order == now && hasOther(now) && isOwnAnswer && isRefused(now)) {
+            order = new Order(now.pending(), now.atNanos(), time.nanos());
+        }
+    }
+
+    private boolean hasOther(Order now) {
+        return now.refusedNanos() == 0 && session.modes().otherStop().isPresent();
+    }
+
     /** Sends the stop again unless it is shown; on the timer thread. */
     void repeat() {
+        goOver(order);
         Order now = order;
         if (!now.pending() || session.hasEnded()) {
             return;
@@ -127,7 +158,7 @@ public final class StopControl {
 
     private synchronized void end(Order now) {
         if (order == now) {
-            order = new Order(false, now.atNanos());
+            order = new Order(false, now.atNanos(), now.refusedNanos());
         }
     }
 
@@ -150,6 +181,7 @@ public final class StopControl {
             if (waiting.awaitClosing(() -> isShown() || session.hasEnded(), PERIOD_S)) {
                 return;
             }
+            goOver(order);
             try {
                 write();
             } catch (LinkLost e) {
@@ -171,18 +203,18 @@ public final class StopControl {
 
     /** Whether a heartbeat or an answer after the stop shows its mode. */
     private boolean isShown() {
-        long from = order.atNanos();
+        long from = order.fromNanos();
         boolean inMode = session.reports()
                 .newest(VehicleHeartbeat.class)
                 .filter(received -> received.atNanos() > from && isStopMode(received))
                 .isPresent();
-        boolean isAnswered = (from - otherNanos) / 1e9 > OTHER_S || otherNanos == 0;
+        boolean isAnswered = otherNanos == 0 || (from - otherNanos) / 1e9 > OTHER_S;
         return inMode
                 || isAnswered && answer(from).filter(CommandAck::isAccepted).isPresent();
     }
 
     private boolean isStopMode(Received<VehicleHeartbeat> received) {
-        OptionalLong mode = session.modes().stop();
+        OptionalLong mode = mode();
         return mode.isPresent() && mode.getAsLong() == received.value().customMode();
     }
 
@@ -200,7 +232,7 @@ public final class StopControl {
         if (!order.exists() || !WaitPolicy.isAllowed()) {
             return;
         }
-        String mode = session.modes().stop().stream()
+        String mode = mode().stream()
                 .mapToObj(session.modes()::name)
                 .findFirst()
                 .orElseThrow(() -> new BotException(
@@ -222,10 +254,10 @@ public final class StopControl {
 
     /** Its reasons have come by then, and one of the repetitions might have been accepted. */
     private boolean isRefusedForGood(Order now) {
-        return isRefused(now) && time.secondsSince(now.atNanos()) > REFUSED_S;
+        return isRefused(now) && !hasOther(now) && time.secondsSince(now.fromNanos()) > REFUSED_S;
     }
 
     private boolean isRefused(Order now) {
-        return answer(now.atNanos()).filter(answer -> !answer.isAccepted()).isPresent();
+        return answer(now.fromNanos()).filter(answer -> !answer.isAccepted()).isPresent();
     }
 }

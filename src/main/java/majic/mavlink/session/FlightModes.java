@@ -13,6 +13,8 @@ public final class FlightModes {
     private static final int ARDUPILOT = 3;
     private static final int PX4 = 12;
     private static final String GUIDED = "GUIDED";
+    private static final String HOLD = "HOLD";
+    private static final String STOP_OF_BOAT = "LOITER";
 
     private static final Map<String, Long> ROVER = ofArduPilot(
             "MANUAL 0 ACRO 1 STEERING 3 HOLD 4 LOITER 5 FOLLOW 6 SIMPLE 7 DOCK 8 CIRCLE 9 AUTO 10 RTL 11 SMART_RTL 12"
@@ -57,14 +59,14 @@ public final class FlightModes {
     /** Returns the modes of the vehicle that has sent a heartbeat. */
     public static FlightModes of(VehicleHeartbeat heartbeat) {
         if (heartbeat.autopilot() == PX4) {
-            return new FlightModes(PX4, OF_PX4, "HOLD", "RETURN", "LAND");
+            return new FlightModes(PX4, OF_PX4, HOLD, "RETURN", "LAND");
         }
         if (heartbeat.autopilot() != ARDUPILOT) {
             return new FlightModes(heartbeat.autopilot(), Map.of(), "", "", "");
         }
         return switch (VehicleClass.of(heartbeat)) {
-            case ROVER -> new FlightModes(ARDUPILOT, ROVER, "HOLD", "RTL", "");
-            case BOAT -> new FlightModes(ARDUPILOT, ROVER, "LOITER", "RTL", "");
+            case ROVER -> new FlightModes(ARDUPILOT, ROVER, HOLD, "RTL", "");
+            case BOAT -> new FlightModes(ARDUPILOT, ROVER, STOP_OF_BOAT, "RTL", "");
             case COPTER -> new FlightModes(ARDUPILOT, COPTER, "BRAKE", "RTL", "LAND");
             case SUBMARINE -> new FlightModes(ARDUPILOT, SUBMARINE, "POSHOLD", "", "SURFACE");
             case PLANE -> new FlightModes(ARDUPILOT, PLANE, "LOITER", "RTL", "");
@@ -128,6 +130,16 @@ public final class FlightModes {
     /** Returns the mode of a stop; empty if none is known. */
     public OptionalLong stop() {
         return number(stop);
+    }
+
+    /**
+     * Returns the mode of a stop where the usual one is refused: HOLD of a boat that does not know its place, and so
+     * cannot keep it.
+     */
+    public OptionalLong otherStop() {
+        return isArduPilot() && stop.equals(STOP_OF_BOAT) && numbers.containsKey(HOLD)
+                ? number(HOLD)
+                : OptionalLong.empty();
     }
 
     /** Returns the mode that leads home; empty if there is none. */
