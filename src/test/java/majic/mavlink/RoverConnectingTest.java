@@ -1,9 +1,12 @@
 package majic.mavlink;
 
+import static majic.mavlink.VehicleFrames.fields;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import majic.bot.ConnectFailed;
 import majic.bot.Value;
@@ -337,6 +340,25 @@ class RoverConnectingTest {
                     .isInstanceOf(ConnectFailed.class)
                     .hasMessageContaining("no vehicle with system 1");
         }
+    }
+
+    /** A character of two bytes makes a full piece shorter than 50 characters. */
+    @Test
+    void theFirstPieceOfATextIsNotItsEndThoughItHasFewerCharacters() {
+        bot.connect();
+        byte[] full = "Motor 1 is hot: 95 \u00b0C, limit 90 \u00b0C, load 99 % no".getBytes(StandardCharsets.UTF_8);
+        rover.send(253, fields(54).put((byte) 3).put(full).putShort((short) 7).put((byte) 0));
+        rover.send(
+                253,
+                fields(54)
+                        .put((byte) 3)
+                        .put(Arrays.copyOf("w".getBytes(StandardCharsets.UTF_8), 50))
+                        .putShort((short) 7)
+                        .put((byte) 1));
+        robot.pass(0.5);
+
+        assertThat(full).hasSize(50);
+        assertThat(bot.get("message")).hasToString("Motor 1 is hot: 95 \u00b0C, limit 90 \u00b0C, load 99 % now");
     }
 
     @Test
