@@ -110,11 +110,16 @@ final class WaypointDrawing implements KeyListener {
         }
         if (isDragged(from, event)) {
             add(new Waypoint(new Destination(heading(from, event), true), ""));
-        } else if (event.getClickCount() % 2 == 0) {
+        } else if (isDoubleClick(event)) {
             finish();
         } else {
             add(at(from));
         }
+    }
+
+    /** A slow click during which the mouse moves by a pixel has the count 0. */
+    private static boolean isDoubleClick(MouseEvent event) {
+        return event.getClickCount() > 0 && event.getClickCount() % 2 == 0;
     }
 
     private static boolean isDragged(Point from, MouseEvent event) {

@@ -76,8 +76,12 @@ class WaypointsWindowTest {
     }
 
     private void send(int id, Point at) {
+        send(id, at, 1);
+    }
+
+    private void send(int id, Point at, int clicks) {
         map().dispatchEvent(new MouseEvent(
-                map(), id, 0, InputEvent.BUTTON1_DOWN_MASK, at.x, at.y, 1, false, MouseEvent.BUTTON1));
+                map(), id, 0, InputEvent.BUTTON1_DOWN_MASK, at.x, at.y, clicks, false, MouseEvent.BUTTON1));
     }
 
     /** Waits for the editor, and returns the lines in it. */
@@ -138,6 +142,20 @@ class WaypointsWindowTest {
         window.doubleClickAt(MAP, pixel(DESK));
 
         assertThat(script()).hasSize(3).endsWith("1 goto desk");
+    }
+
+    @Test
+    void aSlowClickDuringWhichTheMouseMovesIsOneWaypoint() {
+        click(500, 1000);
+        Point desk = pixel(DESK);
+        window.run(() -> {
+            send(MouseEvent.MOUSE_PRESSED, desk);
+            send(MouseEvent.MOUSE_DRAGGED, new Point(desk.x + 1, desk.y), 0);
+            send(MouseEvent.MOUSE_RELEASED, new Point(desk.x + 1, desk.y), 0);
+        });
+
+        assertThat(hint()).startsWith("waypoints: 2;");
+        assertThat(map().hasToClose()).isTrue();
     }
 
     @Test
