@@ -376,9 +376,26 @@ public final class TestWindow implements AutoCloseable {
         give(MouseEvent.MOUSE_PRESSED, 1, () -> robot.click(find(name, Component.class), place));
     }
 
+    /**
+     * Dispatches the events of a double click. The display could lose the second click: the window manager holds back
+     * the first one, and when it lets that go while the second one is being given, the program receives neither the
+     * press nor the release of the second. Given when the first has arrived, it could be too late for a double click.
+     */
     public void doubleClickAt(String name, Point place) {
         Component component = find(name, Component.class);
-        give(MouseEvent.MOUSE_PRESSED, 2, () -> robot.click(component, place, MouseButton.LEFT_BUTTON, 2));
+        run(() -> {
+            for (int click = 1; click <= 2; click++) {
+                component.dispatchEvent(button(component, MouseEvent.MOUSE_PRESSED, place, click));
+                component.dispatchEvent(button(component, MouseEvent.MOUSE_RELEASED, place, click));
+                component.dispatchEvent(button(component, MouseEvent.MOUSE_CLICKED, place, click));
+            }
+        });
+    }
+
+    private static MouseEvent button(Component component, int event, Point place, int click) {
+        int modifiers = event == MouseEvent.MOUSE_PRESSED ? MouseEvent.BUTTON1_DOWN_MASK : 0;
+        long whenMs = System.currentTimeMillis();
+        return new MouseEvent(component, event, whenMs, modifiers, place.x, place.y, click, false, MouseEvent.BUTTON1);
     }
 
     /** Opens the context menu of a component. */
