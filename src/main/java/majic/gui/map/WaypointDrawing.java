@@ -83,6 +83,7 @@ final class WaypointDrawing implements KeyListener {
             case MouseEvent.MOUSE_PRESSED -> press(event);
             case MouseEvent.MOUSE_DRAGGED -> drag(event);
             case MouseEvent.MOUSE_RELEASED -> release(event);
+            case MouseEvent.MOUSE_CLICKED -> click(event);
             default -> {}
         }
     }
@@ -110,10 +111,15 @@ final class WaypointDrawing implements KeyListener {
         }
         if (isDragged(from, event)) {
             add(new Waypoint(new Destination(heading(from, event), true), ""));
-        } else if (isDoubleClick(event)) {
-            finish();
-        } else {
+        } else if (!isDoubleClick(event)) {
             add(at(from));
+        }
+    }
+
+    /** Ends it only with the last event of the second click, which would otherwise be a double click on the map. */
+    private void click(MouseEvent event) {
+        if (SwingUtilities.isLeftMouseButton(event) && isDoubleClick(event)) {
+            finish();
         }
     }
 

@@ -145,6 +145,16 @@ class WaypointsWindowTest {
     }
 
     @Test
+    void theMapStaysAsItIsAfterADoubleClick() {
+        window.push("map zoom_in");
+        Point before = pixel(ROBOT);
+        window.doubleClickAt(MAP, pixel(DESK));
+
+        assertThat(script()).hasSize(2);
+        assertThat(pixel(ROBOT)).isEqualTo(before);
+    }
+
+    @Test
     void aSlowClickDuringWhichTheMouseMovesIsOneWaypoint() {
         click(500, 1000);
         Point desk = pixel(DESK);
