@@ -495,8 +495,7 @@ public final class TestWindow implements AutoCloseable {
     public void chooseFile(Path file) {
         JFileChooserFixture chooser = fileChooser();
         chooser.fileNameTextBox().setText(file.toString());
-        chooser.approve();
-        settle();
+        give(MouseEvent.MOUSE_PRESSED, 1, chooser::approve);
     }
 
     private JFileChooserFixture fileChooser() {
