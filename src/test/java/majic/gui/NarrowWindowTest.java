@@ -19,7 +19,7 @@ class NarrowWindowTest {
 
     @BeforeEach
     void shrink() {
-        window.run(() -> window.frame.setSize(700, 540));
+        window.resize(700, 540);
         window.await(
                 "a narrow window",
                 () -> window.find("messageArea", Component.class).getWidth() < 700);
@@ -28,7 +28,7 @@ class NarrowWindowTest {
     @Test
     void everyButtonHasItsTextIfThereIsRoomBesideReleaseAndStopIsFullyVisible() {
         assertThat(isWhole("stop")).isTrue();
-        window.run(() -> window.frame.setSize(860, 540));
+        window.resize(860, 540);
         window.await("words", () -> button("Save Session").getText() != null);
         assertThat(window.text("Save Session")).isEqualTo("Save Session");
         assertThat(button("Save Session").getWidth())
@@ -40,8 +40,7 @@ class NarrowWindowTest {
     void stopMovesNoButtonHoweverNarrowTheWindowIs() {
         window.add("one");
         for (int width = 700; width <= 1000; width += 20) {
-            int wanted = width;
-            window.run(() -> window.frame.setSize(wanted, 540));
+            window.resize(width, 540);
             window.run(window.frame::validate);
             Rectangle before = button("Kill Majic").getBounds();
             window.push("stop");
@@ -62,7 +61,7 @@ class NarrowWindowTest {
         assertThat(window.find("mainPane", Component.class).getWidth())
                 .isEqualTo(map.getParent().getWidth());
 
-        window.run(() -> window.frame.setSize(1280, 800));
+        window.resize(1280, 800);
         window.await("the map", map::isVisible);
     }
 
@@ -75,11 +74,8 @@ class NarrowWindowTest {
     @Test
     void onTheSmallestScreenStopAndReleaseAreWholeAndTheTabsOfTwentyRobotsAreReached() {
         window.addAll(20);
-        window.run(() -> {
-            window.frame.setMinimumSize(null);
-            window.frame.setSize(640, 400);
-        });
-        window.await("a small window", () -> window.frame.getRootPane().getWidth() <= 640);
+        window.run(() -> window.frame.setMinimumSize(null));
+        window.resize(640, 400);
         window.click("stop");
         window.await("release", () -> window.isShowing("release"));
         window.run(window.frame::validate);
@@ -106,7 +102,7 @@ class NarrowWindowTest {
     @ParameterizedTest
     @ValueSource(strings = {"Add Bot", "Kill Bot", "Load Act", "Save Session", "Save Log"})
     void theEntryOfAnActionThatAsksFirstEndsWithAnEllipsisAndItsButtonDoesNot(String name) {
-        window.run(() -> window.frame.setSize(900, 540));
+        window.resize(900, 540);
         window.await("words", () -> button(name).getText() != null);
         assertThat(window.entry(name + "…").getText()).isEqualTo(name + "…");
         assertThat(window.text(name)).isEqualTo(name);

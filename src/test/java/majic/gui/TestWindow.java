@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.awt.AWTException;
 import java.awt.Component;
 import java.awt.Dialog;
+import java.awt.Dimension;
 import java.awt.KeyboardFocusManager;
 import java.awt.Point;
 import java.awt.Rectangle;
@@ -461,6 +462,19 @@ public final class TestWindow implements AutoCloseable {
                 .map(JMenuItem.class::cast)
                 .findFirst()
                 .orElseThrow();
+    }
+
+    /**
+     * Gives the window a size, and waits until it is laid out with that. A late answer of the window manager to an
+     * earlier request can take the size back, so it is requested until the window has it.
+     */
+    public void resize(int width, int height) {
+        Dimension wanted = new Dimension(width, height);
+        await("a window of " + width + " by " + height, () -> {
+            run(() -> frame.setSize(wanted));
+            return GuiActionRunner.execute(() -> frame.getSize().equals(wanted)
+                    && frame.getRootPane().getWidth() == width - frame.getInsets().left - frame.getInsets().right);
+        });
     }
 
     /** Runs an action on the event dispatch thread. */
