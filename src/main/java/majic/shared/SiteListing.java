@@ -177,11 +177,28 @@ final class SiteListing {
         int before = arrivals.get();
         connection.subscribe(topics.robots(desk.name, Part.DESCRIPTION), Quality.AT_LEAST_ONCE, handler);
         awaitArrivals(waiting, before, () -> desk.missing().isEmpty());
-        int again = arrivals.get();
-        for (int robot : desk.missing()) {
+        int unknown = Integer.MAX_VALUE;
+        for (List<Integer> missing = desk.missing();
+                !missing.isEmpty() && missing.size() < unknown;
+                missing = desk.missing()) {
+            unknown = missing.size();
+            ask(connection, desk, missing, handler, waiting);
+        }
+    }
+
+    /** Asks for descriptions one by one: a broker leaves out what its queue does not hold. */
+    private void ask(
+            BrokerConnection connection,
+            Desk desk,
+            List<Integer> robots,
+            BrokerConnection.Handler handler,
+            RobotWait waiting) {
+        SiteTopics topics = new SiteTopics(desk.site.site());
+        int before = arrivals.get();
+        for (int robot : robots) {
             connection.subscribe(topics.robot(desk.name, robot, Part.DESCRIPTION), Quality.AT_LEAST_ONCE, handler);
         }
-        awaitArrivals(waiting, again, () -> desk.missing().isEmpty());
+        awaitArrivals(waiting, before, () -> desk.missing().isEmpty());
     }
 
     /** A description of another session is one of an earlier run of the desk. */

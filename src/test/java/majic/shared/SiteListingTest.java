@@ -91,6 +91,26 @@ class SiteListingTest {
     }
 
     @Test
+    void asksAgainForWhatTheBrokerLeavesOutAsLongAsThatHelps() {
+        try (TestClock clock = new TestClock();
+                FakeBroker broker = new FakeBroker(clock.time())) {
+            broker.publish(presence(State.ONLINE, "desk2", 3));
+            for (int robot = 1; robot <= 3; robot++) {
+                broker.publish(description("desk2", robot, "s-desk2"));
+                broker.leaveOut(TOPICS.robot("desk2", robot, Part.DESCRIPTION), robot - 1);
+            }
+            BotEnvironment environment = new BotEnvironment(clock.time(), Settings.inMemory());
+
+            Map<String, String> robots =
+                    new SiteListing((address, options) -> broker.open(options), ADDRESS, environment).robots();
+
+            assertThat(robots)
+                    .hasSize(3)
+                    .allSatisfy((robot, what) -> assertThat(what).isEqualTo("MobileRobots Pioneer"));
+        }
+    }
+
+    @Test
     @EnabledIf("isInstalled")
     void isCompleteWithMoreRobotsThanMosquittoQueues(@TempDir Path folder) throws InterruptedException {
         BotEnvironment environment = new BotEnvironment(TimeSource.system(), Settings.inMemory());

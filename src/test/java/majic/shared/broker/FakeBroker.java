@@ -1,6 +1,7 @@
 package majic.shared.broker;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -17,6 +18,7 @@ public final class FakeBroker implements AutoCloseable {
     private final TimeSource time;
     private final List<FakeConnection> connections = new ArrayList<>();
     private final Map<String, Retained> retained = new TreeMap<>();
+    private final Map<String, Integer> leftOut = new HashMap<>();
     private final List<BrokerMessage> published = new ArrayList<>();
     private boolean running = true;
     private boolean repeating;
@@ -152,7 +154,20 @@ public final class FakeBroker implements AutoCloseable {
 
     /** Delivers what is kept for a new subscription. */
     synchronized void deliverRetained(FakeConnection to, String filter) {
-        allRetained(filter).forEach(message -> to.arrive(message.withRetained(true)));
+        allRetained(filter).stream()
+                .filter(message -> !isLeftOut(message.topic()))
+                .forEach(message -> to.arrive(message.withRetained(true)));
+    }
+
+    private boolean isLeftOut(String topic) {
+        int times = leftOut.getOrDefault(topic, 0);
+        leftOut.put(topic, times - 1);
+        return times > 0;
+    }
+
+    /** Leaves a kept message out for some subscriptions, as a broker does whose queue is full. */
+    public synchronized void leaveOut(String topic, int times) {
+        leftOut.put(topic, times);
     }
 
     @Override
