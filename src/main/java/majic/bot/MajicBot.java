@@ -115,6 +115,15 @@ public abstract class MajicBot implements BotControl, Guard.ReadingSource, AutoC
     public abstract void close();
 
     /**
+     * Returns what kind of robot it is, for lists: the label of its type, or more where connecting has found it out.
+     *
+     * @return with a capital letter: {@code Pioneer}; of a MAVLink vehicle that was connected {@code Copter}
+     */
+    public String kind() {
+        return type().label();
+    }
+
+    /**
      * Describes the connected robot, as far as connecting reported it.
      *
      * @return article and make, {@code a MobileRobots Pioneer}; a driver whose robot reports more adds it

@@ -298,6 +298,14 @@ public final class MajicMavlink extends BotDriver {
                 + open.version().map(version -> ", version " + version).orElse("") + ")";
     }
 
+    /** The kind of vehicle, once it was connected. */
+    @Override
+    public String kind() {
+        VehicleSession open = session;
+        VehicleClass vehicle = open == null ? VehicleClass.OTHER : open.vehicle();
+        return vehicle == VehicleClass.OTHER ? super.kind() : vehicle.label();
+    }
+
     /** The connection and the number of the vehicle on it. */
     @Override
     public Optional<String> identity() {

@@ -73,10 +73,10 @@ public final class Member implements TeamMembership {
     /**
      * Returns what users call the robot, beside its number.
      *
-     * @return its name and type, as in {@code Rex (Aibo)}; the type alone if it has no name
+     * @return its name and kind, as in {@code Rex (Aibo)}; the kind alone if it has no name
      */
     public String label() {
-        return label(name, bot.type().label());
+        return label(name, bot.kind());
     }
 
     /**

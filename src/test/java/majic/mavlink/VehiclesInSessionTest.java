@@ -35,7 +35,7 @@ class VehiclesInSessionTest {
 
         try (LabRig again = LabRig.exactWithMavlink("copter+ready,rover+ready")) {
             assertThat(again.run("run \"" + saved + "\"")).noneMatch(line -> line.contains("failed"));
-            assertThat(again.team().listing()).isEqualTo("robots: 1 Fly (MAVLink vehicle), 2 MAVLink vehicle");
+            assertThat(again.team().listing()).isEqualTo("robots: 1 Fly (Copter), 2 Rover");
             assertThat(again.run("1 get model,armed,fence", "2 get model"))
                     .contains("1 model = copter 4.6.0", "1 armed = no", "1 fence = unknown (not set)")
                     .contains("2 model = rover 4.6.0");

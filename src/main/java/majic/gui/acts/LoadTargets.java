@@ -57,7 +57,7 @@ public record LoadTargets(List<LoadTarget> all) {
     String heading() {
         if (all.size() == 1) {
             Member member = first().member();
-            return TEXTS.get("actForOne", member.number(), member.bot().type().label());
+            return TEXTS.get("actForOne", member.number(), member.bot().kind());
         }
         return TEXTS.get(
                 "actForEach",

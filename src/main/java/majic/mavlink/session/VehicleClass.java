@@ -1,5 +1,6 @@
 package majic.mavlink.session;
 
+import java.util.Locale;
 import majic.mavlink.message.VehicleHeartbeat;
 
 /** The kinds of vehicles, as far as MAJIC treats them differently (MAVLink sheet 3). */
@@ -38,6 +39,11 @@ public enum VehicleClass {
     /** Returns its word for users. */
     public String title() {
         return title;
+    }
+
+    /** Returns the same for lists, with a capital letter. */
+    public String label() {
+        return title.substring(0, 1).toUpperCase(Locale.ROOT) + title.substring(1);
     }
 
     /** Whether MAJIC moves it by motions. */
