@@ -195,7 +195,7 @@ class ProgramsInLabTest {
             Pose start = rig.truePose("mavlink");
 
             assertThat(rig.run("1 set fence 5000 500 4000", "1 act examples/flight.majic side=1m"))
-                    .anyMatch(line -> line.contains("landed at"))
+                    .anyMatch(line -> line.matches("landed at -?[\\d.]+ mm -?[\\d.]+ mm"))
                     .last()
                     .asString()
                     .contains("act examples/flight.majic side=1m: done (");
